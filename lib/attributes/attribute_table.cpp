@@ -3,11 +3,41 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
-#include "attributes/field_names.hpp"
-#include "core/hundredths.hpp"
+#include "core/text.hpp"
 
 namespace d2b {
+namespace {
+
+struct Translation {
+    FieldNames names;
+    std::string_view own;
+    std::string_view other;
+};
+
+// Field names of other programs. URock takes the height of a building from ROOF_HEIGHT by default and
+// extrudes a block to it, so it gets p90 because the highest point may be a spire. City4CFD configures its
+// attribute names; these are those of its own examples. OSM: tags of Simple 3D Buildings.
+constexpr std::array translations{
+    Translation{FieldNames::urock, "id", "ID_BUILD"},
+    Translation{FieldNames::urock, "p90", "ROOF_HEIGHT"},
+    Translation{FieldNames::city4cfd, "id", "unique_id"},
+    Translation{FieldNames::city4cfd, "num_floors", "floors"},
+    Translation{FieldNames::city4cfd, "min_height", "base_height"},
+    Translation{FieldNames::osm, "num_floors", "building:levels"},
+    Translation{FieldNames::osm, "ground", "ele"},
+};
+
+}  // namespace
+
+std::string_view field_name(FieldNames names, std::string_view own) {
+    for (const Translation& translation : translations)
+        if (translation.names == names && translation.own == own)
+            return translation.other;
+    return own;
+}
+
 namespace {
 
 using Unit = AttributeUnit;
@@ -18,7 +48,7 @@ FieldValue number(double value) {
 }
 /// Rounds a measurement in metres to hundredths, because the data are not more accurate.
 FieldValue measure(double value) {
-    return number(to_hundredths(value));
+    return number(round_to_hundredths(value));
 }
 FieldValue reference(std::int64_t id) {
     return id > 0 ? FieldValue{id} : FieldValue{};
@@ -96,7 +126,7 @@ constexpr std::array building_table{
     Attribute<BuildingRecord>{
         "confidence", "Confidence", FieldType::real, Unit::none,
         "how certain it is that this is a building, 0 to 1; NULL in the thesis preset",
-        [](const BuildingRecord& r) { return number(down_to_hundredths(r.confidence)); }},
+        [](const BuildingRecord& r) { return number(floor_to_hundredths(r.confidence)); }},
     Attribute<BuildingRecord>{"doubt", "Doubt", FieldType::text, Unit::none,
                               "the strongest sign against a building, where confidence is below 0.9",
                               [](const BuildingRecord& r) { return doubt(r); }},
@@ -176,9 +206,10 @@ constexpr std::array contour_table{
     Attribute<ContourRecord>{"elev_max", "Highest", FieldType::real, Unit::vertical,
                              "highest elevation of its points",
                              [](const ContourRecord& r) { return number(r.highest); }},
-    Attribute<ContourRecord>{"confidence", "Confidence", FieldType::real, Unit::none,
-                             "confidence of its building, 0 to 1; NULL in the thesis preset",
-                             [](const ContourRecord& r) { return number(down_to_hundredths(r.confidence)); }},
+    Attribute<ContourRecord>{
+        "confidence", "Confidence", FieldType::real, Unit::none,
+        "confidence of its building, 0 to 1; NULL in the thesis preset",
+        [](const ContourRecord& r) { return number(floor_to_hundredths(r.confidence)); }},
     Attribute<ContourRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
                              "area less holes, on the ellipsoid where the CRS has one",
                              [](const ContourRecord& r) { return number(r.area_m2); }},
@@ -271,6 +302,84 @@ std::string schema_markdown() {
     return "## buildings\n\n" + markdown(building_attributes(true)) + "\n## contours\n\n" +
            markdown(contour_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes()) +
            "\n## problems\n\n" + markdown(problem_attributes());
+}
+
+namespace {
+
+using Unit = AttributeUnit;
+
+constexpr std::array rejected_table{
+    Attribute<RejectedRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
+                              [](const RejectedRecord& r) -> FieldValue { return r.id; }},
+    Attribute<RejectedRecord>{
+        "reason", "Reason", FieldType::text, Unit::none,
+        "contour_short, contour_small, contour_on_dropped, building_not_tall: dropped; hole_short, "
+        "hole_small: filled; "
+        "outline_kept_traced, polygon_repaired, polygon_lost: written in another form, or not at all",
+        [](const RejectedRecord& r) -> FieldValue { return std::string(r.reason); }},
+    Attribute<RejectedRecord>{"building", "Building", FieldType::integer, Unit::none,
+                              "id of the building that has this traced outline",
+                              [](const RejectedRecord& r) { return id_or_null(r.building); }},
+    Attribute<RejectedRecord>{"contour", "Contour", FieldType::integer, Unit::none,
+                              "id of the contour that has this traced outline",
+                              [](const RejectedRecord& r) { return id_or_null(r.contour); }},
+    Attribute<RejectedRecord>{"level", "Level", FieldType::integer, Unit::none,
+                              "level of the contour, or of the one that has the hole",
+                              [](const RejectedRecord& r) -> FieldValue { return std::int64_t{r.level}; }},
+    Attribute<RejectedRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
+                              "area less holes, on the ellipsoid where the CRS has one",
+                              [](const RejectedRecord& r) -> FieldValue { return r.area_m2; }},
+    Attribute<RejectedRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
+                              "length of all rings, on the ellipsoid where the CRS has one",
+                              [](const RejectedRecord& r) -> FieldValue { return r.perimeter_m; }},
+};
+
+}  // namespace
+
+std::span<const Attribute<RejectedRecord>> rejected_attributes() {
+    return rejected_table;
+}
+
+namespace {
+
+using Unit = AttributeUnit;
+
+constexpr std::array problem_table{
+    Attribute<ProblemRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
+                             [](const ProblemRecord& r) -> FieldValue { return r.id; }},
+    Attribute<ProblemRecord>{"kind", "Kind", FieldType::text, Unit::none,
+                             "surface_corner_cut, surface_notch_filled: corners that touched, and how far "
+                             "they are apart now, in m; "
+                             "surface_lost: a building that is not in the surface, and its area in m2; "
+                             "flow_wall, flow_gap, flow_neck: a "
+                             "wall, a gap or a narrow part of a building that is shorter or narrower than "
+                             "-flow_ready, in m; flow_angle: a "
+                             "corner that is too sharp, in degrees; flow_touch: corners that touched, and "
+                             "how far they are apart now, in m; "
+                             "flow_crossing: outlines that cross; flow_step: roofs beside each other that "
+                             "differ by less than -min_wall, "
+                             "in m",
+                             [](const ProblemRecord& r) -> FieldValue { return std::string(r.kind); }},
+    Attribute<ProblemRecord>{"building", "Building", FieldType::integer, Unit::none,
+                             "id of the building; of the lowest, where there are several",
+                             [](const ProblemRecord& r) { return id_or_null(r.building); }},
+    Attribute<ProblemRecord>{"other", "Other building", FieldType::integer, Unit::none, "id of the next one",
+                             [](const ProblemRecord& r) { return id_or_null(r.other); }},
+    Attribute<ProblemRecord>{"before", "Size before", FieldType::real, Unit::none,
+                             "what was measured, in the unit of its kind",
+                             [](const ProblemRecord& r) -> FieldValue { return r.before; }},
+    Attribute<ProblemRecord>{"after", "Size after", FieldType::real, Unit::none,
+                             "the same in what is written",
+                             [](const ProblemRecord& r) -> FieldValue { return r.after; }},
+    Attribute<ProblemRecord>{
+        "state", "State", FieldType::text, Unit::none, "changed or left",
+        [](const ProblemRecord& r) -> FieldValue { return std::string(r.changed ? "changed" : "left"); }},
+};
+
+}  // namespace
+
+std::span<const Attribute<ProblemRecord>> problem_attributes() {
+    return problem_table;
 }
 
 }  // namespace d2b

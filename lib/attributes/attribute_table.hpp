@@ -4,11 +4,14 @@
 #include <string>
 #include <string_view>
 
-#include "attributes/records.hpp"
+#include "attributes/record_builder.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
 
 namespace d2b {
+
+/// Returns another program's name for a field of the buildings layer, or our own name if it has none.
+[[nodiscard]] std::string_view field_name(FieldNames names, std::string_view own);
 
 /// Confidence from which no counter-evidence is reported.
 inline constexpr double sure_confidence = 0.9;

@@ -28,10 +28,10 @@ void CommitList::show_all(std::size_t& shown) {
         result->confirm();
 }
 
-std::string CommitList::take_back(std::size_t shown) const {
+std::string CommitList::roll_back(std::size_t shown) const {
     std::string clauses;
     for (; shown > 0; --shown)
-        if (const std::string left = results_[shown - 1]->take_back(); !left.empty())
+        if (const std::string left = results_[shown - 1]->roll_back(); !left.empty())
             clauses += "; " + left;
     return clauses;
 }
@@ -43,9 +43,9 @@ void CommitList::publish(const std::function<void()>& tell) {
         if (tell)
             tell();
     } catch (const OutputError& error) {
-        throw OutputError(joined(error.what(), take_back(shown)));
+        throw OutputError(joined(error.what(), roll_back(shown)));
     } catch (...) {
-        static_cast<void>(take_back(shown));
+        static_cast<void>(roll_back(shown));
         throw;
     }
     for (PendingResult* result : results_)

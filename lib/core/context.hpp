@@ -1,8 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
+#include <sys/resource.h>
 #include <utility>
 
 #include "core/executor.hpp"
@@ -40,6 +43,52 @@ struct Context : Callbacks {
         if (on_progress && !on_progress(share))
             throw Cancelled();
     }
+};
+
+/// Maps progress from 0 to 1, as reported through a context, to a part [begin, end] of the whole as long as
+/// it lives.
+class ProgressSpan {
+  public:
+    ProgressSpan(Context& context, double begin, double end)
+        : context_(context), outer_(std::exchange(context.on_progress, {})) {
+        if (outer_)
+            context.on_progress = [this, begin, end](double share) {
+                return outer_(begin + (end - begin) * share);
+            };
+    }
+    ProgressSpan(const ProgressSpan&) = delete;
+    ProgressSpan& operator=(const ProgressSpan&) = delete;
+    ~ProgressSpan() { context_.on_progress = std::move(outer_); }
+
+  private:
+    Context& context_;
+    std::function<bool(double)> outer_;
+};
+
+/// Adds its lifetime to the time of a stage. Stages run band by band, so each has many.
+class StageClock {
+  public:
+    StageClock(Tally& tally, Stage stage)
+        : tally_(tally), stage_(static_cast<std::size_t>(stage)), start_(std::chrono::steady_clock::now()) {}
+    StageClock(const StageClock&) = delete;
+    StageClock& operator=(const StageClock&) = delete;
+    ~StageClock() {
+        constexpr double worth_a_call =
+            1e-3;  // memory hardly grows in a shorter time, so the system call is skipped
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        tally_.seconds[stage_] += seconds;
+        if (seconds < worth_a_call && tally_.peak_memory_bytes[stage_] > 0)
+            return;
+        rusage usage{};
+        getrusage(RUSAGE_SELF, &usage);
+        tally_.peak_memory_bytes[stage_] = static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+    }
+
+  private:
+    Tally& tally_;
+    std::size_t stage_;
+    std::chrono::steady_clock::time_point start_;
 };
 
 }  // namespace d2b

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "dem2buildings/sinks.hpp"
 
 namespace d2b {
@@ -66,7 +66,7 @@ void require_plane(const Crs& crs, const std::string& option, const std::string&
 
 /// Guesses the intended code if the authority is missing: "EPSG:4326" for "4326", "4326+5773" or "epsg4326";
 /// otherwise "".
-[[nodiscard]] std::string code_meant_by(std::string_view text);
+[[nodiscard]] std::string guess_epsg_code(std::string_view text);
 
 /// Transforms positions between CRSs with PROJ, axes in GIS order on both sides. The vertical parts of
 /// compound CRSs are ignored: heights are not transformed.
@@ -100,7 +100,7 @@ class CoordinateTransform {
 class Geodesy {
   public:
     /// @param stop checked between rings and within long ones, which then throw Cancelled
-    explicit Geodesy(const Crs& crs, StopRequest stop = {});
+    explicit Geodesy(const Crs& crs, StopToken stop = {});
     Geodesy(Geodesy&&) noexcept;
     Geodesy& operator=(Geodesy&&) noexcept;
     ~Geodesy();

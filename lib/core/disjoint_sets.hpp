@@ -31,18 +31,18 @@ class DisjointSets {
         return i;
     }
     /// Returns true if the element is the root of its set. Faster than comparing it with find().
-    [[nodiscard]] bool stands(std::uint32_t i) const { return parents_[i] == i; }
+    [[nodiscard]] bool is_root(std::uint32_t i) const { return parents_[i] == i; }
     /// Merges two sets. The smaller root becomes the root of both. @return it
     std::uint32_t join(std::uint32_t a, std::uint32_t b) {
         a = find(a);
         b = find(b);
         const auto [low, high] = std::minmax(a, b);
-        join_into(low, high);
+        merge_roots(low, high);
         return low;
     }
     /// Merges two sets given their roots. @param stays root of the merged set @param goes root of the other
     /// set
-    void join_into(std::uint32_t stays, std::uint32_t goes) { parents_[goes] = stays; }
+    void merge_roots(std::uint32_t stays, std::uint32_t goes) { parents_[goes] = stays; }
 
   private:
     std::vector<std::uint32_t> parents_;

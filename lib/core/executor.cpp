@@ -2,12 +2,51 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cstddef>
 #include <limits>
 #include <thread>
+#include <typeinfo>
 
-#include "core/work_stretch.hpp"
+#include "dem2buildings/callbacks.hpp"
 
 namespace d2b {
+
+/// Reports its lifetime as a span of work of a thread.
+class ScopedWorkSpan {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// @param listener if null, nothing is reported and no clock is read
+    ScopedWorkSpan(const WorkListener* listener, std::size_t thread, const std::type_info& work)
+        : listener_(listener), span_{thread, &work, now(), {}} {}
+    ScopedWorkSpan(const ScopedWorkSpan&) = delete;
+    ScopedWorkSpan& operator=(const ScopedWorkSpan&) = delete;
+    ~ScopedWorkSpan() { tell(); }
+
+    /// Excludes a wait from the reported time.
+    template <typename Wait>
+    void interrupt(const Wait& wait) {
+        tell();
+        wait();
+        span_.begin = now();
+    }
+
+  private:
+    [[nodiscard]] Clock::time_point now() const {
+        return listener_ != nullptr ? Clock::now() : Clock::time_point();
+    }
+    void tell() {
+        if (listener_ == nullptr)
+            return;
+        span_.end = now();
+        (*listener_)(span_);
+    }
+
+    const WorkListener* listener_;
+    WorkSpan span_;
+};
+
 namespace {
 
 /// Keeps the exception of the lowest index, which a sequential loop would throw.
@@ -134,7 +173,7 @@ void Executor::indexed(std::size_t count, const Indexed& work) {
     FirstFailure failure;
     std::atomic<std::size_t> next = 0;
     run([&](std::size_t thread, const WorkListener* listener) {
-        const WorkStretch stretch(listener, thread, work.target_type());
+        const ScopedWorkSpan stretch(listener, thread, work.target_type());
         for (std::size_t i = next++; i < std::min(count, failure.limit()); i = next++)
             try {
                 stop_.check();
@@ -169,7 +208,7 @@ void Executor::pipelined(std::size_t count, std::size_t ahead, const Indexed& ma
         moved.notify_all();
     };
     run([&](std::size_t thread, const WorkListener* listener) {
-        WorkStretch stretch(listener, thread, make.target_type());
+        ScopedWorkSpan stretch(listener, thread, make.target_type());
         std::unique_lock lock(mutex);
         while (taken < std::min(count, failure.limit())) {
             if (thread == 0 && made[taken % made.size()]) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/block_pool.hpp"
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "dem2buildings/callbacks.hpp"
 
 namespace d2b {
@@ -35,7 +35,7 @@ class Executor {
 
     [[nodiscard]] int threads() const;
     /// Returns the stop request, for work items that take long.
-    [[nodiscard]] const StopRequest& stop() const { return stop_; }
+    [[nodiscard]] const StopToken& stop() const { return stop_; }
     /// Returns the pool of memory released by earlier grids of these threads.
     [[nodiscard]] const std::shared_ptr<BlockPool>& blocks() const { return blocks_; }
 
@@ -49,14 +49,14 @@ class Executor {
     /// Same, with scratch space: calls work(i, room) with one Room per thread, which is reused for every i.
     /// Results must not depend on its previous contents.
     template <typename Room, typename Work>
-    void for_each_in_room(std::size_t count, const Work& work) {
+    void for_each_with_scratch(std::size_t count, const Work& work) {
         std::vector<Room> rooms(static_cast<std::size_t>(threads()));
         indexed(count, [&](std::size_t i, std::size_t thread) { work(i, rooms[thread]); });
     }
 
     /// Calls work(begin, end) for consecutive pieces of [0, count), of `piece` each except the last.
     template <typename Work>
-    void for_pieces(std::size_t count, std::size_t piece, const Work& work) {
+    void for_chunks(std::size_t count, std::size_t piece, const Work& work) {
         for_each((count + piece - 1) / piece, [&](std::size_t i) {
             work(i * piece, i * piece + piece < count ? i * piece + piece : count);
         });
@@ -91,7 +91,7 @@ class Executor {
                    const std::function<void(std::size_t)>& take);
 
     struct Pool;
-    StopRequest stop_;
+    StopToken stop_;
     WorkListener on_work_;
     std::shared_ptr<BlockPool> blocks_ = std::make_shared<BlockPool>();
     std::unique_ptr<Pool> pool_;

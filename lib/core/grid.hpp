@@ -3,17 +3,42 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
 #include "core/block_pool.hpp"
 #include "core/executor.hpp"
 
+/// Compiles a function for several processors, of which the fastest supported one is chosen at load time;
+/// functions inlined into it are included. For functions that spend their time in loops over many cells. Only
+/// AVX2, without fused multiply-add, so that all variants give identical bits.
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define D2B_MULTIVERSION __attribute__((target_clones("avx2", "default"), flatten))
+#else
+#define D2B_MULTIVERSION
+#endif
+
 namespace d2b {
+
+/// Calls use(begin, end, value) for each run of equal nonzero cells of a row.
+template <typename Row, typename Use>
+void for_equal_runs(const Row& row, const Use& use) {
+    for (std::size_t begin = 0; begin < row.size();) {
+        const auto value = row[begin];
+        std::size_t end = begin + 1;
+        while (end < row.size() && row[end] == value)
+            ++end;
+        if (value != 0)
+            use(static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end), value);
+        begin = end;
+    }
+}
 
 /// Values of cells. resize() without a value leaves new ones uninitialised.
 template <typename T>
-using CellValues = std::vector<T, CellMemory<T>>;
+using CellValues = std::vector<T, CellAllocator<T>>;
 
 template <typename T>
 [[nodiscard]] bool operator==(const CellValues<T>& one, const std::vector<T>& other) {
@@ -36,7 +61,7 @@ struct Grid {
     Grid(std::int32_t row_count, std::int32_t col_count, T value, Executor& threads)
         : Grid(unset(row_count, col_count, threads)) {
         constexpr std::size_t piece = 1 << 20;
-        threads.for_pieces(values.size(), piece, [&](std::size_t begin, std::size_t end) {
+        threads.for_chunks(values.size(), piece, [&](std::size_t begin, std::size_t end) {
             std::fill(values.data() + begin, values.data() + end, value);
         });
     }
@@ -45,7 +70,7 @@ struct Grid {
         Grid grid;
         grid.rows = row_count;
         grid.cols = col_count;
-        grid.values = CellValues<T>(CellMemory<T>(threads.blocks()));
+        grid.values = CellValues<T>(CellAllocator<T>(threads.blocks()));
         grid.values.resize(grid.index(row_count, 0));
         return grid;
     }
@@ -81,5 +106,110 @@ using MetreGrid = Grid<float>;
 
 /// Grid of 1 in selected cells, otherwise 0.
 using Mask = Grid<std::uint8_t>;
+
+/// Rows [begin, end) of a grid.
+struct RowBand {
+    std::int32_t begin = 0;
+    std::int32_t end = 0;
+};
+
+/// Divides a grid into bands of some 256 Ki cells for threads, because a band then stays in the cache. The
+/// bands depend only on the shape of the grid. @param least minimum number of rows of a band: many if a band
+/// starts with work on the rows around it
+[[nodiscard]] inline std::vector<RowBand> row_bands(std::int32_t rows, std::int32_t cols,
+                                                    std::int32_t least = 16) {
+    constexpr std::int32_t cells = 1 << 18;
+    const std::int32_t height = std::clamp(cells / std::max(cols, 1), least, std::max(least, 1024));
+    std::vector<RowBand> bands;
+    for (std::int32_t begin = 0; begin < rows; begin += height)
+        bands.push_back({begin, std::min(begin + height, rows)});
+    return bands;
+}
+
+/// Calls work(band) for all bands of a grid, on all threads.
+template <typename Work>
+void for_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols, const Work& work,
+                   std::int32_t least = 16) {
+    const std::vector<RowBand> bands = row_bands(rows, cols, least);
+    threads.for_each(bands.size(), [&](std::size_t i) { work(bands[i]); });
+}
+
+/// Reduces over all bands of a grid, on all threads: merges the results of work(band, sum). Bands are merged
+/// in any order, so merging must be commutative. @param nothing initial value per band; Sum has merge(const
+/// Sum&)
+template <typename Sum, typename Work>
+[[nodiscard]] Sum reduce_row_bands(Executor& threads, std::int32_t rows, std::int32_t cols,
+                                   const Sum& nothing, const Work& work) {
+    Sum all = nothing;
+    std::mutex mutex;
+    for_row_bands(threads, rows, cols, [&](RowBand band) {
+        Sum some = nothing;
+        work(band, some);
+        const std::lock_guard lock(mutex);
+        all.merge(some);
+    });
+    return all;
+}
+
+/// Calls work(begin, end) with the cell indices of each band of a grid, on all threads.
+template <typename T, typename Work>
+void for_cells(Executor& threads, const Grid<T>& grid, const Work& work) {
+    for_row_bands(threads, grid.rows, grid.cols,
+                  [&](RowBand band) { work(grid.index(band.begin, 0), grid.index(band.end, 0)); });
+}
+
+/// Copy of a band with unmodified rows of its neighbours (a halo).
+template <typename T>
+struct HaloBand {
+    RowBand band;
+    std::int32_t first = 0;  ///< row of the grid that is row 0 of the copy
+    Grid<T> rows;
+
+    /// Copies rows [begin, end) of the grid, clipped to it.
+    void copy(const Grid<T>& grid, std::int32_t begin, std::int32_t end) {
+        first = std::max(begin, 0);
+        rows.rows = std::min(end, grid.rows) - first;
+        rows.cols = grid.cols;
+        rows.values.assign(grid.row(first).data(), grid.row(first).data() + grid.index(rows.rows, 0));
+    }
+    /// Copies the rows common to both.
+    void take_rows(const HaloBand& other) {
+        const std::int32_t begin = std::max(first, other.first);
+        const std::int32_t end = std::min(first + rows.rows, other.first + other.rows.rows);
+        if (begin < end)
+            std::copy_n(other.rows.row(begin - other.first).data(), rows.index(end - begin, 0),
+                        rows.row(begin - first).data());
+    }
+    void write_band(Grid<T>& grid) const {
+        std::copy_n(rows.row(band.begin - first).data(), rows.index(band.end - band.begin, 0),
+                    grid.row(band.begin).data());
+    }
+};
+
+/// Calls work(HaloBand&) for all bands of a grid, on all threads, for filters that work in place. Each copy
+/// includes `reach` unmodified rows of the neighbouring bands, so work() may change the rows of its band in
+/// the grid.
+template <typename T, typename Work>
+void for_bands_with_halo(Executor& threads, const Grid<T>& grid, std::int32_t reach, const Work& work) {
+    const std::vector<RowBand> bands = row_bands(grid.rows, grid.cols);
+    std::vector<HaloBand<T>> seams(
+        bands.size());  // rows around the boundary between a band and the previous one
+    threads.for_each(bands.size(), [&](std::size_t i) {
+        seams[i].copy(grid, bands[i].begin - reach, bands[i].begin + reach);
+    });
+    threads.for_each_with_scratch<HaloBand<T>>(bands.size(), [&](std::size_t i, HaloBand<T>& copy) {
+        copy.band = bands[i];
+        copy.first = std::max(bands[i].begin - reach, 0);
+        copy.rows.rows = std::min(bands[i].end + reach, grid.rows) - copy.first;
+        copy.rows.cols = grid.cols;
+        copy.rows.values.resize(copy.rows.index(copy.rows.rows, 0));
+        std::copy_n(grid.row(bands[i].begin).data(), grid.index(bands[i].end - bands[i].begin, 0),
+                    copy.rows.row(bands[i].begin - copy.first).data());
+        copy.take_rows(seams[i]);
+        if (i + 1 < bands.size())
+            copy.take_rows(seams[i + 1]);
+        work(copy);
+    });
+}
 
 }  // namespace d2b

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 
 namespace d2b {
 namespace {
@@ -32,8 +32,8 @@ std::size_t height_class_of(double height_m) {
     return found;
 }
 
-double opacity_of_veil(double certainty, double certain) {
-    constexpr Veil veil;
+double overlay_opacity(double certainty, double certain) {
+    constexpr UncertaintyOverlay veil;
     const double share = std::clamp((certainty - veil.low) / (certain - veil.low), 0.0, 1.0);
     return (veil.most + (veil.least - veil.most) * share) / 255;
 }

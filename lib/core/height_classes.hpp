@@ -17,13 +17,13 @@ struct HeightClass {
 /// Returns the class of a height; heights below 0 belong to the first one.
 [[nodiscard]] std::size_t height_class_of(double height_m);
 /// White overlay that makes uncertain features paler: its opacity from 0 to 255.
-struct Veil {
+struct UncertaintyOverlay {
     double low = 0.5;  ///< certainty at and below which the opacity is highest
     double most = 170;
     double least = 70;  ///< opacity just below certain
 };
 /// Returns the opacity from 0 to 1. @param certainty below `certain`, both from 0 to 1
-[[nodiscard]] double opacity_of_veil(double certainty, double certain);
+[[nodiscard]] double overlay_opacity(double certainty, double certain);
 
 /// Returns "below 3 m", "3 to 6 m" or "100 m and more".
 [[nodiscard]] std::string class_label(std::size_t index);

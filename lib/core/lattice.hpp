@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/byte_record.hpp"
+#include "core/byte_stream.hpp"
 #include "dem2buildings/world_polygon.hpp"
 
 namespace d2b {

@@ -20,7 +20,7 @@ void Warnings::add(const std::string& text) {
     tell(text);
 }
 
-void Warnings::add_quote(std::string_view speaker, const std::string& line) {
+void Warnings::add_library_message(std::string_view speaker, const std::string& line) {
     constexpr std::ptrdiff_t most = 20;
     const std::string prefix = std::string(speaker) + ": ";
     const std::lock_guard lock(mutex_);

@@ -23,7 +23,7 @@ class Warnings {
     void add(const std::string& text);
     /// Adds a message of another library as "<speaker>: <line>.". Limited to 20 per speaker, with a final
     /// note, because a damaged file may cause one per block.
-    void add_quote(std::string_view speaker, const std::string& line);
+    void add_library_message(std::string_view speaker, const std::string& line);
     /// Keeps all further warnings for take().
     void hold();
     /// Returns the warnings added since the last call.

@@ -4,56 +4,124 @@
 #include <span>
 #include <utility>
 
-#include "detect/cut_by_parcels.hpp"
-#include "detect/judged_objects.hpp"
-#include "detect/neighbour_prior.hpp"
-#include "detect/place_prior.hpp"
-#include "detect/roof_strictness.hpp"
-#include "detect/second_look.hpp"
-#include "detect/several_limits.hpp"
-#include "detect/split.hpp"
+#include "core/grid.hpp"
+#include "detect/candidates.hpp"
+#include "detect/detection_passes.hpp"
+#include "detect/divide_buildings.hpp"
+#include "detect/priors.hpp"
+#include "detect/regions.hpp"
+#include "detect/smoothness.hpp"
+#include "detect/threshold_scale.hpp"
 
 namespace d2b {
 namespace {
 
-/// Corrects confidences for the share of buildings in the scene and around each object. Objects of a second
-/// pass are mostly trees, even if the first pass found all houses, so they do not serve as reference objects.
-void correct_for_surroundings(const Scene& scene, double filled, JudgedObjects& judged,
-                              std::optional<JudgedObjects>& second, Executor& threads) {
-    const std::span<DetectedObject> others =
-        second ? std::span<DetectedObject>(second->objects) : std::span<DetectedObject>();
-    const SupposedShare supposed = correct_for_place(filled, judged.objects, others);
-    if (!supposed.as_elsewhere)
-        return;
-    if (second)
-        correct_for_witnesses(judged, scene.cell, supposed, *second, threads);
-    correct_for_neighbours(judged.regions, scene.cell, supposed, judged.objects, threads);
+constexpr float lowest_roof_m = 1;  // lower objects are cars, hedges or errors of the ground
+
+/// Returns the first cells of the chosen regions. Regions are numbered in the order of their first cells.
+template <typename Chosen>
+std::vector<FirstCell> first_cells(const Regions& regions, const Chosen& chosen) {
+    std::vector<FirstCell> cells;
+    Label seen = 0;
+    for (std::int32_t r = 0; r < regions.rows; ++r)
+        for (const RegionRun& run : regions.row(r))
+            if (run.label > seen) {
+                seen = run.label;
+                if (chosen(regions.cells[seen]))
+                    cells.push_back({r, run.begin});
+            }
+    return cells;
 }
 
-JudgedObjects judged_as_the_data_say(const Scene& scene, const DetectOptions& options, double smallest_m2,
-                                     Executor& threads) {
+Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
+    Mask low = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
+    for_row_bands(threads, low.rows, low.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const std::span<const float> z = scene.surface.row(r);
+            const std::span<const float> ground = scene.terrain.row(r);
+            const std::span<std::uint8_t> out = low.row(r);
+            for (std::size_t c = 0; c < out.size(); ++c) {
+                const float height = z[c] - ground[c];
+                const int above = height > lowest_roof_m ? 1 : 0;  // 0 if NaN
+                out[c] = static_cast<std::uint8_t>(above & (height <= min_height ? 1 : 0));
+            }
+            if (scene.allowed == nullptr)
+                continue;
+            const std::span<const std::uint8_t> allowed = scene.allowed->row(r);
+            for (std::size_t c = 0; c < out.size(); ++c)
+                out[c] &= allowed[c];
+        }
+    });
+    return low;
+}
+
+}  // namespace
+
+std::vector<FirstCell> remove_small(Regions& regions, std::int64_t min_cells) {
+    const auto is_small = [&](std::int64_t cells) { return cells < min_cells; };
+    std::vector<FirstCell> cells = first_cells(regions, is_small);
+    std::vector<Label> number(regions.cells.size(), 0);
+    std::vector<std::int64_t> left(1, 0);
+    for (Label label = 1; label < number.size(); ++label)
+        if (!is_small(regions.cells[label])) {
+            number[label] = static_cast<Label>(left.size());
+            left.push_back(regions.cells[label]);
+        }
+    relabel(regions, number);
+    regions.cells = std::move(left);
+    return cells;
+}
+
+std::vector<FirstCell> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags, double min_height,
+                                 std::int64_t min_cells, Executor& threads) {
+    if (!(min_height > static_cast<double>(lowest_roof_m)))
+        return {};
+    const Mask low = low_cells(scene, static_cast<float>(min_height), threads);
+    return first_cells(smooth_regions(scene, low, flags, threads),
+                       [&](std::int64_t cells) { return cells >= min_cells; });
+}
+
+namespace {
+
+/// Corrects confidences for the share of buildings in the scene and around each object. Objects of a second
+/// pass are mostly trees, even if the first pass found all houses, so they do not serve as reference objects.
+void apply_priors(const Scene& scene, double filled, Candidates& judged, std::optional<Candidates>& second,
+                  Executor& threads) {
+    const std::span<DetectedObject> others =
+        second ? std::span<DetectedObject>(second->objects) : std::span<DetectedObject>();
+    const PriorShare prior = apply_scene_prior(filled, judged.objects, others);
+    if (!prior.usual_appearance)
+        return;
+    if (second)
+        apply_reference_prior(judged, scene.cell, prior, *second, threads);
+    apply_spatial_prior(judged.regions, scene.cell, prior, judged.objects, threads);
+}
+
+Candidates detect_candidates(const Scene& scene, const DetectOptions& options, double min_area_m2,
+                             Executor& threads) {
     SceneCells cells = scene_cells(scene, options, threads);
     SurfaceQuality quality = surface_quality(scene, cells, threads);
-    JudgedObjects first = judged_objects(scene, cells, smallest_m2, quality, threads);
-    quality.strictness = roof_strictness(scene, options, smallest_m2, quality, first, threads).value_or(1);
-    JudgedObjects judged = quality.strictness == 1
-                               ? std::move(first)
-                               : judged_objects(scene, cells, smallest_m2, quality, threads);
-    judged.left_out.low =
-        low_roofs(scene, cells.flags, options.min_height, cells_for(smallest_m2, scene.cell), threads);
-    if (deserves_several_limits(scene.side(), quality.filled))
-        judged = chosen_at_several_limits(scene, cells, smallest_m2, quality, std::move(judged), threads);
-    std::optional<JudgedObjects> second;
-    if (deserves_second_look(quality.filled))
-        second = second_look(scene, cells, smallest_m2, quality, judged.regions, threads);
-    correct_for_surroundings(scene, quality.filled, judged, second, threads);
-    return second ? united(std::move(judged), *second, threads) : judged;
+    Candidates first = find_candidates(scene, cells, min_area_m2, quality, threads);
+    quality.threshold_scale =
+        estimate_threshold_scale(scene, options, min_area_m2, quality, first, threads).value_or(1);
+    Candidates judged = quality.threshold_scale == 1
+                            ? std::move(first)
+                            : find_candidates(scene, cells, min_area_m2, quality, threads);
+    judged.rejected.low =
+        low_roofs(scene, cells.flags, options.min_height, cells_covering(min_area_m2, scene.cell), threads);
+    if (needs_multi_threshold(scene.side(), quality.filled))
+        judged = multi_threshold_candidates(scene, cells, min_area_m2, quality, std::move(judged), threads);
+    std::optional<Candidates> second;
+    if (needs_relaxed_pass(quality.filled))
+        second = relaxed_pass(scene, cells, min_area_m2, quality, judged.regions, threads);
+    apply_priors(scene, quality.filled, judged, second, threads);
+    return second ? merge_candidates(std::move(judged), *second, threads) : judged;
 }
 
 /// Sorts buildings before doubtful objects, each in scan order.
-Detection sorted_by_confidence(JudgedObjects&& judged, double least, Executor& threads) {
+Detection sorted_by_confidence(Candidates&& judged, double least, Executor& threads) {
     Detection result;
-    result.left_out = std::move(judged.left_out);
+    result.rejected = std::move(judged.rejected);
     std::vector<Label> number(judged.regions.cells.size(), 0);
     for (const bool sure : {true, false}) {
         for (std::size_t i = 0; i < judged.objects.size(); ++i)
@@ -71,16 +139,21 @@ Detection sorted_by_confidence(JudgedObjects&& judged, double least, Executor& t
 
 }  // namespace
 
-Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
+Detection detect_buildings(const Scene& scene, const DetectOptions& options, double min_area_m2,
                            Context& context) {
     Executor& threads = *context.threads;
-    Detection result = sorted_by_confidence(judged_as_the_data_say(scene, options, smallest_m2, threads),
+    Detection result = sorted_by_confidence(detect_candidates(scene, options, min_area_m2, threads),
                                             options.min_confidence, threads);
     if (scene.parcels != nullptr)
-        cut_by_parcels(scene, options.split_width, cells_for(smallest_m2, scene.cell), result, threads);
+        cut_by_parcels(scene, options.split_width, cells_covering(min_area_m2, scene.cell), result, threads);
     if (options.split_height > 0)
-        split_buildings(scene, options.split_height, cells_for(smallest_m2, scene.cell), result, threads);
+        split_buildings(scene, options.split_height, cells_covering(min_area_m2, scene.cell), result,
+                        threads);
     return result;
+}
+
+LabelBand detect_one_label(const ElevationBand& elevations, Context& /*context*/) {
+    return {elevations.shape, {}};
 }
 
 }  // namespace d2b

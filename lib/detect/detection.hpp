@@ -8,13 +8,48 @@
 #include "core/context.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/parcel_source.hpp"
-#include "detect/left_out.hpp"
+#include "detect/regions.hpp"
 #include "detect/scene.hpp"
 
 namespace d2b {
 
+/// First cell of a region in scan order.
+struct FirstCell {
+    std::int32_t row = 0;
+    std::int32_t col = 0;
+
+    friend bool operator==(const FirstCell&, const FirstCell&) = default;
+};
+
+/// Crown that was cut off a roof.
+struct CutCrown {
+    FirstCell first;
+    std::int64_t cells = 0;
+};
+
+/// Objects rejected before classification, identified by their first cells, so that objects seen by several
+/// overlapping units are counted once.
+struct RejectedObjects {
+    std::vector<FirstCell> small;  ///< objects with fewer cells than a building needs
+    std::vector<FirstCell> low;    ///< see low_roofs()
+    std::vector<CutCrown> crowns;  ///< see remove_attached_crowns(); independent of options
+    std::vector<FirstCell>
+        parts;  ///< parts cut off by parcels that are too small or too narrow for buildings
+};
+
+/// Removes small regions and renumbers the others from 1.
+/// @return first cells of the removed regions
+[[nodiscard]] std::vector<FirstCell> remove_small(Regions& regions, std::int64_t min_cells);
+
+/// Finds potential roofs that are too low: smooth segments of the surface with the size of a building that
+/// rise more than a metre above the ground, but nowhere by more than `min_height`.
+/// @param flags result of smoothness()
+/// @return their first cells
+[[nodiscard]] std::vector<FirstCell> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags,
+                                               double min_height, std::int64_t min_cells, Executor& threads);
+
 /// Strongest evidence against an object being a building.
-enum class Doubt {
+enum class CounterEvidence {
     rough,            ///< its surface is rough
     no_step,          ///< it does not rise from its surroundings in a step
     steep,            ///< its smooth segments are steep
@@ -23,14 +58,14 @@ enum class Doubt {
     no_right_angles,  ///< its border follows no two perpendicular directions
     ragged            ///< it is small and has arms and bays
 };
-[[nodiscard]] std::string_view doubt_name(Doubt doubt);
+[[nodiscard]] std::string_view counter_evidence_name(CounterEvidence doubt);
 
 /// Object above the ground that resembles a building.
 struct DetectedObject {
     double confidence = 0;  ///< 0 to 1
-    Doubt doubt = Doubt::rough;
+    CounterEvidence doubt = CounterEvidence::rough;
     std::int64_t cells = 0;
-    std::int64_t parcel = ParcelCell::nobody;  ///< parcel with most of its cells
+    std::int64_t parcel = ParcelCell::no_parcel;  ///< parcel with most of its cells
     Label whole = 0;  ///< shared by all objects that one object was divided into; 0: unknown
 };
 
@@ -39,25 +74,29 @@ struct Detection {
     Grid<Label> labels;  ///< labels up to `buildings` are buildings, higher ones doubtful objects
     std::vector<DetectedObject> objects;  ///< by label - 1
     Label buildings = 0;
-    LeftOut left_out;
+    RejectedObjects rejected;
 
     [[nodiscard]] bool is_building(Label label) const { return label != 0 && label <= buildings; }
 };
 
 /// Detects buildings by their shape. Elevated cells are joined to smooth segments, these grow over ridges,
 /// dormers and chimneys, and each resulting object is classified by its roughness, the step at its border,
-/// its shape, and the tilt and size of its segments (see judge()). Trees are rough, and crowns break up into
-/// small, steep segments.
+/// its shape, and the tilt and size of its segments (see classify()). Trees are rough, and crowns break up
+/// into small, steep segments.
 ///
 /// Buildings are then divided by parcels if the scene has them (detect/cut_by_parcels.hpp), and at steps of
 /// the surface if options.split_height is set (detect/split.hpp). The noise of the surface and the scale of
-/// the smoothness thresholds (roof_strictness()) are estimated from the scene itself, so results for a
-/// cut-out differ from those for the whole raster.
+/// the smoothness thresholds (estimate_threshold_scale()) are estimated from the scene itself, so results for
+/// a cut-out differ from those for the whole raster.
 ///
 /// Halo: an object, the segments it meets, and 11 m and five cells around them. Memory: 5 to 9 bytes per cell
 /// in addition to the scene, of which the result has four; 9 to 13 if buildings are divided.
-/// @param smallest_m2 smaller objects are not buildings
-[[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, double smallest_m2,
+/// @param min_area_m2 smaller objects are not buildings
+[[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, double min_area_m2,
                                          Context& context);
+
+/// Detection of the thesis preset: all cells above the ground level belong to one object with one label,
+/// because the contours alone separate buildings. Pointwise: no halo, no state.
+[[nodiscard]] LabelBand detect_one_label(const ElevationBand& elevations, Context& context);
 
 }  // namespace d2b

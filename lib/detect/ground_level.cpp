@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "core/row_bands.hpp"
+#include "core/grid.hpp"
 
 namespace d2b {
 namespace {
@@ -36,8 +36,8 @@ class BorderTerrain {
                  edge = std::find(edge + 1, edges.end(), 1)) {
                 const auto c = static_cast<std::size_t>(edge - edges.begin());
                 if (c > 0)
-                    look(row + c - 1, row + c, values);
-                look(above + c, row + c, values);
+                    visit(row + c - 1, row + c, values);
+                visit(above + c, row + c, values);
             }
         }
         return values;
@@ -55,7 +55,7 @@ class BorderTerrain {
             edges[c] = static_cast<std::uint8_t>(differ(here[c], here[c - 1]) | differ(here[c], above[c]));
     }
 
-    void look(std::size_t i, std::size_t j, std::vector<Value>& values) const {
+    void visit(std::size_t i, std::size_t j, std::vector<Value>& values) const {
         if (labels_.values[i] == labels_.values[j])
             return;
         for (const Label label : {labels_.values[i], labels_.values[j]})
@@ -95,7 +95,7 @@ std::vector<double> ground_levels(const MetreGrid& terrain, const Grid<Label>& l
             std::copy_if(terrain.values.begin(), terrain.values.end(), std::back_inserter(values),
                          [](float z) { return !std::isnan(z); });
     std::vector<double> result(along.size(), std::numeric_limits<double>::quiet_NaN());
-    threads.for_pieces(along.size(), labels_at_once, [&](std::size_t begin, std::size_t end) {
+    threads.for_chunks(along.size(), labels_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t label = begin; label < end; ++label)
             if (Values& values = along[label]; !values.empty()) {
                 const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() / tenth);

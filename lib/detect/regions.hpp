@@ -1,15 +1,87 @@
 #pragma once
 
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <span>
 #include <vector>
 
 #include "core/band.hpp"
-#include "core/row_bands.hpp"
+#include "core/disjoint_sets.hpp"
+#include "core/grid.hpp"
 #include "detect/scene.hpp"
 
 namespace d2b {
+
+/// Packs the lowest bits of eight bytes, each 0 or 1; the first byte becomes the lowest bit.
+[[nodiscard]] inline std::uint64_t bits_of_eight(const std::uint8_t* cells) {
+    static_assert(std::endian::native == std::endian::little);
+    constexpr std::uint64_t gather = 0x0102040810204080U;  // moves bit 8 i to bit 56 + i without collisions
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, cells, sizeof eight);
+    return (eight * gather) >> 56U;
+}
+
+/// Calls use(begin, end) for each run of cells with a value in a row of a mask. Processes 64 cells at a time,
+/// and skips words without a transition.
+/// @param value 0 or 1
+template <typename Use>
+void for_mask_runs(std::span<const std::uint8_t> row, std::uint8_t value, const Use& use) {
+    constexpr std::size_t step = 64;
+    const std::uint64_t turned = value != 0 ? 0 : ~std::uint64_t{0};
+    std::uint64_t before = 0;  // 1 if the previous cell belongs to a run
+    std::int32_t begin = 0;
+    for (std::size_t first = 0; first < row.size(); first += step) {
+        const std::size_t cells = row.size() - first < step ? row.size() - first : step;
+        std::uint64_t in = 0;
+        std::size_t c = 0;
+        for (; c + 8 <= cells; c += 8)
+            in |= bits_of_eight(row.data() + first + c) << c;
+        for (; c < cells; ++c)
+            in |= std::uint64_t{row[first + c]} << c;
+        in ^= turned;
+        if (cells < step)
+            in &= (std::uint64_t{1} << cells) - 1;
+        for (std::uint64_t turns = in ^ (in << 1U | before); turns != 0; turns &= turns - 1) {
+            const auto at = static_cast<std::int32_t>(first) + std::countr_zero(turns);
+            if ((in >> static_cast<unsigned>(at - static_cast<std::int32_t>(first)) & 1U) != 0)
+                begin = at;
+            else
+                use(begin, at);
+        }
+        before = in >> (step - 1);
+        // A run that reaches the end of the row has no transition there if the row fills all 64 bits.
+        if (first + cells == row.size() && before != 0)
+            use(begin, static_cast<std::int32_t>(row.size()));
+    }
+}
+
+/// Disjoint sets of labels that turned out to be the same region. The smallest label represents its set.
+/// Label 0 is reserved.
+class LabelSets {
+  public:
+    LabelSets() : sets_(1) {}
+    Label add() { return sets_.add(); }
+    [[nodiscard]] Label find(Label label) { return sets_.find(label); }
+    /// @returns the label that represents both
+    Label join(Label a, Label b) { return sets_.join(a, b); }
+    /// Returns a table from labels to consecutive numbers from 1, one per set, in the order of the
+    /// representatives.
+    [[nodiscard]] std::vector<Label> numbered() {
+        std::vector<Label> number(sets_.size(), 0);
+        Label next = 0;
+        for (Label i = 1; i < sets_.size(); ++i) {
+            const Label first = sets_.find(i);
+            number[i] = first == i ? ++next : number[first];
+        }
+        return number;
+    }
+
+  private:
+    DisjointSets sets_;
+};
 
 /// Run of cells [begin, end) of one row that belong to one region.
 struct RegionRun {
@@ -46,9 +118,9 @@ using LinksOfRow = std::function<void(std::int32_t row, std::vector<std::uint8_t
 
 /// Connected-component labelling of links. Bands of rows are labelled in parallel by union-find on runs, then
 /// joined across their seams. Time O(n α(n)) for n cells.
-/// @param least_cells smaller regions are dropped
+/// @param min_cells smaller regions are dropped
 [[nodiscard]] Regions linked_regions(std::int32_t rows, std::int32_t cols, const LinksOfRow& links_of,
-                                     std::int64_t least_cells, Executor& threads);
+                                     std::int64_t min_cells, Executor& threads);
 
 /// Computes the links of a row with 4-connectivity.
 /// @param value 0 or 1: value of the cells that belong to regions
@@ -74,8 +146,8 @@ template <typename Joined>
 }
 
 /// Labels the 4-connected regions of cells with value 0 or 1.
-/// @param least_cells see linked_regions()
-[[nodiscard]] Regions connected_regions(const Mask& mask, std::uint8_t value, std::int64_t least_cells,
+/// @param min_cells see linked_regions()
+[[nodiscard]] Regions connected_regions(const Mask& mask, std::uint8_t value, std::int64_t min_cells,
                                         Executor& threads);
 
 /// Labels [first, end) and the rows that contain all their cells.
@@ -107,5 +179,45 @@ void for_runs_by_label(Executor& threads, const Regions& regions, const Use& use
 /// @param number value written per label; [0] is used for cells outside of regions
 [[nodiscard]] Grid<Label> label_grid(const Regions& regions, std::span<const Label> number,
                                      Executor& threads);
+
+/// Builds regions from links, row by row. State: the runs so far.
+class RegionBuilder {
+  public:
+    explicit RegionBuilder(std::int32_t cols);
+    /// @param links links of the next row; the first row has none upwards
+    void add_row(std::span<const std::uint8_t> links);
+    /// @param runs runs of the next row, connected by shared edges; their labels are ignored
+    void add_touching_row(std::span<const RegionRun> runs);
+    /// @param min_cells smaller regions are dropped unless they touch the first or last row
+    [[nodiscard]] Regions finish(std::int64_t min_cells) &&;
+
+  private:
+    /// Joins the run at `c` with the run above it.
+    /// @returns the end column of the latter
+    std::int32_t join_above(std::int32_t c, std::size_t& above, Label& label);
+
+    Regions regions_;
+    LabelSets sets_;
+};
+
+/// Relabels runs and removes those that get 0. Regions::cells is not changed.
+void relabel(Regions& regions, std::span<const Label> number);
+
+/// Number of cells shared by a region of one set and a region of another set.
+struct RegionOverlap {
+    Label one = 0;
+    Label other = 0;
+    std::int64_t cells = 0;
+
+    friend bool operator==(const RegionOverlap&, const RegionOverlap&) = default;
+};
+
+/// Returns all overlaps between two sets of regions on the same grid, sorted by the labels of the first set,
+/// then the second.
+[[nodiscard]] std::vector<RegionOverlap> region_overlaps(const Regions& one, const Regions& other);
+
+/// Returns the label of `other` with most cells in each region of `one`; the lowest label in case of a tie, 0
+/// if there is no overlap. [0] is 0.
+[[nodiscard]] std::vector<Label> containing_regions(const Regions& one, const Regions& other);
 
 }  // namespace d2b

@@ -1,15 +1,27 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
+#include "core/context.hpp"
 #include "core/executor.hpp"
 #include "core/grid.hpp"
-#include "detect/parcel_grid.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/parcel_source.hpp"
 
 namespace d2b {
 
+/// Parcels of the cells of a scene.
+using ParcelGrid = Grid<ParcelCell>;
+
+/// True if a parcel boundary separates two neighbours.
+/// @param below true if the second cell is below the first, false if it is to the right
+[[nodiscard]] inline bool separated_by_parcel(const ParcelCell& first, const ParcelCell& second, bool below) {
+    return first.parcel != second.parcel || (below ? first.cut_below : first.cut_right);
+}
+
 /// Cells with an NDVI above this are vegetation.
-inline constexpr float plants_ndvi = 0.3F;
+inline constexpr float vegetation_ndvi = 0.3F;
 
 /// Input of the detection. All grids have the same shape.
 struct Scene {
@@ -27,9 +39,24 @@ struct Scene {
 };
 
 /// Returns the smallest number of cells that cover an area, capped at a number no raster reaches.
-[[nodiscard]] std::int64_t cells_for(double area_m2, const CellSize& cell);
+[[nodiscard]] std::int64_t cells_covering(double area_m2, const CellSize& cell);
 
 /// Returns the cells higher above the terrain than a threshold, within the allowed area.
 [[nodiscard]] Mask elevated_cells(const Scene& scene, double min_height, Executor& threads);
+
+/// Height difference in m between neighbouring cells that are separated by a wall. It is more than roofs
+/// rise: 63 degrees in cells of 0.5 m, 56 degrees in cells of a metre and more.
+[[nodiscard]] inline float roof_step(const Scene& scene) {
+    constexpr double least = 1;
+    constexpr double slope = 1.5;
+    return static_cast<float>(std::max(least, slope * scene.side()));
+}
+
+/// Reads a part of a source's window and multiplies it by a factor.
+/// @throws InputError
+[[nodiscard]] MetreGrid read_grid(DemSource& source, const Window& part, double factor, Context& context);
+/// Reads a mask: cells that are neither 0 nor invalid.
+/// @throws InputError
+[[nodiscard]] Mask read_mask(DemSource& source, const Window& part, Context& context);
 
 }  // namespace d2b

@@ -7,8 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/equal_runs.hpp"
-#include "core/row_bands.hpp"
+#include "core/grid.hpp"
 #include "detect/smoothness.hpp"
 
 namespace d2b {
@@ -33,7 +32,7 @@ class SamplingOfRows {
           detection_(detection),
           min_height_(static_cast<float>(min_height)),
           own_(own),
-          limit_(smooth_limits(scene.side(), {}).enough),
+          limit_(smoothness_thresholds(scene.side(), {}).enough),
           sampling_(sampling) {}
 
     void add(RowBand band);
@@ -69,7 +68,7 @@ void SamplingOfRows::find_rough(std::int32_t r, std::vector<std::uint8_t>& rough
     // Local pointer, because stores through it must not alias the inputs.
     std::uint8_t* const out = rough.data();
     const std::int32_t first = own_.col;
-    const auto look = [&](std::int32_t c, std::int32_t left, std::int32_t right) {
+    const auto visit = [&](std::int32_t c, std::int32_t left, std::int32_t right) {
         const float twice = 2 * here[c];
         const float along_row = std::abs(here[left] + here[right] - twice);
         const float along_column = std::abs(above[c] + below[c] - twice);
@@ -80,11 +79,11 @@ void SamplingOfRows::find_rough(std::int32_t r, std::vector<std::uint8_t>& rough
     const std::int32_t end = std::min(own_.end_col() + 1, z.cols);
     const std::int32_t inner = std::min(end, z.cols - 1);
     for (std::int32_t c = std::max(first, 1); c < inner; ++c)
-        look(c, c - 1, c + 1);
+        visit(c, c - 1, c + 1);
     if (first == 0)
-        look(0, 0, std::min(1, z.cols - 1));
+        visit(0, 0, std::min(1, z.cols - 1));
     if (end == z.cols)
-        look(z.cols - 1, std::max(z.cols - 2, 0), z.cols - 1);
+        visit(z.cols - 1, std::max(z.cols - 2, 0), z.cols - 1);
 }
 
 /// Adds the differences to the next cell and to the cell below.
@@ -129,7 +128,7 @@ void SamplingOfRows::add(RowBand band) {
     std::vector<std::uint8_t> here;
     std::vector<std::uint8_t> below;
     find_rough(band.begin, here);
-    const std::int32_t stride = step_stride(own_.rows, own_.cols);
+    const std::int32_t stride = sampled_row_stride(own_.rows, own_.cols);
     for (std::int32_t r = band.begin; r < band.end; ++r) {
         if (r % stride == 0)
             sampling_.values.add(scene_.surface.row(r).subspan(static_cast<std::size_t>(own_.col),
@@ -197,7 +196,7 @@ void SurfaceSampling::merge(const SurfaceSampling& other) {
 
 void add_sampling(const Scene& scene, const Detection& detection, double min_height, const Window& own,
                   SurfaceSampling& sampling, Executor& threads) {
-    sampling.merge(sum_of_row_bands(threads, own.rows, own.cols, SurfaceSampling(),
+    sampling.merge(reduce_row_bands(threads, own.rows, own.cols, SurfaceSampling(),
                                     [&](RowBand band, SurfaceSampling& sum) {
                                         SamplingOfRows(scene, detection, min_height, own, sum)
                                             .add({own.row + band.begin, own.row + band.end});
@@ -207,14 +206,14 @@ void add_sampling(const Scene& scene, const Detection& detection, double min_hei
 SamplingReport sampling_report(const SurfaceSampling& sampling, double metres) {
     SamplingReport report;
     if (sampling.rough.all * least_rough >= sampling.built)
-        report.filled_share = filled_share(sampling.rough);
-    if (report.filled_share >= least_filled)
-        report.points_per_cell = -std::log(report.filled_share);
+        report.interpolated_fraction = interpolated_fraction(sampling.rough);
+    if (report.interpolated_fraction >= least_filled)
+        report.points_per_cell = -std::log(report.interpolated_fraction);
     if (sampling.steps >= fewest_steps)
         report.step_width_cells =
             tenths * blur_of(static_cast<double>(sampling.falls) / static_cast<double>(sampling.steepest));
     if (const std::optional<double> step = value_step(sampling.values))
-        report.value_step = neat_step(*step / metres);
+        report.value_step = nearest_round_step(*step / metres);
     return report;
 }
 

@@ -6,9 +6,8 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/report.hpp"
 #include "detect/detection.hpp"
-#include "detect/filled_share.hpp"
 #include "detect/scene.hpp"
-#include "detect/value_step.hpp"
+#include "detect/surface_quality.hpp"
 
 namespace d2b {
 
@@ -22,14 +21,14 @@ struct SurfaceSampling {
     std::int64_t steps = 0;     ///< number of borders with a step
     std::int64_t falls = 0;     ///< sum of their falls over the whole reach, mm
     std::int64_t steepest = 0;  ///< sum of their largest falls between two neighbours, mm
-    StepCounts values;          ///< differences between neighbours
+    StepHistogram values;       ///< differences between neighbours
 
     void merge(const SurfaceSampling& other);
 };
 
-/// Adds the core cells of a unit: pairs of rough neighbours, see filled_share(), and the steps at the borders
-/// of buildings. A step is measured along a row or a column, from two cells inside of the last cell of a
-/// building to three outside, if the fall exceeds a height and the outside belongs to no object.
+/// Adds the core cells of a unit: pairs of rough neighbours, see interpolated_fraction(), and the steps at
+/// the borders of buildings. A step is measured along a row or a column, from two cells inside of the last
+/// cell of a building to three outside, if the fall exceeds a height and the outside belongs to no object.
 /// @param min_height height in m
 void add_sampling(const Scene& scene, const Detection& detection, double min_height, const Window& own,
                   SurfaceSampling& sampling, Executor& threads);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "core/stage_clock.hpp"
+#include "core/context.hpp"
 
 namespace d2b {
 namespace {
@@ -47,15 +47,15 @@ Window within(const BandShape& band, std::int32_t first_col, const Window& windo
 }
 
 /// Hides spikes from their band (as NaN) until the rows beyond it have been read.
-class Withheld {
+class HiddenSpikes {
   public:
-    Withheld(ElevationBand& band, const std::vector<Spike>& spikes) : band_(band), spikes_(spikes) {
+    HiddenSpikes(ElevationBand& band, const std::vector<Spike>& spikes) : band_(band), spikes_(spikes) {
         for (const Spike& spike : spikes_)
             at(spike) = std::numeric_limits<double>::quiet_NaN();
     }
-    Withheld(const Withheld&) = delete;
-    Withheld& operator=(const Withheld&) = delete;
-    ~Withheld() {
+    HiddenSpikes(const HiddenSpikes&) = delete;
+    HiddenSpikes& operator=(const HiddenSpikes&) = delete;
+    ~HiddenSpikes() {
         for (const Spike& spike : spikes_)
             at(spike) = spike.elevation;
     }
@@ -77,7 +77,7 @@ ElevationReader::ElevationReader(DemSource& source, Context& context, const Band
     : source_(source),
       context_(context),
       points_a_band_(size.points),
-      kept_(source.info().window, size.keep_bytes) {
+      cache_(source.info().window, size.keep_bytes) {
     const Window& window = source.info().window;
     const std::int32_t rows = band_rows(source.info().block_rows, std::max(window.cols, 1), size.points);
     ahead_ = static_cast<std::size_t>(
@@ -99,13 +99,13 @@ ElevationBand ElevationReader::get(const Window& part, std::vector<double>&& buf
     const StageClock clock(tally, Stage::read);
     const Window& window = source_.info().window;
     ElevationBand band{{part.row, part.rows, part.cols}, {}};
-    if (kept_.complete()) {
+    if (cache_.complete()) {
         band.elevations = std::move(buffer);
         band.elevations.clear();
         band.elevations.reserve(band.shape.size());
     } else {
         band = read(part, std::move(buffer));
-        limit(band.elevations, rules_);
+        apply_limits(band.elevations, rules_);
     }
     for (std::size_t i = band_with(part.row); i < shapes_.size() && shapes_[i].first_row < part.end_row();
          ++i) {
@@ -113,10 +113,11 @@ ElevationBand ElevationReader::get(const Window& part, std::vector<double>&& buf
         const std::int32_t first = std::max(part.row, kept.first_row);
         const std::int32_t end = std::min(part.end_row(), kept.first_row + kept.rows);
         const Window here{first - kept.first_row, part.col - window.col, end - first, part.cols};
-        if (kept_.complete())
-            kept_.append(i, kept, here, band.elevations);
-        if (decided_)
-            decided_->apply(i, kept.cols, {part.row - kept.first_row, here.col, part.rows, part.cols}, band);
+        if (cache_.complete())
+            cache_.append(i, kept, here, band.elevations);
+        if (decisions_)
+            decisions_->apply(i, kept.cols, {part.row - kept.first_row, here.col, part.rows, part.cols},
+                              band);
     }
     return band;
 }
@@ -137,20 +138,20 @@ ElevationBand ElevationReader::get_above(std::size_t i, std::int32_t halo, Tally
     return rows > 0 ? get(whole(above), {}, tally) : ElevationBand{above, {}};
 }
 
-ElevationSurvey ElevationReader::survey(const SiftRules& rules,
+ElevationSurvey ElevationReader::survey(const ValidityRules& rules,
                                         const std::function<void(const ElevationBand&)>& done,
                                         const std::optional<Window>& of) {
     struct Seen {
-        StrangeValues strange;
+        SuspiciousValues suspicious;
         ElevationStatistics statistics;
         std::vector<Spike> spikes;
     };
     const Window& window = source_.info().window;
     const Window counted = of.value_or(window);
     rules_ = rules;
-    kept_.forget();
-    decided_.emplace(context_.make_spool());
-    ElevationSurvey survey{{}, StrangeValues(rules), {}};
+    cache_.forget();
+    decisions_.emplace(context_.make_spool());
+    ElevationSurvey survey{{}, SuspiciousValues(rules), {}};
     SpikeSeams seams;
     std::size_t settled = 0;
     bool first = true;
@@ -161,26 +162,26 @@ ElevationSurvey ElevationReader::survey(const SiftRules& rules,
         },
         [&](std::size_t, ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
-            Seen seen{StrangeValues(rules), {}, {}};
+            Seen seen{SuspiciousValues(rules), {}, {}};
             const Window part = within(band.shape, window.col, counted);
-            const std::vector<Stretch> steep = sift(band, rules, seen.strange, part);
+            const std::vector<ColumnRun> steep = filter_invalid(band, rules, seen.suspicious, part);
             seen.spikes = find_spikes(band, steep, rules.spikes);
-            const Withheld withheld(band, seen.spikes);
+            const HiddenSpikes withheld(band, seen.spikes);
             seen.statistics.add(band, part);
             return seen;
         },
         [&](const ElevationBand& band, Seen seen) {
             survey.statistics.merge(seen.statistics);
-            survey.strange.merge(seen.strange);
+            survey.suspicious.merge(seen.suspicious);
             const std::vector<Spike> before = seams.add(band, std::move(seen.spikes));
             if (!std::exchange(first, false))
-                settle(before, shapes_[settled++].first_row, counted, survey);
+                decide_spikes(before, shapes_[settled++].first_row, counted, survey);
             if (!of)
                 add_border(band, survey.border);
             done(band);
         });
-    settle(seams.finish(), settled < shapes_.size() ? shapes_[settled].first_row : 0, counted, survey);
-    take_spikes_out();
+    decide_spikes(seams.finish(), settled < shapes_.size() ? shapes_[settled].first_row : 0, counted, survey);
+    remove_spikes();
     return survey;
 }
 
@@ -201,39 +202,39 @@ void ElevationReader::add_border(const ElevationBand& band, BorderCells& border)
     }
 }
 
-void ElevationReader::settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
-                             ElevationSurvey& survey) {
+void ElevationReader::decide_spikes(const std::vector<Spike>& spikes, std::int32_t first_row,
+                                    const Window& counted, ElevationSurvey& survey) {
     const Window& window = source_.info().window;
-    BandCells::Cells cells;
+    CellDecisions::Cells cells;
     for (const Spike& spike : spikes) {
         const std::size_t index =
             static_cast<std::size_t>(spike.row) * static_cast<std::size_t>(window.cols) +
             static_cast<std::size_t>(spike.col);
         const bool counts = counted.holds(first_row + spike.row, window.col + spike.col);
-        if (!spike.stands_alone() && spike.above(rules_.spikes.no_elevation)) {
+        if (!spike.stands_alone() && spike.above(rules_.spikes.invalid_above)) {
             if (counts)
-                survey.strange.spikes.add(spike.elevation);
+                survey.suspicious.spikes.add(spike.elevation);
             cells.invalid.push_back(index);
             continue;
         }
         if (counts)
             survey.statistics.add(spike.elevation);
-        if (!spike.stands_alone() && spike.above(rules_.spikes.no_roof)) {
-            survey.strange.spires += counts ? 1 : 0;
+        if (!spike.stands_alone() && spike.above(rules_.spikes.not_roof_above)) {
+            survey.suspicious.spires += counts ? 1 : 0;
             cells.spires.push_back(index);
         }
     }
-    decided_->append(cells);
+    decisions_->append(cells);
 }
 
 /// Applies the decisions to the kept elevations, because these are lent unchanged.
-void ElevationReader::take_spikes_out() {
-    for (std::size_t i = 0; kept_.complete() && i < shapes_.size(); ++i)
-        kept_.take_out(i, shapes_[i], decided_->invalid(i));
+void ElevationReader::remove_spikes() {
+    for (std::size_t i = 0; cache_.complete() && i < shapes_.size(); ++i)
+        cache_.set_invalid(i, shapes_[i], decisions_->invalid(i));
 }
 
 MetreGrid ElevationReader::lend(const Window& part) {
-    return part == source_.info().window ? kept_.lend() : MetreGrid{};
+    return part == source_.info().window ? cache_.lend() : MetreGrid{};
 }
 
 void ElevationReader::for_each(const std::function<void(const ElevationBand&)>& use) {

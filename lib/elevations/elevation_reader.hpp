@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -11,20 +12,34 @@
 #include "core/band.hpp"
 #include "core/context.hpp"
 #include "core/grid.hpp"
-#include "core/undeclared_values.hpp"
+#include "core/invalid_elevations.hpp"
 #include "dem2buildings/dem_source.hpp"
-#include "elevations/band_buffers.hpp"
-#include "elevations/band_cells.hpp"
-#include "elevations/kept_elevations.hpp"
-#include "elevations/sift.hpp"
+#include "elevations/elevation_cache.hpp"
+#include "elevations/filter_invalid.hpp"
 #include "elevations/statistics.hpp"
 
 namespace d2b {
 
+/// Restricts a DEM to a part of its window. Notices remain with the DEM itself.
+class SubwindowSource final : public DemSource {
+  public:
+    /// @param whole the DEM, which must outlive this object
+    /// @param part part of its window
+    SubwindowSource(DemSource& whole, const Window& part) : whole_(whole), info_(whole.info()) {
+        info_.window = part;
+    }
+    [[nodiscard]] const DemInfo& info() const override { return info_; }
+    void read(const Window& part, std::span<double> elevations) override { whole_.read(part, elevations); }
+
+  private:
+    DemSource& whole_;
+    DemInfo info_;
+};
+
 /// Results of the first pass.
 struct ElevationSurvey {
     ElevationStatistics statistics;  ///< statistics of valid cells
-    StrangeValues strange;
+    SuspiciousValues suspicious;
     BorderCells border{};  ///< border of the window, if the survey covers all of it
 };
 
@@ -42,20 +57,20 @@ class ElevationReader {
     /// @param done called for each band, from the first row to the last, on this thread
     /// @param of cells covered by the survey; nullopt: all. Validity is decided for all other cells, too, if
     /// the window is empty
-    [[nodiscard]] ElevationSurvey survey(const SiftRules& rules,
+    [[nodiscard]] ElevationSurvey survey(const ValidityRules& rules,
                                          const std::function<void(const ElevationBand&)>& done,
                                          const std::optional<Window>& of = {});
 
     /// Replaces the first pass if no cell is judged by its neighbours.
     /// @pre rules without spikes
-    void apply(const SiftRules& rules) { rules_ = rules; }
+    void apply(const ValidityRules& rules) { rules_ = rules; }
 
     /// Calls use(band, prepare(band, tally)) for each band, from the first row to the last: `prepare` on any
     /// thread, `use` on the caller's.
     /// @throws InputError, and exceptions of both
     template <typename Prepare, typename Use>
     void for_each(const Prepare& prepare, const Use& use) {
-        for_each_below(
+        for_each_with_halo(
             0, [&](ElevationBand&&, const ElevationBand& band, Tally& tally) { return prepare(band, tally); },
             use);
     }
@@ -63,7 +78,7 @@ class ElevationReader {
     /// itself, so that it waits for no other.
     /// @param halo number of rows, at most 64; fewer at the start of the window
     template <typename Prepare, typename Use>
-    void for_each_below(std::int32_t halo, const Prepare& prepare, const Use& use) {
+    void for_each_with_halo(std::int32_t halo, const Prepare& prepare, const Use& use) {
         pass([this](std::size_t i, Tally& tally) { return get(whole(shapes_[i]), buffers_.take(), tally); },
              [&](std::size_t i, const ElevationBand& band, Tally& tally) {
                  // Read after the band, because the thread that reads the band above has decoded these rows
@@ -82,7 +97,7 @@ class ElevationReader {
     /// returns an empty grid. Request nothing until they are returned unchanged.
     /// @pre the survey is done
     [[nodiscard]] MetreGrid lend(const Window& part);
-    void take_back(MetreGrid&& lent) { kept_.take_back(std::move(lent)); }
+    void take_back(MetreGrid&& lent) { cache_.take_back(std::move(lent)); }
 
   private:
     /// Merges the tallies even if an exception is thrown.
@@ -107,9 +122,9 @@ class ElevationReader {
         };
         std::vector<Tally> tallies(static_cast<std::size_t>(context_.threads->threads()));
         const Merger merger{tallies, context_.report};
-        const bool keeping = kept_.wanted();
+        const bool keeping = cache_.wanted();
         if (keeping)
-            kept_.begin(bands(), *context_.threads);
+            cache_.begin(bands(), *context_.threads);
         context_.threads->in_order(
             bands(),
             [&](std::size_t i, std::size_t thread) {
@@ -118,18 +133,18 @@ class ElevationReader {
                 Prepared prepared = prepare(i, band, tallies[thread]);
                 std::vector<double> wide;
                 if (keeping)
-                    wide = kept_.keep(band);
+                    wide = cache_.keep(band);
                 return Made{std::move(band), std::move(wide), std::move(prepared)};
             },
             [&](std::size_t i, Made made) {
                 use(made.band, std::move(made.prepared));
                 if (keeping)
-                    kept_.put(i, made.band.shape, std::move(made.wide));
+                    cache_.put(i, made.band.shape, std::move(made.wide));
                 buffers_.give(std::move(made.band.elevations));
             },
             ahead_);
         buffers_.clear();
-        kept_.end();
+        cache_.end();
     }
     /// Reads raw values from the source.
     /// @param buffer buffer for the elevations
@@ -146,9 +161,9 @@ class ElevationReader {
     /// Decides about the spikes of the next band.
     /// @param spikes spikes of that band, compared with all their neighbours
     /// @param first_row first row of that band
-    void settle(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
-                ElevationSurvey& survey);
-    void take_spikes_out();
+    void decide_spikes(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
+                       ElevationSurvey& survey);
+    void remove_spikes();
     void add_border(const ElevationBand& band, BorderCells& border) const;
 
     DemSource& source_;
@@ -156,10 +171,10 @@ class ElevationReader {
     std::int64_t points_a_band_;
     std::size_t ahead_ = 1;  ///< bands read ahead per thread
     std::vector<BandShape> shapes_;
-    KeptElevations kept_;
-    BandBuffers buffers_;  ///< buffers of one pass
-    SiftRules rules_;
-    std::optional<BandCells> decided_;  ///< decisions about spikes
+    ElevationCache cache_;
+    BufferPool buffers_;  ///< buffers of one pass
+    ValidityRules rules_;
+    std::optional<CellDecisions> decisions_;  ///< decisions about spikes
 };
 
 }  // namespace d2b

@@ -1,11 +1,34 @@
 #include "elevations/statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
-#include "elevations/row_extremes.hpp"
+#include "core/grid.hpp"
 
 namespace d2b {
+
+/// Uses lanes, so that the loop vectorises; their number keeps the compiler from unrolling the loop over
+/// them.
+D2B_MULTIVERSION ValueRange value_range(std::span<const double> values) {
+    constexpr std::size_t lanes = 64;
+    std::array<double, lanes> lowest{};
+    std::array<double, lanes> highest{};
+    lowest.fill(ValueRange{}.lowest);
+    highest.fill(ValueRange{}.highest);
+    const auto update = [&](double z, std::size_t lane) {
+        lowest[lane] = z < lowest[lane] ? z : lowest[lane];
+        highest[lane] = z > highest[lane] ? z : highest[lane];
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= values.size(); i += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            update(values[i + lane], lane);
+    for (; i < values.size(); ++i)
+        update(values[i], 0);
+    return {std::ranges::min(lowest), std::ranges::max(highest)};
+}
 
 void ElevationStatistics::add(const ElevationBand& band) {
     add(band, {0, 0, band.shape.rows, band.shape.cols});
@@ -15,8 +38,8 @@ void ElevationStatistics::add(const ElevationBand& band, const Window& part) {
     for (std::int32_t row = part.row; row < part.end_row(); ++row) {
         const auto cells =
             band.row(row).subspan(static_cast<std::size_t>(part.col), static_cast<std::size_t>(part.cols));
-        moments.add_known(cells);
-        const RowExtremes of = extremes_of_row(cells);
+        moments.add_valid(cells);
+        const ValueRange of = value_range(cells);
         // The first of equal values, 0 or -0.
         if (of.lowest < minimum)
             minimum = *std::ranges::find(cells, of.lowest);

@@ -1,14 +1,22 @@
 #pragma once
 
 #include <limits>
+#include <span>
 
 #include "core/band.hpp"
-#include "core/elevation_sample.hpp"
-#include "core/exact_sum.hpp"
-#include "core/point_stats.hpp"
+#include "core/statistics.hpp"
 #include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
+
+/// Range of values; inverted if empty.
+struct ValueRange {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+};
+
+/// Returns the range of all values that are not NaN. If both 0 and -0 are extreme, either may be returned.
+[[nodiscard]] ValueRange value_range(std::span<const double> values);
 
 /// Statistics that determine the thresholds: a mergeable, exact reduction over all valid points, so that
 /// bands, tiles and threads in any order yield identical thresholds.

@@ -1,8 +1,242 @@
 #include "features/contour_drawer.hpp"
 
-#include "core/stage_clock.hpp"
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "core/context.hpp"
+#include "core/georeference.hpp"
+#include "dem2buildings/error.hpp"
+#include "features/reprojection.hpp"
 
 namespace d2b {
+
+ContourChildren::ContourChildren(const ContourList& contours) : first_(contours.size() + 1) {
+    for (std::size_t i = 0; i < contours.size(); ++i)
+        if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
+            ++first_[static_cast<std::size_t>(parent) + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    children_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < contours.size(); ++i)
+        if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
+            children_[next[static_cast<std::size_t>(parent)]++] = static_cast<std::uint32_t>(i);
+}
+
+namespace {
+
+/// @return the reason why the parts are invalid; "" if they are valid
+std::string try_draw(const DrawParts& drawn, Geos& geos, std::vector<WorldPolygon>& parts) {
+    try {
+        parts = drawn();
+        return parts.empty() ? "" : geos.invalidity(parts);
+    } catch (const GeometryError& error) {
+        parts.clear();
+        return error.what();
+    }
+}
+
+std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& parts, Geos& geos) {
+    try {
+        return geos.repaired(parts);
+    } catch (const GeometryError&) {
+        return {};
+    }
+}
+
+}  // namespace
+
+ValidParts draw_valid(const DrawParts& drawn, const DrawParts& traced, Geos& geos, OutlineStatus& status,
+                      Tally& tally) {
+    ValidParts result;
+    result.invalid_reason = try_draw(drawn, geos, result.parts);
+    if (result.invalid_reason.empty())
+        return result;
+    const bool redrawn = status == OutlineStatus::simplified || status == OutlineStatus::regularized;
+    if (redrawn || result.parts.empty()) {
+        if (try_draw(traced, geos, result.parts).empty()) {
+            status = OutlineStatus::kept_traced;
+            tally.count(Reason::outline_kept_traced);
+            return result;
+        }
+    }
+    status = OutlineStatus::repaired;
+    tally.count(Reason::polygon_repaired);
+    result.parts = repaired(result.parts, geos);
+    if (result.parts.empty())
+        tally.count(Reason::polygon_lost);
+    return result;
+}
+
+namespace {
+
+Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& parts) {
+    Geodesy::Measure sum;
+    for (const WorldPolygon& part : parts) {
+        const Geodesy::Measure one = geodesy.polygon(part);
+        sum.area_m2 += one.area_m2;
+        sum.perimeter_m += one.perimeter_m;
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
+    std::size_t sum = 0;
+    for (const WorldPolygon& part : parts) {
+        sum += part.exterior.size();
+        for (const WorldRing& ring : part.interiors)
+            sum += ring.size();
+    }
+    return static_cast<std::int64_t>(sum);
+}
+
+Outliner make_outliner(const ContourList& contours, const OutlineRules& rules,
+                       const Georeference& georeference, const Crs& crs, const Window& window,
+                       Context& context) {
+    return {contours,     choose_outline_method(rules, georeference), rules,
+            georeference, x_stretch(georeference, crs, window),       context};
+}
+
+PolygonMaker::PolygonMaker(const PolygonParameters& terms)
+    : terms_(terms),
+      geos_(terms.stop),
+      geodesy_(terms.crs, terms.stop),
+      to_target_(
+          output_transform(terms.crs, terms.target_crs, terms.georeference, terms.window, terms.stop)) {}
+
+PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Draw& draw) {
+    std::vector<FinePolygon> polygons{draw(contour)};
+    if (tier) {
+        std::vector<FinePolygon> children;
+        for (const std::size_t child : terms_.children.of(contour))
+            children.push_back(draw(child));
+        polygons = geos_.difference(polygons.front(), children);
+    }
+    Parts parts;
+    cells_.clear();
+    for (const FinePolygon& polygon : polygons) {
+        parts.push_back(terms_.georeference.polygon(polygon));
+        if (terms_.with_cells)
+            std::ranges::copy(row_spans(polygon), std::back_inserter(cells_));
+    }
+    if (!terms_.options.arcs)
+        for (WorldPolygon& part : parts)
+            part.arcs.clear();
+    return parts;
+}
+
+/// Falls back to the whole contour if GEOS cannot subtract its children.
+PolygonMaker::Parts PolygonMaker::traced_shape(std::size_t contour, bool tier) {
+    const Draw draw = [&](std::size_t c) { return terms_.outliner.traced(c); };
+    try {
+        return shape(contour, tier, draw);
+    } catch (const GeometryError&) {
+        return shape(contour, false, draw);
+    }
+}
+
+/// Returns no parts if the projection tears them.
+PolygonMaker::Parts PolygonMaker::in_target_crs(Parts parts) {
+    if (!to_target_)
+        return parts;
+    const double ground_m = measure(geodesy_, parts).perimeter_m;
+    double length = 0;
+    const auto project = [&](WorldRing& ring) {
+        split_by_projection_ = split_by_projection_ || to_target_->apply(ring) != RingProjection::whole;
+        length += length_of(ring);
+    };
+    for (WorldPolygon& part : parts) {
+        project(part.exterior);
+        for (WorldRing& ring : part.interiors)
+            project(ring);
+    }
+    split_by_projection_ = split_by_projection_ || is_overstretched(length, terms_.target_crs, ground_m);
+    return split_by_projection_ ? Parts() : parts;
+}
+
+/// True if validity follows from the tracing: an outline drawn as traced, on exact coordinates, is valid
+/// (docs/method.md). Skipped because GEOS would need a fifth of the run time to confirm it, and for huge
+/// outlines time proportional to vertices times holes.
+bool PolygonMaker::is_valid_as_traced(const FeaturePolygon& made, Form form) const {
+    return made.status == OutlineStatus::traced && form != Form::tier && !to_target_ &&
+           terms_.georeference.is_exact(terms_.window);
+}
+
+FeaturePolygon PolygonMaker::as_traced(const LatticePolygon& polygon) {
+    FeaturePolygon made;
+    const StageClock clock(tally_, Stage::outline);
+    split_by_projection_ = false;
+    const Parts parts{terms_.georeference.polygon(polygon)};
+    made.measure = measure(geodesy_, parts);
+    const auto drawn = [&] { return in_target_crs(parts); };
+    Tally uncounted;  // already counted when it was dropped
+    made.parts = draw_valid(drawn, drawn, geos_, made.status, uncounted).parts;
+    return made;
+}
+
+FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
+    const Outliner& outliner = terms_.outliner;
+    const OutlineQuality quality =
+        form == Form::footprint ? outliner.footprint_quality(contour) : outliner.quality(contour);
+    FeaturePolygon made;
+    split_by_projection_ = false;
+    made.status = quality.status;
+    if (quality.status == OutlineStatus::kept_traced)
+        tally_.count(Reason::outline_kept_traced);
+    made.deviation = quality.deviation_cells * std::sqrt(terms_.georeference.cell_area());
+    made.area_change = quality.area_change;
+    made.simplified = quality.simplified;
+    made.kept_traced = quality.kept_traced;
+    const bool tier = form == Form::tier;
+    Parts parts;
+    {
+        const StageClock clock(tally_, Stage::outline);
+        const auto drawn = [&] {
+            parts = shape(contour, tier, [&](std::size_t c) {
+                return form == Form::footprint ? outliner.footprint(c) : outliner.outline(c);
+            });
+            return in_target_crs(parts);
+        };
+        const auto traced = [&] {
+            parts = traced_shape(contour, tier);
+            return in_target_crs(parts);
+        };
+        if (is_valid_as_traced(made, form)) {
+            made.parts = drawn();
+        } else {
+            ValidParts found = draw_valid(drawn, traced, geos_, made.status, tally_);
+            made.parts = std::move(found.parts);
+            made.invalid_reason = std::move(found.invalid_reason);
+            if (made.status == OutlineStatus::kept_traced && !made.invalid_reason.empty())
+                std::tie(made.simplified, made.kept_traced) = std::pair(0.0, 1.0);
+        }
+    }
+    made.cells = std::exchange(cells_, {});
+    made.split_by_projection = split_by_projection_;
+    if (made.split_by_projection)
+        tally_.count(Reason::outline_torn);
+    const StageClock clock(tally_, Stage::attributes);
+    made.measure = measured(made, parts);
+    return made;
+}
+
+/// Measures in the CRS of the DEM, because its edges are straight and a repair in the output CRS does not
+/// reflect the ground.
+Geodesy::Measure PolygonMaker::measured(const FeaturePolygon& made, const Parts& drawn) {
+    if (made.status != OutlineStatus::repaired)
+        return measure(geodesy_, drawn);
+    if (!to_target_)
+        return measure(geodesy_, made.parts);
+    const auto as_drawn = [&] { return drawn; };
+    OutlineStatus status = OutlineStatus::traced;
+    Tally uncounted;  // already counted when it was repaired
+    return measure(geodesy_, draw_valid(as_drawn, as_drawn, geos_, status, uncounted).parts);
+}
+
 namespace {
 
 /// True if the stack error is measured on the drawn outlines. Not for the thesis preset: its outlines are
@@ -18,11 +252,12 @@ OutlineRules outline_rules(const RunPlan& plan, const Crs& target_crs, double ce
 
 }  // namespace
 
-OutlineReach reach_of(const ContourList& contours, const RunPlan& plan, const Georeference& georeference,
-                      const Crs& crs, const Crs& target_crs, const Window& window, double cell_size_m,
-                      const StopRequest& stop) {
-    return outline_reach(contours, outline_rules(plan, target_crs, cell_size_m), georeference,
-                         x_stretch(georeference, crs, window), stop);
+OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunPlan& plan,
+                                            const Georeference& georeference, const Crs& crs,
+                                            const Crs& target_crs, const Window& window, double cell_size_m,
+                                            const StopToken& stop) {
+    return outline_dependencies(contours, outline_rules(plan, target_crs, cell_size_m), georeference,
+                                x_stretch(georeference, crs, window), stop);
 }
 
 Outliner draw_outlines(const ContourList& contours, const RunPlan& plan, const Georeference& georeference,
@@ -33,30 +268,30 @@ Outliner draw_outlines(const ContourList& contours, const RunPlan& plan, const G
                          context);
 }
 
-void add_to_stack(const DrawnContour& drawn, const LayerPlaces& places, DrawnStack& stack) {
-    if (drawn.building && !drawn.building->parts.empty() && places.buildings && !drawn.is_doubtful)
+void add_to_stack(const DrawnContour& drawn, const LayerIndices& indices, DrawnStack& stack) {
+    if (drawn.building && !drawn.building->parts.empty() && indices.buildings && !drawn.is_low_confidence)
         stack.add_building(drawn.building->cells);
     if (!drawn.contour || drawn.contour->parts.empty())
         return;
-    if (!places.buildings && drawn.record.level == 1)
+    if (!indices.buildings && drawn.record.level == 1)
         stack.add_building(drawn.contour->cells);
     stack.add_contour(drawn.contour->cells, {drawn.record.tier_z, drawn.record.mean, drawn.record.level});
 }
 
-ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& records, Context& context)
+ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordBuilder& records, Context& context)
     : input_(input),
       records_(records),
       children_(input.plan.asked.outline.disjoint ? ContourChildren(input.contours) : ContourChildren()),
       with_cells_(measures_drawn(input.plan)) {
-    const PolygonTerms terms{input.plan.asked.outline,
-                             input.georeference,
-                             input.crs,
-                             input.target_crs,
-                             input.window,
-                             input.outliner,
-                             children_,
-                             context.threads->stop(),
-                             with_cells_};
+    const PolygonParameters terms{input.plan.asked.outline,
+                                  input.georeference,
+                                  input.crs,
+                                  input.target_crs,
+                                  input.window,
+                                  input.outliner,
+                                  children_,
+                                  context.threads->stop(),
+                                  with_cells_};
     for (int thread = 0; thread < context.threads->threads(); ++thread)
         makers_.emplace_back(terms);
 }
@@ -64,8 +299,8 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordMaker& recor
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
     PolygonMaker& maker = makers_[thread];
     const ContourHead& head = input_.contours.head(contour);
-    DrawnContour drawn{head.key, head.parent, head.building, input_.is_doubtful(contour), {}, {}, {}, {},
-                       {},       {}};
+    DrawnContour drawn{
+        head.key, head.parent, head.building, input_.is_low_confidence(contour), {}, {}, {}, {}, {}, {}};
     const bool is_building = head.key.level == 1;
     {
         const StageClock clock(maker.tally(), Stage::attributes);
@@ -76,10 +311,10 @@ DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
         if (is_building)
             drawn.building_record = records_.building(contour, stored.contour, drawn.record, stored.roof);
     }
-    const LayerPlaces& places = input_.layers.places;
+    const LayerIndices& indices = input_.layers.indices;
     if (is_building)
         draw_building(contour, maker, drawn);
-    if (!places.contours || input_.is_doubtful(contour))
+    if (!indices.contours || input_.is_low_confidence(contour))
         return drawn;
     if (input_.plan.asked.outline.disjoint)
         drawn.contour = maker.tier(contour);
@@ -91,9 +326,9 @@ DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
 
 /// Restores the counters if the building is in no layer, because only written outlines are reported.
 void ContourDrawer::draw_building(std::size_t contour, PolygonMaker& maker, DrawnContour& drawn) const {
-    const bool is_doubtful = input_.is_doubtful(contour);
-    const bool is_written = input_.layers.places.of_building(is_doubtful).has_value();
-    if (!is_written && (is_doubtful || input_.kept == nullptr))
+    const bool is_low_confidence = input_.is_low_confidence(contour);
+    const bool is_written = input_.layers.indices.building_layer(is_low_confidence).has_value();
+    if (!is_written && (is_low_confidence || input_.building_records == nullptr))
         return;
     const auto counted = maker.tally().dropped;
     drawn.building = maker.footprint(contour);

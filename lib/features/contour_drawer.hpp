@@ -1,22 +1,144 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
-#include "attributes/records.hpp"
+#include "attributes/record_builder.hpp"
 #include "core/context.hpp"
-#include "features/polygon_maker.hpp"
+#include "core/crs.hpp"
+#include "core/georeference.hpp"
+#include "dem2buildings/report.hpp"
+#include "features/drawn_stack.hpp"
+#include "features/reprojection.hpp"
 #include "features/write_features.hpp"
+#include "geometry/geos.hpp"
+#include "outline/outline.hpp"
+#include "trace/contour.hpp"
 
 namespace d2b {
+
+/// Children of each contour in the tree of contours, in CSR form.
+class ContourChildren {
+  public:
+    ContourChildren() = default;
+    explicit ContourChildren(const ContourList& contours);
+    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t contour) const {
+        return std::span(children_).subspan(first_[contour], first_[contour + 1] - first_[contour]);
+    }
+
+  private:
+    std::vector<std::uint32_t> children_;  ///< concatenated over contours
+    std::vector<std::size_t> first_;       ///< index of each contour's first child; one more at the end
+};
+
+struct ValidParts {
+    std::vector<WorldPolygon> parts;
+    std::string invalid_reason;  ///< GEOS's reason why the first drawing is invalid; "" if it is valid
+};
+
+/// Draws the parts. May throw GeometryError.
+using DrawParts = std::function<std::vector<WorldPolygon>()>;
+
+/// Returns parts that GEOS accepts as valid: the drawn ones; otherwise, or if GEOS fails on them, the traced
+/// ones; otherwise repaired ones; and none if repair fails as well. Fallbacks are counted. Never throws for a
+/// bad polygon, because one feature must not end the run.
+/// @param status set to kept_traced or repaired after a fallback
+[[nodiscard]] ValidParts draw_valid(const DrawParts& drawn, const DrawParts& traced, Geos& geos,
+                                    OutlineStatus& status, Tally& tally);
+
+/// Parameters for converting outlines to polygons of the output.
+struct PolygonParameters {
+    const OutlineOptions& options;
+    const Georeference& georeference;
+    const Crs& crs;
+    const Crs& target_crs;  ///< kind none: the CRS of the DEM
+    Window window;
+    const Outliner& outliner;
+    const ContourChildren& children;  ///< may be empty if no tiers are drawn
+    StopToken stop = {};
+    bool with_cells = false;  ///< true to return the cells of each polygon
+};
+
+/// Output polygon with its measures and the status of its outline.
+struct FeaturePolygon {
+    std::vector<WorldPolygon> parts;
+    Geodesy::Measure measure;
+    OutlineStatus status = OutlineStatus::traced;
+    double deviation = 0;    ///< regularized outline from trace, units of the DEM's CRS (degrees of latitude)
+    double simplified = 0;   ///< share of the length that is simplified although walls were asked for
+    double kept_traced = 0;  ///< share of the length that is traced although more was asked for
+    double area_change = 0;  ///< by regularization, as a share of the traced area
+    std::string invalid_reason;        ///< GEOS's objection, if it is not written as drawn
+    bool split_by_projection = false;  ///< torn by the output CRS, so without parts
+    std::vector<RowSpan> cells;        ///< cells with their centres inside; empty if not asked for
+};
+
+/// Converts outlines to output polygons: draws them in the CRS of the DEM, reprojects, checks validity and
+/// measures area and perimeter. An invalid polygon falls back to its traced form or is repaired instead of
+/// throwing an exception, because one feature must not end a run of hours.
+///
+/// Not thread-safe, because GEOS and PROJ contexts are not: use one object per thread, as ContourDrawer does:
+///
+///     FeaturePolygon polygon = makers[thread].footprint(contour);
+///     if (polygon.parts.empty())
+///         ...  // torn by the output CRS, or lost; see status and tally()
+class PolygonMaker {
+  public:
+    /// @param terms its references must outlive this
+    explicit PolygonMaker(const PolygonParameters& terms);
+
+    /// Returns the polygon of a contour.
+    [[nodiscard]] FeaturePolygon whole(std::size_t contour) { return make(contour, Form::whole); }
+    /// Returns the polygon of a contour of level 1 as a building, without the vertices that only higher
+    /// levels need.
+    [[nodiscard]] FeaturePolygon footprint(std::size_t contour) { return make(contour, Form::footprint); }
+    /// Converts a lattice polygon without changing its shape.
+    [[nodiscard]] FeaturePolygon as_traced(const LatticePolygon& polygon);
+    /// Returns a contour minus the contours on top of it; no parts if they cover it completely.
+    [[nodiscard]] FeaturePolygon tier(std::size_t contour) { return make(contour, Form::tier); }
+
+    /// Returns times and outline counters since construction.
+    [[nodiscard]] Tally& tally() { return tally_; }
+
+  private:
+    using Parts = std::vector<WorldPolygon>;
+    using Draw = std::function<FinePolygon(std::size_t)>;
+    enum class Form { whole, footprint, tier };
+
+    [[nodiscard]] FeaturePolygon make(std::size_t contour, Form form);
+    [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
+    [[nodiscard]] Parts traced_shape(std::size_t contour, bool tier);
+    [[nodiscard]] Parts in_target_crs(Parts parts);
+    [[nodiscard]] Geodesy::Measure measured(const FeaturePolygon& made, const Parts& drawn);
+    [[nodiscard]] bool is_valid_as_traced(const FeaturePolygon& made, Form form) const;
+
+    PolygonParameters terms_;
+    Geos geos_;
+    Geodesy geodesy_;
+    std::optional<RingTransform> to_target_;  ///< nullopt if nothing is reprojected
+    bool split_by_projection_ = false;        ///< state of the current feature
+    std::vector<RowSpan> cells_;              ///< cells of the current feature
+    Tally tally_;
+};
+
+/// Counts vertices without the repeated last ones of rings.
+[[nodiscard]] std::int64_t vertices_of(const std::vector<WorldPolygon>& parts);
+/// Creates the outliner of a run.
+[[nodiscard]] Outliner make_outliner(const ContourList& contours, const OutlineRules& rules,
+                                     const Georeference& georeference, const Crs& crs, const Window& window,
+                                     Context& context);
 
 /// Records of a contour and its polygons. A polygon is empty if its layer is not written.
 struct DrawnContour {
     ContourKey key;
     std::int64_t parent = -1;          ///< index of the parent in the contour list
-    std::int64_t building_place = -1;  ///< index of the building in the contour list
-    bool is_doubtful = false;
+    std::int64_t building_index = -1;  ///< index of the building in the contour list
+    bool is_low_confidence = false;
     ContourRecord record;  ///< ids are local to the contour list
     PointStats own;
     PointStats whole;                ///< including the contours above
@@ -26,13 +148,13 @@ struct DrawnContour {
 };
 
 /// Adds the drawn cells of a contour and its building to the stack, if they are written.
-void add_to_stack(const DrawnContour& drawn, const LayerPlaces& places, DrawnStack& stack);
+void add_to_stack(const DrawnContour& drawn, const LayerIndices& indices, DrawnStack& stack);
 
 /// Draws contours for the requested layers. Thread-safe, with one PolygonMaker per thread.
 class ContourDrawer {
   public:
     /// @param input, records must outlive this
-    ContourDrawer(const FeatureInput& input, const RecordMaker& records, Context& context);
+    ContourDrawer(const FeatureInput& input, const RecordBuilder& records, Context& context);
     ContourDrawer(const ContourDrawer&) = delete;
     ContourDrawer& operator=(const ContourDrawer&) = delete;
     ~ContourDrawer() = default;
@@ -40,7 +162,7 @@ class ContourDrawer {
     /// @param thread index of the calling thread
     [[nodiscard]] DrawnContour draw(std::size_t contour, std::size_t thread);
     /// True if polygons come with their cells, because the stack error is measured on them.
-    [[nodiscard]] bool gives_cells() const { return with_cells_; }
+    [[nodiscard]] bool returns_cells() const { return with_cells_; }
     /// Returns the makers, one per thread.
     [[nodiscard]] std::vector<PolygonMaker>& makers() { return makers_; }
 
@@ -48,16 +170,17 @@ class ContourDrawer {
     void draw_building(std::size_t contour, PolygonMaker& maker, DrawnContour& drawn) const;
 
     const FeatureInput& input_;
-    const RecordMaker& records_;
+    const RecordBuilder& records_;
     ContourChildren children_;
     bool with_cells_;
     std::vector<PolygonMaker> makers_;
 };
 
 /// Groups contours whose outlines depend on each other. @param target_crs, cell_size_m see below
-[[nodiscard]] OutlineReach reach_of(const ContourList& contours, const RunPlan& plan,
-                                    const Georeference& georeference, const Crs& crs, const Crs& target_crs,
-                                    const Window& window, double cell_size_m, const StopRequest& stop);
+[[nodiscard]] OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunPlan& plan,
+                                                          const Georeference& georeference, const Crs& crs,
+                                                          const Crs& target_crs, const Window& window,
+                                                          double cell_size_m, const StopToken& stop);
 
 /// Draws the outlines of a run by its plan. @param target_crs kind none: the CRS of the DEM
 /// @param cell_size_m side of a square with the area of a cell

@@ -7,13 +7,26 @@
 
 #include "core/band.hpp"
 #include "core/int128.hpp"
-#include "core/point_stats.hpp"
-#include "core/row_slabs.hpp"
+#include "core/lattice.hpp"
+#include "core/statistics.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/spool.hpp"
-#include "features/row_spans.hpp"
 
 namespace d2b {
+
+/// Run of cells in a row of the whole raster.
+struct RowSpan {
+    std::int32_t row = 0;
+    std::int32_t begin = 0;  ///< columns [begin, end)
+    std::int32_t end = 0;
+
+    friend bool operator==(const RowSpan&, const RowSpan&) = default;
+};
+
+/// Rasterizes a polygon: returns the cells with their centres inside, row by row. Centres on an edge belong
+/// to the polygon on the right or below, so polygons that share a wall do not share cells. @param polygon
+/// valid
+[[nodiscard]] std::vector<RowSpan> row_spans(const FinePolygon& polygon);
 
 /// Deviation of a stacked surface from the elevations. Sums are exact, so their order does not matter.
 struct StackError {

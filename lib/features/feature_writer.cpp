@@ -2,16 +2,150 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
-#include "core/stage_clock.hpp"
-#include "diagnose/traced_doubt.hpp"
-#include "diagnose/warn_of.hpp"
-#include "features/layer_styles.hpp"
-#include "features/target_frame.hpp"
+#include "attributes/attribute_table.hpp"
+#include "core/context.hpp"
+#include "diagnose/warnings.hpp"
+#include "features/reprojection.hpp"
+#include "features/write_features.hpp"
+#include "outline/arc_graph.hpp"
 
 namespace d2b {
+namespace {
+
+constexpr std::int64_t max_invalid_named = 10;
+
+std::string outcome(const FeaturePolygon& made) {
+    if (made.parts.empty())
+        return "it is not written";
+    return made.status == OutlineStatus::repaired ? "it is written repaired"
+                                                  : "it is written as it was traced";
+}
+
+}  // namespace
+
+void InvalidWarnings::note(const std::string& kind, std::int64_t id, const FeaturePolygon& made) {
+    if (made.invalid_reason.empty() || ++count_ > max_invalid_named)
+        return;
+    context_.warn(kind + " " + std::to_string(id) + " would not have been a valid polygon (" +
+                  made.invalid_reason + "); " + outcome(made) + ".");
+}
+
+void InvalidWarnings::finish() {
+    if (count_ > max_invalid_named)
+        context_.warn(std::to_string(count_ - max_invalid_named) +
+                      " more features would not have been valid polygons; -write_rejected writes them all, "
+                      "with the reason.");
+}
+
+namespace {
+
+constexpr std::int64_t max_splits_named = 10;
+
+}  // namespace
+
+void ProjectionSplitWarnings::note(const std::string& kind, std::int64_t id, const FeaturePolygon& made) {
+    if (!made.split_by_projection || ++count_ > max_splits_named)
+        return;
+    names_ += (names_.empty() ? "" : ", ") + kind + " " + std::to_string(id);
+}
+
+void ProjectionSplitWarnings::finish(const std::string& target, Context& context) const {
+    if (count_ == 0)
+        return;
+    const RunReport& report = context.report;
+    if (report.buildings + report.contours + report.doubtful == 0)
+        throw split_by_projection_error(report.input, target);
+    std::string text =
+        count_ == 1 ? "1 feature is left out, which '" + target + "' tears apart"
+                    : std::to_string(count_) + " features are left out, which '" + target + "' tears apart";
+    text += " or stretches beyond use: " + names_;
+    if (count_ > max_splits_named)
+        text += " and " + std::to_string(count_ - max_splits_named) + " more";
+    context.warn(text + "; choose a -t_srs that is made for the area to have them.");
+}
+
+namespace {
+
+std::string_view name_of(Reason reason) {
+    return reason_names[static_cast<std::size_t>(reason)];
+}
+
+std::optional<Reason> reason_of(const FeaturePolygon& made) {
+    if (made.status == OutlineStatus::kept_traced)
+        return Reason::outline_kept_traced;
+    if (made.status == OutlineStatus::repaired)
+        return made.parts.empty() ? Reason::polygon_lost : Reason::polygon_repaired;
+    return {};
+}
+
+}  // namespace
+
+void RejectedLayer::note(std::size_t contour, LayerRole role, std::int64_t id, const FeaturePolygon& made) {
+    const auto reason = reason_of(made);
+    if (!reason)
+        return;
+    // A building and its contour of level 1 share one record.
+    if (changed_.empty() || changed_.back().contour != contour ||
+        changed_.back().record.reason != name_of(*reason)) {
+        RejectedRecord record;
+        record.reason = name_of(*reason);
+        record.level = input_.contours.head(contour).key.level;
+        changed_.push_back({contour, record});
+    }
+    RejectedRecord& record = changed_.back().record;
+    (role == LayerRole::contours ? record.contour : record.building) = id;
+}
+
+RejectedLayer::Drawn RejectedLayer::draw(std::size_t i, PolygonMaker& maker) const {
+    const auto rejected = input_.contours.rejected();
+    Drawn drawn;
+    if (i < rejected.size()) {
+        drawn.record.reason = name_of(rejected[i].reason);
+        drawn.record.level = rejected[i].key.level;
+        drawn.made = maker.as_traced(input_.contours.fetch(rejected[i]));
+    } else {
+        const Changed& changed = changed_[i - rejected.size()];
+        drawn.record = changed.record;
+        drawn.made = maker.as_traced(traced_polygon(input_.contours.fetch(changed.contour)));
+    }
+    drawn.record.area_m2 = drawn.made.measure.area_m2;
+    drawn.record.perimeter_m = drawn.made.measure.perimeter_m;
+    return drawn;
+}
+
+void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, RoundedPolygons* rounded,
+                          Context& context) const {
+    constexpr std::size_t chunk_size = 64;
+    const std::size_t count = input_.contours.rejected().size() + changed_.size();
+    std::int64_t id = sink.first_id();
+    context.threads->in_order(
+        (count + chunk_size - 1) / chunk_size,
+        [&](std::size_t k, std::size_t thread) {
+            std::vector<Drawn> drawn;
+            for (std::size_t i = k * chunk_size; i < std::min(count, (k + 1) * chunk_size); ++i)
+                drawn.push_back(draw(i, makers[thread]));
+            return drawn;
+        },
+        [&](std::size_t, std::vector<Drawn> drawn) {
+            const StageClock clock(context.report, Stage::write);
+            for (Drawn& one : drawn) {
+                one.record.id = id++;
+                if (one.made.parts.empty())
+                    continue;
+                if (rounded != nullptr)
+                    rounded->round(RoundedPolygons::Layer::rejected, one.record.id, 0,
+                                   "feature " + std::to_string(one.record.id) + " of the rejected",
+                                   one.made.parts);
+                sink.add(layer_, {field_values(rejected_attributes(), one.record), std::move(one.made.parts),
+                                  0, one.record});
+            }
+        });
+}
+
 namespace {
 
 /// Splits the perimeter by shares, which are known only for the polygon as a whole.
@@ -33,10 +167,10 @@ void take_measures(const FeaturePolygon& made, Record& record) {
 
 }  // namespace
 
-FeatureWriter::FeatureWriter(const FeatureInput& input, const RecordMaker& records, FeatureSink& sink,
+FeatureWriter::FeatureWriter(const FeatureInput& input, const RecordBuilder& records, FeatureSink& sink,
                              Context& context)
     : input_(input), sink_(sink), context_(context), drawer_(input, records, context), invalid_(context) {
-    if (drawer_.gives_cells())
+    if (drawer_.returns_cells())
         stack_.emplace(context.make_spool(), input.window);
 }
 
@@ -44,8 +178,8 @@ void FeatureWriter::begin() {
     std::vector<LayerSpec> layers = input_.layers.layers;
     if (CoordinateRounding rounding = sink_.rounding(); rounding.to != CoordinateRounding::To::nothing)
         rounded_.emplace(std::move(rounding), !input_.plan.asked.outline.disjoint, context_.threads->stop());
-    if (places().rejected)
-        rejected_.emplace(input_, *places().rejected);
+    if (indices().rejected)
+        rejected_.emplace(input_, *indices().rejected);
     give_styles(layers, input_, context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, input_.provenance);
@@ -68,26 +202,26 @@ void FeatureWriter::write(std::size_t layer, std::span<const Attribute<Record>> 
     sink_.add(layer, {field_values(attributes, record), std::move(made.parts), threshold, record});
 }
 
-void FeatureWriter::number(GivenNumbers& numbers, DrawnContour& drawn) {
+void FeatureWriter::assign_ids(AssignedIds& numbers, DrawnContour& drawn) {
     drawn.record.id = next_id_++;
     if (drawn.record.level == 1)
         numbers.buildings.push_back(next_building_++);
     drawn.record.building_id =
-        drawn.building_place < 0 ? 0 : numbers.buildings[static_cast<std::size_t>(drawn.building_place)];
+        drawn.building_index < 0 ? 0 : numbers.buildings[static_cast<std::size_t>(drawn.building_index)];
     drawn.building_record.id = drawn.record.building_id;
     drawn.record.parent_id =
         drawn.parent < 0 ? 0 : numbers.written[static_cast<std::size_t>(drawn.parent - numbers.before)];
 }
 
 void FeatureWriter::count(const DrawnContour& drawn) {
-    if (drawn.is_doubtful)
+    if (drawn.is_low_confidence)
         return;
     LevelReport& level = context_.report.levels[static_cast<std::size_t>(drawn.record.level)];
     ++level.contours;
     level.points += drawn.record.points;
     if (drawn.record.level > 0)
         rmse_.add(drawn.own, input_.fixed);
-    if (drawn.record.level > 0 && input_.compare_cuts)
+    if (drawn.record.level > 0 && input_.stack_errors_by_level)
         add_to_cuts(drawn);
 }
 
@@ -105,7 +239,7 @@ void FeatureWriter::measure_cuts() {
     const auto levels = static_cast<std::int32_t>(cut_rmses_.size());
     std::vector<double> rmses;
     if (stack_)
-        for (const StackError& error : input_.compare_cuts(*stack_, levels))
+        for (const StackError& error : input_.stack_errors_by_level(*stack_, levels))
             rmses.push_back(error.rms(input_.fixed));
     else
         for (const StackRmse& rmse : cut_rmses_)
@@ -127,14 +261,14 @@ void FeatureWriter::measure_building(DrawnContour& drawn) {
 
 void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     FeaturePolygon& made = *drawn.building;
-    const bool doubtful = drawn.is_doubtful;
+    const bool doubtful = drawn.is_low_confidence;
     measure_building(drawn);
-    if (input_.kept != nullptr && !doubtful && !made.parts.empty())
-        input_.kept->put(drawn.building_place, drawn.building_record);
-    if (!places().of_building(doubtful))
+    if (input_.building_records != nullptr && !doubtful && !made.parts.empty())
+        input_.building_records->put(drawn.building_index, drawn.building_record);
+    if (!indices().building_layer(doubtful))
         return;
     invalid_.note("Building", drawn.building_record.id, made);
-    torn_.note("building", drawn.building_record.id, made);
+    split_warnings_.note("building", drawn.building_record.id, made);
     if (rejected_)
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
     if (made.parts.empty())
@@ -144,18 +278,18 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     ++(doubtful ? context_.report.doubtful : context_.report.buildings);
     if (!doubtful)
         add_length(made, context_.report.building_outlines);
-    if (!places().contours)
+    if (!indices().contours)
         context_.report.vertices += vertices_of(made.parts);
     BuildingRecord& record = drawn.building_record;
     if (!doubtful)
-        odd_heights_.note(record, drawn.record);
-    write(*places().of_building(doubtful), building_attributes(input_.plan.asked.detect.is_split_by()),
+        implausible_heights_.note(record, drawn.record);
+    write(*indices().building_layer(doubtful), building_attributes(input_.plan.asked.detect.is_split_by()),
           record, std::move(made), drawn.record.threshold);
 }
 
 bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
     invalid_.note("Contour", drawn.record.id, *drawn.contour);
-    torn_.note("contour", drawn.record.id, *drawn.contour);
+    split_warnings_.note("contour", drawn.record.id, *drawn.contour);
     // A contour that is fully covered by its children has no band of its own.
     if (rejected_)
         rejected_->note(contour, LayerRole::contours, drawn.record.id, *drawn.contour);
@@ -166,15 +300,15 @@ bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
     add_length(*drawn.contour, context_.report.contour_outlines);
     context_.report.vertices += vertices_of(drawn.contour->parts);
     take_measures(*drawn.contour, drawn.record);
-    write(*places().contours, contour_attributes(), drawn.record, std::move(*drawn.contour),
+    write(*indices().contours, contour_attributes(), drawn.record, std::move(*drawn.contour),
           drawn.record.threshold);
     return true;
 }
 
-void FeatureWriter::add_numbered(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn) {
+void FeatureWriter::add_with_ids(AssignedIds& numbers, std::size_t contour, DrawnContour&& drawn) {
     count(drawn);
     if (stack_)
-        add_to_stack(drawn, places(), *stack_);
+        add_to_stack(drawn, indices(), *stack_);
     if (drawn.building)
         add_building(contour, drawn);
     const bool written = drawn.contour && add_contour(contour, drawn);
@@ -186,24 +320,25 @@ void FeatureWriter::warn_of_traced() {
     if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
         return;  // traced outlines were asked for
     const RunReport& report = context_.report;
-    warn_of(traced_doubt(report.building_outlines, report.contour_outlines, input_.cell_size_m), context_);
+    warn_unless_empty(traced_warning(report.building_outlines, report.contour_outlines, input_.cell_size_m),
+                      context_);
 }
 
 void FeatureWriter::finish() {
     invalid_.finish();
-    for (const std::string& warning : odd_heights_.warnings())
+    for (const std::string& warning : implausible_heights_.warnings())
         context_.warn(warning);
     warn_of_traced();
-    torn_.finish(spoken_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
+    split_warnings_.finish(display_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
     if (rejected_)
         rejected_->write(drawer_.makers(), sink_, rounded_ ? &*rounded_ : nullptr, context_);
     if (rounded_)
         rounded_->finish();
     for (PolygonMaker& maker : drawer_.makers())
         context_.report.merge(maker.tally());
-    const double rmse = stack_ ? input_.compare(*stack_).rms(input_.fixed) : rmse_.value();
+    const double rmse = stack_ ? input_.stack_error(*stack_).rms(input_.fixed) : rmse_.value();
     context_.report.stack_rmse_m = rmse * context_.report.units.vertical_metres;
-    if (input_.compare_cuts)
+    if (input_.stack_errors_by_level)
         measure_cuts();
 }
 

@@ -4,22 +4,80 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "attributes/attribute_table.hpp"
-#include "diagnose/odd_heights.hpp"
+#include "core/context.hpp"
+#include "dem2buildings/sinks.hpp"
+#include "diagnose/suspicious_values.hpp"
 #include "features/contour_drawer.hpp"
-#include "features/invalid_warnings.hpp"
-#include "features/rejected_layer.hpp"
 #include "features/rounded_polygons.hpp"
-#include "features/torn_warnings.hpp"
 #include "features/write_features.hpp"
 
 namespace d2b {
 
+/// Warns of features that were not written as drawn because GEOS rejected them. The first few are named with
+/// GEOS's reason, all others are only counted.
+class InvalidWarnings {
+  public:
+    explicit InvalidWarnings(Context& context) : context_(context) {}
+
+    /// @param kind "Building" or "Contour" @param made polygon, valid or not
+    void note(const std::string& kind, std::int64_t id, const FeaturePolygon& made);
+    void finish();
+
+  private:
+    Context& context_;
+    std::int64_t count_ = 0;
+};
+
+/// Warns of features left out because the output CRS tears them. Names the first few in one sentence.
+class ProjectionSplitWarnings {
+  public:
+    /// @param kind "building" or "contour" @param made polygon, torn or not
+    void note(const std::string& kind, std::int64_t id, const FeaturePolygon& made);
+    /// @param target display name of the output CRS @throws InputError if nothing else was written
+    void finish(const std::string& target, Context& context) const;
+
+  private:
+    std::string names_;
+    std::int64_t count_ = 0;
+};
+
+/// Layer of contours that were dropped, filled or changed: their traced shape with the reason.
+class RejectedLayer {
+  public:
+    /// @param input must outlive this @param layer index of the layer in the sink
+    RejectedLayer(const FeatureInput& input, std::size_t layer) : input_(input), layer_(layer) {}
+
+    /// Records a contour whose polygon differs from what was requested.
+    void note(std::size_t contour, LayerRole role, std::int64_t id, const FeaturePolygon& made);
+    /// Writes contours dropped or filled by filters, in the order of keys, followed by the recorded ones.
+    /// @param makers one per thread @param rounded null if the destination does not round
+    /// @throws OutputError
+    void write(std::vector<PolygonMaker>& makers, FeatureSink& sink, RoundedPolygons* rounded,
+               Context& context) const;
+
+  private:
+    struct Changed {
+        std::size_t contour;
+        RejectedRecord record;
+    };
+    struct Drawn {
+        RejectedRecord record;
+        FeaturePolygon made;
+    };
+    [[nodiscard]] Drawn draw(std::size_t i, PolygonMaker& maker) const;
+
+    const FeatureInput& input_;
+    std::size_t layer_;
+    std::vector<Changed> changed_;
+};
+
 /// Ids in the result of the contours of one list.
-struct GivenNumbers {
+struct AssignedIds {
     /// By contour; if one is not written, the id of its nearest written ancestor.
     std::vector<std::int64_t> written;
     std::vector<std::int64_t> buildings;  ///< by index in the list
@@ -31,23 +89,24 @@ struct GivenNumbers {
 class FeatureWriter {
   public:
     /// @param input, records, sink must outlive this
-    FeatureWriter(const FeatureInput& input, const RecordMaker& records, FeatureSink& sink, Context& context);
+    FeatureWriter(const FeatureInput& input, const RecordBuilder& records, FeatureSink& sink,
+                  Context& context);
 
     void begin();
     /// @param numbers of the contour's list @param contour index in its list; ascending within a list
-    void add(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn) {
-        number(numbers, drawn);
-        add_numbered(numbers, contour, std::move(drawn));
+    void add(AssignedIds& numbers, std::size_t contour, DrawnContour&& drawn) {
+        assign_ids(numbers, drawn);
+        add_with_ids(numbers, contour, std::move(drawn));
     }
     /// First half of add(): assigns the ids of a contour.
-    void number(GivenNumbers& numbers, DrawnContour& drawn);
+    void assign_ids(AssignedIds& numbers, DrawnContour& drawn);
     /// Second half of add(), for a contour with ids from this writer or another.
-    void add_numbered(GivenNumbers& numbers, std::size_t contour, DrawnContour&& drawn);
+    void add_with_ids(AssignedIds& numbers, std::size_t contour, DrawnContour&& drawn);
     void finish();
     [[nodiscard]] ContourDrawer& drawer() { return drawer_; }
 
   private:
-    [[nodiscard]] const LayerPlaces& places() const { return input_.layers.places; }
+    [[nodiscard]] const LayerIndices& indices() const { return input_.layers.indices; }
     void count(const DrawnContour& drawn);
     void measure_building(DrawnContour& drawn);
     void add_building(std::size_t contour, DrawnContour& drawn);
@@ -76,8 +135,8 @@ class FeatureWriter {
     std::optional<RejectedLayer> rejected_;
     std::optional<RoundedPolygons> rounded_;  // set if the destination rounds coordinates
     InvalidWarnings invalid_;
-    OddHeights odd_heights_;
-    TornWarnings torn_;
+    ImplausibleHeights implausible_heights_;
+    ProjectionSplitWarnings split_warnings_;
 };
 
 }  // namespace d2b

@@ -11,30 +11,30 @@
 #include <tuple>
 #include <utility>
 
+#include "core/context.hpp"
 #include "core/disjoint_sets.hpp"
-#include "core/stage_clock.hpp"
-#include "features/ring_transform.hpp"
+#include "features/reprojection.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace d2b {
 namespace {
 
-using Numbers = std::vector<std::uint32_t>;
+using Indices = std::vector<std::uint32_t>;
 
 /// Groups contours above the ground that may come close to each other, with the contours on top of them.
 /// @param reach distance in cells beyond which nothing changes
-std::vector<Numbers> flow_clusters(const ContourList& contours, const Outliner& outliner, double reach,
-                                   const StopRequest& stop) {
+std::vector<Indices> flow_clusters(const ContourList& contours, const Outliner& outliner, double reach,
+                                   const StopToken& stop) {
     const auto count = static_cast<std::uint32_t>(contours.size());
     DisjointSets sets(count);
-    const auto stands = [&](std::uint32_t i) { return contours.head(i).key.level > 0; };
-    for (const Numbers& group : outliner.groups(stop)) {
+    const auto is_above_ground = [&](std::uint32_t i) { return contours.head(i).key.level > 0; };
+    for (const Indices& group : outliner.groups(stop)) {
         std::optional<std::uint32_t> first;
         for (const std::uint32_t i : group)
-            if (stands(i))
+            if (is_above_ground(i))
                 first = first ? sets.join(*first, i) : i;
     }
-    Numbers lowest;
+    Indices lowest;
     std::vector<Box> boxes;
     for (std::uint32_t i = 0; i < count; ++i)
         if (contours.head(i).key.level == 1) {
@@ -50,11 +50,11 @@ std::vector<Numbers> flow_clusters(const ContourList& contours, const Outliner& 
         tree.query({box.left - margin, box.low - margin, box.right + margin, box.high + margin},
                    [&](std::size_t other) { sets.join(lowest[i], lowest[other]); });
     }
-    std::map<std::uint32_t, Numbers> by_first;
+    std::map<std::uint32_t, Indices> by_first;
     for (std::uint32_t i = 0; i < count; ++i)
-        if (stands(i))
+        if (is_above_ground(i))
             by_first[sets.find(i)].push_back(i);
-    std::vector<Numbers> clusters;
+    std::vector<Indices> clusters;
     clusters.reserve(by_first.size());
     for (auto& [first, numbers] : by_first)
         clusters.push_back(std::move(numbers));
@@ -105,12 +105,12 @@ class TerrainBorder {
 };
 
 /// @param footprints true for the footprints of the lowest contours, false for all outlines
-std::vector<PlanContour> drawn(const ContourList& contours, const Outliner& outliner, const Numbers& numbers,
-                               bool footprints) {
+std::vector<PartitionContour> drawn(const ContourList& contours, const Outliner& outliner,
+                                    const Indices& numbers, bool footprints) {
     std::map<std::int64_t, std::int32_t> place;
-    std::vector<PlanContour> result;
+    std::vector<PartitionContour> result;
     for (const std::uint32_t i : numbers) {
-        PlanContour contour;
+        PartitionContour contour;
         contour.outline = footprints ? outliner.footprint(i) : outliner.outline(i);
         contour.building = static_cast<std::int32_t>(contours.head(i).building);
         if (const auto parent = place.find(contours.head(i).parent); parent != place.end())
@@ -122,17 +122,17 @@ std::vector<PlanContour> drawn(const ContourList& contours, const Outliner& outl
 }
 
 /// Keeps the lowest contours, because footprints are made ready without the tiers above them.
-std::vector<Numbers> without_upper_levels(const ContourList& contours, std::vector<Numbers> clusters) {
-    for (Numbers& numbers : clusters)
+std::vector<Indices> without_upper_levels(const ContourList& contours, std::vector<Indices> clusters) {
+    for (Indices& numbers : clusters)
         std::erase_if(numbers, [&](std::uint32_t i) { return contours.head(i).key.level != 1; });
     return clusters;
 }
 
 /// Marks contours near the border of the terrain, which stay as they are.
-std::vector<bool> near_border(const std::vector<PlanContour>& cluster, const TerrainBorder& border) {
+std::vector<bool> near_border(const std::vector<PartitionContour>& cluster, const TerrainBorder& border) {
     std::vector<bool> marked;
     marked.reserve(cluster.size());
-    for (const PlanContour& contour : cluster)
+    for (const PartitionContour& contour : cluster)
         marked.push_back(border.is_near(contour.outline));
     return marked;
 }
@@ -147,7 +147,7 @@ void replace_outlines(Outliner& outliner, ChangedContours& changed, bool footpri
             outliner.replace(contour, outline);
 }
 
-void warn_of_left(Context& context) {
+void warn_of_remaining(Context& context) {
     const std::int64_t left = context.report.counted(Reason::flow_left);
     if (left == 0)
         return;
@@ -179,18 +179,18 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
         FinePoint::steps * std::min(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
     const double reach = 3 * std::max(limits.gap, limits.wall) / cell;
     const TerrainBorder border(contours, outliner, reach);
-    const std::vector<Numbers> clusters = flow_clusters(contours, outliner, reach, context.threads->stop());
+    const std::vector<Indices> clusters = flow_clusters(contours, outliner, reach, context.threads->stop());
     std::vector<FlowProblem> problems;
     std::set<std::tuple<FlowProblemKind, FinePoint, bool>> known;
     const auto make_ready = [&](bool footprints) {
-        const std::vector<Numbers> drawn_numbers =
+        const std::vector<Indices> drawn_numbers =
             footprints ? without_upper_levels(contours, clusters) : clusters;
         // Applied at the end, because other threads still read the outlines of their clusters.
         ChangedContours changed;
         context.threads->in_order(
             clusters.size(),
             [&](std::size_t k, std::size_t) {
-                const std::vector<PlanContour> cluster =
+                const std::vector<PartitionContour> cluster =
                     drawn(contours, outliner, drawn_numbers[k], footprints);
                 return make_flow_ready(cluster, limits, near_border(cluster, border),
                                        context.threads->stop());
@@ -214,14 +214,14 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
     if (outliner.has_own_footprints())
         make_ready(true);
     make_ready(false);
-    warn_of_left(context);
+    warn_of_remaining(context);
     return problems;
 }
 
 std::vector<PlacedProblem> placed_problems(const std::vector<FlowProblem>& problems,
                                            const FeatureInput& input, std::int64_t first_id) {
     auto transform =
-        output_transform(input.crs, input.target_crs, input.georeference, input.window, StopRequest());
+        output_transform(input.crs, input.target_crs, input.georeference, input.window, StopToken());
     std::vector<PlacedProblem> placed;
     for (const FlowProblem& problem : problems) {
         std::set<std::int64_t> ids;

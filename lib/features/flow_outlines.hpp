@@ -8,7 +8,7 @@
 #include "features/write_features.hpp"
 #include "flow/make_flow_ready.hpp"
 #include "outline/outline.hpp"
-#include "trace/contour_list.hpp"
+#include "trace/contour.hpp"
 
 namespace d2b {
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "dem2buildings/error.hpp"
-#include "geometry/box.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace d2b {
@@ -76,7 +75,7 @@ double rounded(double coordinate, const CoordinateRounding& rounding) {
                : to_decimals(coordinate, decimals_of(coordinate, rounding));
 }
 
-RoundedPolygons::RoundedPolygons(CoordinateRounding rounding, bool is_stacked, StopRequest stop)
+RoundedPolygons::RoundedPolygons(CoordinateRounding rounding, bool is_stacked, StopToken stop)
     : rounding_(std::move(rounding)),
       is_stacked_(is_stacked),
       is_coarse_(is_coarse(rounding_)),
@@ -84,9 +83,9 @@ RoundedPolygons::RoundedPolygons(CoordinateRounding rounding, bool is_stacked, S
       geos_(std::move(stop)) {}
 
 /// @return no parts if a polygon collapses
-RoundedPolygons::Parts RoundedPolygons::as_rounded(const Parts& exact, const CoordinateRounding& rounding,
-                                                   bool& mended) {
-    mended = false;
+RoundedPolygons::Parts RoundedPolygons::round_parts(const Parts& exact, const CoordinateRounding& rounding,
+                                                    bool& was_repaired) {
+    was_repaired = false;
     Parts result;
     for (const WorldPolygon& part : exact) {
         WorldPolygon& made = result.emplace_back();
@@ -101,9 +100,9 @@ RoundedPolygons::Parts RoundedPolygons::as_rounded(const Parts& exact, const Coo
     }
     if (geos_.invalidity(result).empty())
         return result;
-    mended = true;
+    was_repaired = true;
     try {
-        return geos_.on_grid(exact, step_of(exact, rounding));
+        return geos_.snap_to_grid(exact, step_of(exact, rounding));
     } catch (const GeometryError&) {
         return {};
     }
@@ -111,7 +110,7 @@ RoundedPolygons::Parts RoundedPolygons::as_rounded(const Parts& exact, const Coo
 
 bool RoundedPolygons::round(Layer layer, std::int64_t id, std::int64_t parent_id, std::string name,
                             std::vector<WorldPolygon>& parts) {
-    bool mended = false;
+    bool was_repaired = false;
     bool moved = false;
     const auto moves = [&](const WorldRing& ring) {
         return std::ranges::any_of(ring, [&](const Position& p) {
@@ -122,17 +121,17 @@ bool RoundedPolygons::round(Layer layer, std::int64_t id, std::int64_t parent_id
         moved = moved || moves(part.exterior) || std::ranges::any_of(part.interiors, moves);
     Parts exact = parts;
     if (moved) {
-        Parts made = as_rounded(parts, rounding_, mended);
+        Parts made = round_parts(parts, rounding_, was_repaired);
         if (!made.empty())
             parts = std::move(made);
     }
     any_moved_ = any_moved_ || moved;
     if (is_coarse_)
         items_.push_back({layer, id, parent_id, std::move(name), std::move(exact)});
-    return mended;
+    return was_repaired;
 }
 
-void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, Layer layer, Harm& harm) {
+void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, Layer layer, Damage& harm) {
     std::vector<std::size_t> members;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < items_.size(); ++i)
@@ -157,22 +156,22 @@ void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, Layer laye
     }
 }
 
-void RoundedPolygons::find_escapes(const std::vector<Parts>& shapes, Harm& harm) {
-    std::unordered_map<std::int64_t, std::size_t> places;
+void RoundedPolygons::find_uncovered(const std::vector<Parts>& shapes, Damage& harm) {
+    std::unordered_map<std::int64_t, std::size_t> indices;
     std::unordered_map<std::int64_t, std::vector<std::size_t>> children;
     std::vector<std::int64_t> parents;  // in the order of contours
     for (std::size_t i = 0; i < items_.size(); ++i) {
         if (items_[i].layer != Layer::contours || shapes[i].empty())
             continue;
-        places.emplace(items_[i].id, i);
+        indices.emplace(items_[i].id, i);
         auto& list = children[items_[i].parent_id];
         if (list.empty())
             parents.push_back(items_[i].parent_id);
         list.push_back(i);
     }
     for (const std::int64_t parent : parents) {
-        const auto place = places.find(parent);
-        if (place == places.end())
+        const auto place = indices.find(parent);
+        if (place == indices.end())
             continue;
         std::vector<Parts> inner;
         for (const std::size_t i : children[parent])
@@ -185,30 +184,30 @@ void RoundedPolygons::find_escapes(const std::vector<Parts>& shapes, Harm& harm)
     }
 }
 
-RoundedPolygons::Harm RoundedPolygons::harm_of(const CoordinateRounding& rounding) {
-    Harm harm;
+RoundedPolygons::Damage RoundedPolygons::damage_of(const CoordinateRounding& rounding) {
+    Damage harm;
     std::vector<Parts> shapes;
     for (const Item& item : items_) {
-        bool mended = false;
-        shapes.push_back(as_rounded(item.exact, rounding, mended));
+        bool was_repaired = false;
+        shapes.push_back(round_parts(item.exact, rounding, was_repaired));
         if (shapes.back().empty())
             harm.add(item.name);
     }
     find_overlaps(shapes, Layer::buildings, harm);
     find_overlaps(shapes, Layer::contours, harm);
     if (is_stacked_)
-        find_escapes(shapes, harm);
+        find_uncovered(shapes, harm);
     return harm;
 }
 
 void RoundedPolygons::finish() {
     if (!any_moved_ || items_.empty())
         return;
-    const Harm harm = harm_of(rounding_);
+    const Damage harm = damage_of(rounding_);
     if (harm.count == 0)
         return;
     CoordinateRounding finer = rounding_;
-    while (++finer.digits < finest && harm_of(finer).count > 0) {
+    while (++finer.digits < finest && damage_of(finer).count > 0) {
     }
     const bool decimals = rounding_.to == CoordinateRounding::To::decimals;
     throw OptionError(

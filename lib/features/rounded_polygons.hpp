@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "geometry/geos.hpp"
 
@@ -22,7 +22,7 @@ class RoundedPolygons {
     /// Group of polygons that must not overlap.
     enum class Layer { buildings, contours, rejected };
 
-    RoundedPolygons(CoordinateRounding rounding, bool is_stacked, StopRequest stop);
+    RoundedPolygons(CoordinateRounding rounding, bool is_stacked, StopToken stop);
 
     /// @param id, parent_id of the feature in its layer; parent 0: none
     /// @param name for messages, such as "contour 7"
@@ -42,7 +42,7 @@ class RoundedPolygons {
     };
     using Parts = std::vector<WorldPolygon>;
     /// Polygons that collapse or overlap others after rounding.
-    struct Harm {
+    struct Damage {
         std::size_t count = 0;
         std::string first;
 
@@ -52,15 +52,16 @@ class RoundedPolygons {
         }
     };
 
-    [[nodiscard]] Parts as_rounded(const Parts& exact, const CoordinateRounding& rounding, bool& mended);
-    [[nodiscard]] Harm harm_of(const CoordinateRounding& rounding);
-    void find_overlaps(const std::vector<Parts>& shapes, Layer layer, Harm& harm);
-    void find_escapes(const std::vector<Parts>& shapes, Harm& harm);
+    [[nodiscard]] Parts round_parts(const Parts& exact, const CoordinateRounding& rounding,
+                                    bool& was_repaired);
+    [[nodiscard]] Damage damage_of(const CoordinateRounding& rounding);
+    void find_overlaps(const std::vector<Parts>& shapes, Layer layer, Damage& harm);
+    void find_uncovered(const std::vector<Parts>& shapes, Damage& harm);
 
     CoordinateRounding rounding_;
     bool is_stacked_;
     bool is_coarse_;
-    StopRequest stop_;
+    StopToken stop_;
     Geos geos_;
     std::vector<Item> items_;
     bool any_moved_ = false;

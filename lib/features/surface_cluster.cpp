@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "core/int128.hpp"
+#include "outline/fine_geometry.hpp"
 #include "surface/partition.hpp"
-#include "surface/snap_rounded.hpp"
+#include "surface/vertex_snapping.hpp"
 
 namespace d2b {
 namespace {
@@ -75,7 +78,7 @@ class ClusterDrawer {
 
 bool ClusterDrawer::is_wanted(std::uint32_t contour) const {
     const ContourHead& of = head(contour);
-    return of.building >= 0 && !input_.features.is_doubtful(contour) &&
+    return of.building >= 0 && !input_.features.is_low_confidence(contour) &&
            (of.key.level == 1 || input_.of == SurfaceOf::contours);
 }
 
@@ -96,7 +99,7 @@ void ClusterDrawer::add_building(std::uint32_t contour) {
     const double roof = top(contour, *record);
     const bool flat =
         input_.of == SurfaceOf::buildings &&
-        !input_.lattice.gaps().stands_out(input_.lattice.height(roof), input_.lattice.height(base));
+        !input_.lattice.gaps().rises_above(input_.lattice.height(roof), input_.lattice.height(base));
     if (!std::isfinite(base) || !std::isfinite(roof) || flat) {
         const auto placed = input_.lattice.place(input_.features.outliner.footprint(contour), transform_);
         drawn_.lost.push_back(
@@ -115,7 +118,7 @@ void ClusterDrawer::add_contour(std::uint32_t contour) {
     if (building == building_place_.end())
         return;
     const Outliner& outliner = input_.features.outliner;
-    PlanContour plan;
+    PartitionContour plan;
     plan.outline = input_.of == SurfaceOf::contours ? outliner.outline(contour) : outliner.footprint(contour);
     plan.building = building->second;
     plan.top = input_.lattice.height(top(contour, drawn_.buildings[static_cast<std::size_t>(plan.building)]));
@@ -128,14 +131,14 @@ void ClusterDrawer::add_contour(std::uint32_t contour) {
 
 /// Nodes the outlines before rounding: vertices that touch edges of other outlines become vertices of these.
 void ClusterDrawer::place() {
-    std::vector<PlanContour>& contours = drawn_.cluster.contours;
+    std::vector<PartitionContour>& contours = drawn_.cluster.contours;
     if (!input_.lattice.is_exact()) {
         std::vector<FinePolygon> noded = noded_outlines(contours);
         for (std::size_t i = 0; i < contours.size(); ++i)
             contours[i].outline = std::move(noded[i]);
     }
     std::vector<bool> is_lost(drawn_.buildings.size());
-    for (PlanContour& contour : contours)
+    for (PartitionContour& contour : contours)
         if (auto placed = input_.lattice.place(contour.outline, transform_))
             contour.outline = std::move(*placed);
         else
@@ -143,10 +146,10 @@ void ClusterDrawer::place() {
     if (std::ranges::find(is_lost, true) != is_lost.end())
         drop(is_lost);
     if (!input_.lattice.is_exact())
-        snap_rounded(drawn_.cluster.contours);
+        snap_round(drawn_.cluster.contours);
     if (input_.of == SurfaceOf::contours)
         return;
-    for (PlanContour& contour : contours) {
+    for (PartitionContour& contour : contours) {
         const auto building = static_cast<std::size_t>(contour.building);
         contour.top =
             std::max(drawn_.cluster.buildings[building].base + 1,
@@ -169,7 +172,7 @@ void ClusterDrawer::drop(const std::vector<bool>& is_lost) {
     }
     std::vector<std::int32_t> place(drawn_.cluster.contours.size(), -1);
     for (std::size_t i = 0; i < place.size(); ++i) {
-        PlanContour& contour = drawn_.cluster.contours[i];
+        PartitionContour& contour = drawn_.cluster.contours[i];
         contour.building = building[static_cast<std::size_t>(contour.building)];
         if (contour.building < 0)
             continue;
@@ -203,11 +206,11 @@ std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof, const Fi
     return lattice.height(elevation);
 }
 
-bool fit_roofs(const std::vector<double>& area, SurfaceCluster& cluster) {
+bool preserve_volumes(const std::vector<double>& area, SurfaceCluster& cluster) {
     constexpr double least = 0.0003;  // below the resolution of heights (millimetres)
     constexpr double most = 0.01;     // above this, the shape itself has changed
     bool differs = false;
-    for (PlanContour& contour : cluster.contours) {
+    for (PartitionContour& contour : cluster.contours) {
         const auto building = static_cast<std::size_t>(contour.building);
         const double drawn = plan_steps(contour.outline);
         if (area[building] <= 0 || drawn <= 0)
@@ -225,6 +228,151 @@ bool fit_roofs(const std::vector<double>& area, SurfaceCluster& cluster) {
 DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
                           std::optional<RingTransform>& transform) {
     return ClusterDrawer(input, transform).draw(contours);
+}
+
+namespace {
+
+Int128 twice_area(const FineRing& ring) {
+    Int128 sum = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        sum += turn(ring[0], ring[i], ring[i + 1]);
+    return sum < 0 ? -sum : sum;
+}
+
+Int128 twice_area(const FinePolygon& polygon) {
+    Int128 sum = twice_area(polygon.exterior);
+    for (const FineRing& interior : polygon.interiors)
+        sum -= twice_area(interior);
+    return sum;
+}
+
+class TierMerger {
+  public:
+    explicit TierMerger(DrawnCluster& drawn) : drawn_(drawn), contours_(drawn.cluster.contours) {
+        for (std::size_t i = 0; i < contours_.size(); ++i) {
+            merged_into_.push_back(i);
+            is_raised_.push_back(false);
+        }
+    }
+
+    void merge() {
+        merge_equal();
+        merge_covered();
+        drop_merged();
+    }
+
+  private:
+    /// Returns the tier below, after all merges so far.
+    [[nodiscard]] std::size_t below(std::size_t tier) const {
+        auto lower = static_cast<std::size_t>(contours_[tier].parent);
+        while (merged_into_[lower] != lower)
+            lower = merged_into_[lower];
+        return lower;
+    }
+    void merge_equal();
+    void merge_covered();
+    void drop_merged();
+
+    DrawnCluster& drawn_;
+    std::vector<PartitionContour>& contours_;
+    std::vector<std::size_t> merged_into_;  ///< tier that each one has been merged into
+    std::vector<bool> is_raised_;
+};
+
+/// Compares each tier with the outline that would remain, because otherwise small losses could accumulate.
+void TierMerger::merge_equal() {
+    std::vector<Int128> areas;
+    for (const PartitionContour& contour : contours_)
+        areas.push_back(twice_area(contour.outline));
+    for (std::size_t i = 0; i < contours_.size(); ++i) {
+        if (contours_[i].parent < 0)
+            continue;
+        const std::size_t lower = below(i);
+        if (areas[i] * 1000 < areas[lower] * 999)
+            continue;
+        merged_into_[i] = lower;
+        is_raised_[lower] = true;
+        contours_[lower].top = std::max(contours_[lower].top, contours_[i].top);
+    }
+}
+
+void TierMerger::merge_covered() {
+    for (std::size_t i = 0; i < contours_.size(); ++i) {
+        if (contours_[i].parent < 0 || merged_into_[i] != i)
+            continue;
+        const std::size_t lower = below(i);
+        if (is_raised_[lower] && contours_[i].top <= contours_[lower].top)
+            merged_into_[i] = lower;
+    }
+}
+
+void TierMerger::drop_merged() {
+    std::vector<std::int32_t> place(contours_.size());
+    std::vector<PartitionContour> stay;
+    std::vector<std::int32_t> levels;
+    for (std::size_t i = 0; i < contours_.size(); ++i) {
+        if (merged_into_[i] != i)
+            continue;
+        place[i] = static_cast<std::int32_t>(stay.size());
+        const std::int32_t parent = contours_[i].parent < 0 ? -1 : place[below(i)];
+        stay.push_back(std::move(contours_[i]));
+        stay.back().parent = parent;
+        levels.push_back(drawn_.levels[i]);
+    }
+    contours_ = std::move(stay);
+    drawn_.levels = std::move(levels);
+}
+
+}  // namespace
+
+void merge_equal_tiers(DrawnCluster& drawn) {
+    TierMerger(drawn).merge();
+}
+
+namespace {
+
+/// Negates rows because they increase southwards. The ring keeps its orientation as seen from above.
+std::vector<SurfacePoint> roof_ring(const FineRing& ring, std::int64_t top) {
+    std::vector<SurfacePoint> corners;
+    corners.reserve(ring.size());
+    for (const FinePoint& point : ring)
+        corners.push_back({point.col, -point.row, top});
+    return corners;
+}
+
+SurfaceTier tier_of(const PartitionContour& contour, std::int32_t level, std::int32_t parent) {
+    SurfaceTier tier{level, parent, contour.top, {roof_ring(contour.outline.exterior, contour.top)}};
+    for (const FineRing& interior : contour.outline.interiors)
+        tier.rings.push_back(roof_ring(interior, contour.top));
+    return tier;
+}
+
+}  // namespace
+
+std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof roof,
+                                        const SurfaceLattice& lattice) {
+    std::vector<SurfacePart> parts(drawn.buildings.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        SurfaceBuilding& building = parts[i].buildings.emplace_back();
+        building.id = drawn.buildings[i].id;
+        building.base = drawn.cluster.buildings[i].base;
+        building.roof = building.base;
+    }
+    std::vector<std::int32_t> indices;  // index of each contour among its building's tiers
+    for (std::size_t i = 0; i < drawn.cluster.contours.size(); ++i) {
+        const PartitionContour& contour = drawn.cluster.contours[i];
+        const auto place = static_cast<std::size_t>(contour.building);
+        SurfaceBuilding& building = parts[place].buildings.front();
+        std::vector<SurfaceTier>& tiers = building.tiers;
+        // A building without height is drawn as a flat patch of its ground.
+        if (contour.parent < 0)
+            building.roof =
+                std::max(building.base, block_roof(drawn.buildings[place], roof, contour.outline, lattice));
+        indices.push_back(static_cast<std::int32_t>(tiers.size()));
+        tiers.push_back(tier_of(contour, drawn.levels[i],
+                                contour.parent < 0 ? -1 : indices[static_cast<std::size_t>(contour.parent)]));
+    }
+    return parts;
 }
 
 }  // namespace d2b

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "attributes/records.hpp"
+#include "attributes/record_builder.hpp"
 #include "features/surface_lattice.hpp"
 #include "features/write_features.hpp"
 #include "surface/make_surfaces.hpp"
@@ -16,7 +16,7 @@ class ProblemLayer;
 /// Input of surfaces.
 struct SurfaceInput {
     const FeatureInput& features;
-    const RecordMaker& records;
+    const RecordBuilder& records;
     const BuildingRecords& buildings;
     const SurfaceLattice& lattice;
     SurfaceOf of;
@@ -50,11 +50,23 @@ struct DrawnCluster {
 /// Adjusts roof heights so that blocks keep their volumes after resolving non-manifold vertices has changed
 /// their areas. @param area of each building's roof in square steps; 0 if it was not made
 /// @return true if a block differed by more than a few hundredths of a percent
-[[nodiscard]] bool fit_roofs(const std::vector<double>& area, SurfaceCluster& cluster);
+[[nodiscard]] bool preserve_volumes(const std::vector<double>& area, SurfaceCluster& cluster);
 
 /// Collects the outlines and heights of the buildings in a group, on the surface lattice.
 /// @param contours ascending @param transform to the output CRS; one per thread
 [[nodiscard]] DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
                                         std::optional<RingTransform>& transform);
+
+/// Merges each tier with the one below if their areas differ by at most 0.1 %: the outline of the lower one
+/// is kept, at the height of the upper one. Also merges tiers that would no longer be higher than the tier
+/// below.
+/// @param drawn contours of surfaces; merged tiers are removed
+void merge_equal_tiers(DrawnCluster& drawn);
+
+/// Converts the buildings of a cluster to stacks of tiers, one part per building, with ids but without field
+/// values.
+/// @param drawn from contours (SurfaceOf::contours)
+[[nodiscard]] std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof roof,
+                                                      const SurfaceLattice& lattice);
 
 }  // namespace d2b

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/number_text.hpp"
-#include "core/square_area.hpp"
+#include "core/georeference.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
@@ -31,10 +31,10 @@ double metres_of(const Crs& crs) {
     return unit ? unit->metres : 1;
 }
 
-void require_lengths(const Crs& crs, std::string_view asked_by) {
+void require_lengths(const Crs& crs, std::string_view option_name) {
     if (crs.turn() > 0)
-        throw OptionError(std::string(asked_by) + " needs coordinates in a unit of length, and those of '" +
-                          crs.name() +
+        throw OptionError(std::string(option_name) +
+                          " needs coordinates in a unit of length, and those of '" + crs.name() +
                           "' are angles; bring them to a projected CRS with -t_srs, such as the UTM zone of "
                           "the area.");
 }
@@ -51,14 +51,14 @@ std::optional<CellSize> cell_at(const Crs& crs, const SurfaceFrame& frame, const
 }
 
 /// Returns the largest gaps over the centre and corners of a box, because the length of a CRS unit varies.
-PlanGaps gaps_in(const Crs& crs, const SurfaceFrame& frame, const Position& low, const Position& high) {
-    PlanGaps gaps;
+GapTolerances gaps_in(const Crs& crs, const SurfaceFrame& frame, const Position& low, const Position& high) {
+    GapTolerances gaps;
     for (const Position& place : {Position{(low.x + high.x) / 2, (low.y + high.y) / 2}, low, high,
                                   Position{low.x, high.y}, Position{high.x, low.y}})
         if (const auto cell = cell_at(crs, frame, place)) {
-            const PlanGaps here = plan_gaps(*cell);
-            gaps.pinch = largest_of(gaps.pinch, here.pinch);
-            gaps.corners = largest_of(gaps.corners, here.corners);
+            const GapTolerances here = gap_tolerances(*cell);
+            gaps.pinch = componentwise_max(gaps.pinch, here.pinch);
+            gaps.corners = componentwise_max(gaps.corners, here.corners);
             gaps.heights = here.heights;
         }
     return gaps;
@@ -66,14 +66,14 @@ PlanGaps gaps_in(const Crs& crs, const SurfaceFrame& frame, const Position& low,
 
 }  // namespace
 
-SurfaceLattice::SurfaceLattice(const SurfaceTerms& terms)
+SurfaceLattice::SurfaceLattice(const SurfaceLatticeParameters& terms)
     : terms_(terms),
       is_exact_(terms.georeference.axis_parallel() && terms.target_crs.kind() == Crs::Kind::none),
       east_(terms.georeference.step(0, 1).x > 0),
       south_(terms.georeference.step(1, 0).y < 0),
       corner_(fine(LatticePoint{south_ ? terms.frame.high.row : terms.frame.low.row,
                                 east_ ? terms.frame.low.col : terms.frame.high.col})) {
-    require_lengths(terms.written(), terms.asked_by);
+    require_lengths(terms.written(), terms.option_name);
     frame_.horizontal_metres = metres_of(terms.written());
     frame_.vertical_metres = terms.vertical_metres;
     frame_.scale[2] = millimetre / terms.vertical_metres;
@@ -135,7 +135,7 @@ std::optional<FinePolygon> SurfaceLattice::place(const FinePolygon& outline,
     }
     WorldPolygon world = terms_.georeference.polygon(FinePolygon{outline.exterior, outline.interiors});
     const auto rounded = [&](WorldRing& ring) -> std::optional<FineRing> {
-        if (transform && transform->apply(ring) != RingFate::whole)
+        if (transform && transform->apply(ring) != RingProjection::whole)
             return std::nullopt;
         FineRing placed;
         for (const Position& p : ring)

@@ -8,13 +8,13 @@
 #include "core/georeference.hpp"
 #include "core/lattice.hpp"
 #include "dem2buildings/surfaces.hpp"
-#include "features/ring_transform.hpp"
-#include "surface/plan_gaps.hpp"
+#include "features/reprojection.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b {
 
 /// Parameters of the surface lattice.
-struct SurfaceTerms {
+struct SurfaceLatticeParameters {
     const Georeference& georeference;
     const Crs& crs;
     const Crs& target_crs;  ///< kind none: the CRS of the DEM
@@ -23,7 +23,7 @@ struct SurfaceTerms {
     double cell_size_m = 1;  ///< side of a square with the area of a cell
     double vertical_metres = 1;
     std::optional<std::array<double, 3>> origin;  ///< origin of local coordinates, metres
-    std::string_view asked_by = "-surface";       ///< option named in messages
+    std::string_view option_name = "-surface";    ///< option named in messages
 
     [[nodiscard]] const Crs& written() const {
         return target_crs.kind() == Crs::Kind::none ? crs : target_crs;
@@ -37,14 +37,14 @@ class SurfaceLattice {
   public:
     /// Default origin: centre of the window in whole metres, with height 0 until set_lowest().
     /// @throws OptionError if coordinates are not lengths
-    explicit SurfaceLattice(const SurfaceTerms& terms);
+    explicit SurfaceLattice(const SurfaceLatticeParameters& terms);
 
     [[nodiscard]] const SurfaceFrame& frame() const { return frame_; }
     /// Returns the corners of the window in the output CRS, in the order of SurfaceMeta.
     [[nodiscard]] const std::array<Position, 4>& window_corners() const { return corners_; }
     /// Returns the minimum distances between vertices, large enough to hold on the ground everywhere in the
     /// window.
-    [[nodiscard]] const PlanGaps& gaps() const { return gaps_; }
+    [[nodiscard]] const GapTolerances& gaps() const { return gaps_; }
     /// True if outlines need no rounding.
     [[nodiscard]] bool is_exact() const { return is_exact_; }
     /// Returns a height in millimetres. @param elevation in the vertical unit
@@ -68,9 +68,9 @@ class SurfaceLattice {
   private:
     [[nodiscard]] FineRing exact_ring(const FineRing& ring) const;
 
-    SurfaceTerms terms_;
+    SurfaceLatticeParameters terms_;
     SurfaceFrame frame_;
-    PlanGaps gaps_;
+    GapTolerances gaps_;
     std::array<Position, 4> corners_{};
     bool is_exact_;
     bool east_;         ///< columns run eastwards

@@ -10,24 +10,21 @@
 #include <vector>
 
 #include "attributes/attribute_table.hpp"
-#include "attributes/field_names.hpp"
-#include "core/stage_clock.hpp"
-#include "features/building_tiers.hpp"
-#include "features/layer_styles.hpp"
-#include "features/merge_equal_tiers.hpp"
+#include "core/context.hpp"
 #include "features/problem_layer.hpp"
-#include "features/surface_problems.hpp"
+#include "features/surface_cluster.hpp"
+#include "features/write_features.hpp"
 #include "geometry/geos.hpp"
-#include "options/given_words.hpp"
+#include "options/provenance_text.hpp"
 #include "surface/level_roofs.hpp"
 
 namespace d2b {
 namespace {
 
-constexpr std::int64_t most_lost_named = 10;
+constexpr std::int64_t max_lost_named = 10;
 
 /// Per-thread state.
-struct SurfaceRoom {
+struct SurfaceWorker {
     std::optional<RingTransform> transform;
     Geos geos;
     Tally tally{};
@@ -55,7 +52,7 @@ void fill_values(const std::vector<BuildingRecord>& records,
 }
 
 /// Returns twice the signed area of a ring in plan view, counter-clockwise positive.
-double twice_covered(const std::vector<SurfacePoint>& points, std::span<const std::uint32_t> ring) {
+double twice_signed_area(const std::vector<SurfacePoint>& points, std::span<const std::uint32_t> ring) {
     double twice = 0;
     const SurfacePoint& from = points[ring[0]];
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
@@ -75,22 +72,23 @@ std::vector<double> roof_areas(const SurfaceCluster& cluster, const MadeSurfaces
             double twice = 0;
             for (const SurfaceTriangle& triangle : building.triangles)
                 if (triangle.kind == FaceKind::roof)
-                    twice += twice_covered(part.points, triangle.corners);
+                    twice += twice_signed_area(part.points, triangle.corners);
             for (const SurfaceFace& face : building.faces)
                 if (face.kind == FaceKind::roof) {
-                    twice += twice_covered(part.points, face.exterior);
+                    twice += twice_signed_area(part.points, face.exterior);
                     for (const std::vector<std::uint32_t>& interior : face.interiors)
-                        twice += twice_covered(part.points, interior);
+                        twice += twice_signed_area(part.points, interior);
                 }
             const auto place =
-                std::ranges::lower_bound(cluster.buildings, building.id, {}, &PlanBuilding::id);
+                std::ranges::lower_bound(cluster.buildings, building.id, {}, &ClusterBuilding::id);
             areas[static_cast<std::size_t>(place - cluster.buildings.begin())] = twice / 2;
         }
     return areas;
 }
 
 /// Makes the surfaces of groups and passes them to the sinks. make() is thread-safe because each thread has a
-/// SurfaceRoom; add() is called in the order of groups, so that files do not depend on the number of threads.
+/// SurfaceWorker; add() is called in the order of groups, so that files do not depend on the number of
+/// threads.
 class SurfaceWriter {
   public:
     SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* const> sinks, Context& context);
@@ -100,8 +98,8 @@ class SurfaceWriter {
     void finish();
 
   private:
-    void make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room, GroupSurfaces& result);
-    void make_tiers(std::span<const std::uint32_t> group, SurfaceRoom& room, GroupSurfaces& result);
+    void make_closed(std::span<const std::uint32_t> group, SurfaceWorker& worker, GroupSurfaces& result);
+    void make_tiers(std::span<const std::uint32_t> group, SurfaceWorker& worker, GroupSurfaces& result);
     /// False if outlines are flow-ready, because levelled roofs may change volumes by more.
     [[nodiscard]] bool fits_volumes() const {
         return input_.of == SurfaceOf::buildings && input_.roof == SurfaceRoof::mean &&
@@ -116,9 +114,9 @@ class SurfaceWriter {
     std::span<SurfaceSink* const> sinks_;
     Context& context_;
     SurfaceForms forms_;
-    std::int64_t least_step_ = 0;  // minimum roof step in units of height; 0: any
+    std::int64_t min_step_ = 0;  // minimum roof step in units of height; 0: any
     bool has_tiers_ = false;
-    std::vector<SurfaceRoom> rooms_;
+    std::vector<SurfaceWorker> workers_;
     SurfaceReport report_;
     std::int64_t lost_ = 0;
     std::int64_t steps_left_ = 0;
@@ -132,33 +130,33 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
                                               : has_tiers_) = true;
     const FeatureInput& features = input.features;
     const SurfaceFrame& frame = input.lattice.frame();
-    forms_.pinch_steps = std::llround(features.plan.asked.outline.shortest_wall() /
-                                      (std::min(frame.scale[0], frame.scale[1]) * frame.horizontal_metres));
+    forms_.move_steps = std::llround(features.plan.asked.outline.shortest_wall() /
+                                     (std::min(frame.scale[0], frame.scale[1]) * frame.horizontal_metres));
     forms_.gaps = input.lattice.gaps();
     for (int thread = 0; thread < context.threads->threads(); ++thread)
-        rooms_.push_back({output_transform(features.crs, features.target_crs, features.georeference,
-                                           features.window, context.threads->stop()),
-                          Geos(context.threads->stop())});
-    least_step_ =
+        workers_.push_back({output_transform(features.crs, features.target_crs, features.georeference,
+                                             features.window, context.threads->stop()),
+                            Geos(context.threads->stop())});
+    min_step_ =
         std::llround(features.plan.asked.outline.shortest_wall() / (frame.scale[2] * frame.vertical_metres));
     report_.origin = input.lattice.frame().origin;
 }
 
-void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoom& room,
+void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWorker& worker,
                                 GroupSurfaces& result) {
-    DrawnCluster drawn = draw_cluster(input_, group, room.transform);
+    DrawnCluster drawn = draw_cluster(input_, group, worker.transform);
     if (input_.of == SurfaceOf::contours)
         merge_equal_tiers(drawn);
     const auto made_of = [&](const SurfaceCluster& cluster) {
         return make_surfaces(
-            cluster, forms_, [&](const FinePolygon& polygon) { return room.geos.triangles(polygon); },
+            cluster, forms_, [&](const FinePolygon& polygon) { return worker.geos.triangles(polygon); },
             context_.threads->stop());
     };
     result.made = made_of(drawn.cluster);
-    const bool moved = fits_volumes() && !result.made.mends.empty() &&
-                       fit_roofs(roof_areas(drawn.cluster, result.made), drawn.cluster);
+    const bool moved = fits_volumes() && !result.made.repairs.empty() &&
+                       preserve_volumes(roof_areas(drawn.cluster, result.made), drawn.cluster);
     // Levelled last, because other steps would separate equal roofs again.
-    const std::vector<RoofStep> steps = level_roofs(drawn.cluster, least_step_);
+    const std::vector<RoofStep> steps = level_roofs(drawn.cluster, min_step_);
     result.steps_left = std::ranges::count_if(steps, [](const RoofStep& step) { return step.after > 0; });
     result.steps_changed = std::ssize(steps) - result.steps_left;
     if (moved || result.steps_changed > 0)
@@ -177,11 +175,11 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceRoo
 }
 
 /// Reports lost buildings only if closed surfaces are not made, because these report them already.
-void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceRoom& room,
+void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceWorker& worker,
                                GroupSurfaces& result) {
     SurfaceInput input = input_;
     input.of = SurfaceOf::contours;
-    DrawnCluster drawn = draw_cluster(input, group, room.transform);
+    DrawnCluster drawn = draw_cluster(input, group, worker.transform);
     result.tiers = building_tiers(drawn, input.roof, input.lattice);
     fill_values(drawn.buildings, building_attributes(input_.features.plan.asked.detect.is_split_by()),
                 result.tiers);
@@ -190,18 +188,18 @@ void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceRoom
 }
 
 GroupSurfaces SurfaceWriter::make(std::span<const std::uint32_t> group, std::size_t thread) {
-    SurfaceRoom& room = rooms_[thread];
-    const StageClock clock(room.tally, Stage::surface);
+    SurfaceWorker& worker = workers_[thread];
+    const StageClock clock(worker.tally, Stage::surface);
     GroupSurfaces result;
     if (has_closed())
-        make_closed(group, room, result);
+        make_closed(group, worker, result);
     if (has_tiers_)
-        make_tiers(group, room, result);
+        make_tiers(group, worker, result);
     return result;
 }
 
 void SurfaceWriter::count(const MadeSurfaces& made) {
-    for (const PinchMend& mend : made.mends)
+    for (const VertexRepair& mend : made.repairs)
         context_.report.count(mend.filled ? Reason::surface_notch_filled : Reason::surface_corner_cut);
     for (const SurfacePart& part : made.shell) {
         ++report_.blocks;
@@ -215,7 +213,7 @@ void SurfaceWriter::count(const MadeSurfaces& made) {
 
 void SurfaceWriter::warn_of_lost(const std::vector<LostBuilding>& lost) {
     for (const LostBuilding& building : lost)
-        if (++lost_ <= most_lost_named)
+        if (++lost_ <= max_lost_named)
             context_.warn("Building " + std::to_string(building.id) + " is not in the " + whole() +
                           (has_closed() ? ": it has no height above its ground, or no closed surface was "
                                           "found for it."
@@ -242,8 +240,8 @@ void SurfaceWriter::add(GroupSurfaces&& group) {
 }
 
 void SurfaceWriter::finish() {
-    if (lost_ > most_lost_named)
-        context_.warn(std::to_string(lost_ - most_lost_named) + " more buildings are not in the " + whole() +
+    if (lost_ > max_lost_named)
+        context_.warn(std::to_string(lost_ - max_lost_named) + " more buildings are not in the " + whole() +
                       ".");
     if (steps_left_ > 0)
         context_.warn(
@@ -251,8 +249,8 @@ void SurfaceWriter::finish() {
             (steps_left_ == 1 ? " step between roofs is" : " steps between roofs are") +
             " lower than -min_wall and left, since one roof would move more than 1 % of the volume of a "
             "block; -write_problems shows where.");
-    for (SurfaceRoom& room : rooms_)
-        context_.report.merge(room.tally);
+    for (SurfaceWorker& worker : workers_)
+        context_.report.merge(worker.tally);
     if (has_closed())
         context_.report.surface = report_;
 }
@@ -280,7 +278,7 @@ SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, con
 
 void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<SurfaceSink* const> sinks,
                     Context& context) {
-    meta.provenance.metadata = without_folders(input.features.provenance.metadata, input.features.plan.asked);
+    meta.provenance.metadata = strip_folders(input.features.provenance.metadata, input.features.plan.asked);
     for (SurfaceSink* sink : sinks)
         sink->begin(meta);
     const auto groups = input.features.outliner.groups(context.threads->stop());

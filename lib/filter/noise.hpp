@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/roof_elevations.hpp"
-#include "core/square_area.hpp"
+#include "core/georeference.hpp"
+#include "core/statistics.hpp"
 #include "dem2buildings/options.hpp"
 #include "trace/contour.hpp"
 

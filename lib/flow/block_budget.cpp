@@ -21,14 +21,14 @@ double area_of(const FineRing& ring, const FlowMetric& metric) {
 
 }  // namespace
 
-BlockBudget::BlockBudget(std::span<const PlanContour> contours, std::span<const PlanEdge> edges,
+BlockBudget::BlockBudget(std::span<const PartitionContour> contours, std::span<const PartitionEdge> edges,
                          const FlowLimits& limits)
     : most_(contours.size(), 0), taken_(contours.size(), 0) {
     DisjointSets sets(static_cast<std::uint32_t>(contours.size()));
     for (std::uint32_t c = 0; c < contours.size(); ++c)
         if (contours[c].parent >= 0)
             sets.join(c, static_cast<std::uint32_t>(contours[c].parent));
-    for (const PlanEdge& edge : edges)
+    for (const PartitionEdge& edge : edges)
         if (edge.left != open_ground && edge.right != open_ground)
             sets.join(static_cast<std::uint32_t>(edge.left), static_cast<std::uint32_t>(edge.right));
     for (std::uint32_t c = 0; c < contours.size(); ++c) {

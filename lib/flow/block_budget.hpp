@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "flow/flow_limits.hpp"
-#include "surface/plan.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b {
 
@@ -14,7 +14,7 @@ namespace d2b {
 class BlockBudget {
   public:
     /// @param edges of the partition of these contours, before anything is changed
-    BlockBudget(std::span<const PlanContour> contours, std::span<const PlanEdge> edges,
+    BlockBudget(std::span<const PartitionContour> contours, std::span<const PartitionEdge> edges,
                 const FlowLimits& limits);
 
     /// Whether a change may take so much of the blocks of some contours, which may name open_ground, and a

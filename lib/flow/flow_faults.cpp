@@ -28,7 +28,7 @@ bool is_in_sector(FinePoint node, FinePoint first, FinePoint second, FinePoint t
 /// Looks for the faults at one edge or node.
 class FlowFaults::Finder {
   public:
-    Finder(const PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits)
+    Finder(const PartitionEditor& plan, std::span<const PartitionContour> contours, const FlowLimits& limits)
         : plan_(plan), contours_(contours), limits_(limits) {}
 
     [[nodiscard]] std::vector<FlowFault> at_edge(std::uint32_t edge);
@@ -38,18 +38,18 @@ class FlowFaults::Finder {
 
   private:
     void look_along(std::uint32_t first, std::uint32_t next);
-    void look_at_angles(std::uint32_t node, const std::vector<NodeArm>& arms);
-    void look_across(std::uint32_t node, const std::vector<NodeArm>& arms);
+    void look_at_angles(std::uint32_t node, const std::vector<IncidentEdge>& arms);
+    void look_across(std::uint32_t node, const std::vector<IncidentEdge>& arms);
     [[nodiscard]] std::optional<FlowFault> narrow_to(std::uint32_t edge, std::uint32_t node,
-                                                     const std::vector<NodeArm>& arms) const;
+                                                     const std::vector<IncidentEdge>& arms) const;
     [[nodiscard]] bool runs_on(std::uint32_t node) const;
-    [[nodiscard]] bool ends_a_gap(const PlanEdge& edge) const;
+    [[nodiscard]] bool ends_a_gap(const PartitionEdge& edge) const;
     [[nodiscard]] bool is_above(std::int32_t contour, std::int32_t floor) const;
     [[nodiscard]] bool is_seen(const FlowFault& narrow) const;
     [[nodiscard]] double angle(FinePoint node, FinePoint first, FinePoint second) const;
 
-    const PlanEditor& plan_;
-    std::span<const PlanContour> contours_;
+    const PartitionEditor& plan_;
+    std::span<const PartitionContour> contours_;
     const FlowLimits& limits_;
     std::vector<FlowFault> faults_;
     std::vector<std::uint32_t> seen_at_;  // the last look that met an edge
@@ -81,19 +81,19 @@ bool FlowFaults::Finder::runs_on(std::uint32_t node) const {
     constexpr double straight = 0.5;  // degrees
     if (plan_.degree(node) != 2)
         return false;
-    const std::vector<NodeArm> arms = plan_.around(node);
+    const std::vector<IncidentEdge> arms = plan_.around(node);
     return angle(plan_.at(node), plan_.at(arms[0].end), plan_.at(arms[1].end)) > 180 - straight;
 }
 
 /// Whether the walls at both ends run on along a lower place, with it between them: its width is that of the
 /// edge.
-bool FlowFaults::Finder::ends_a_gap(const PlanEdge& edge) const {
+bool FlowFaults::Finder::ends_a_gap(const PartitionEdge& edge) const {
     for (const auto& [from, to, floor, above] : {std::tuple(edge.from, edge.to, edge.left, edge.right),
                                                  std::tuple(edge.to, edge.from, edge.right, edge.left)}) {
         if (!is_above(above, floor) || plan_.degree(from) != 2 || plan_.degree(to) != 2)
             continue;
         const auto next = [&](std::uint32_t node, std::uint32_t known) {
-            const std::vector<NodeArm> arms = plan_.around(node);
+            const std::vector<IncidentEdge> arms = plan_.around(node);
             return plan_.at(arms[0].end == known ? arms[1].end : arms[0].end);
         };
         const FinePoint a = plan_.at(from);
@@ -117,7 +117,7 @@ void FlowFaults::Finder::look_along(std::uint32_t first, std::uint32_t next) {
     std::uint32_t before = first;
     std::uint32_t last = next;
     while (length < limits_.wall && runs_on(last)) {
-        const std::vector<NodeArm> arms = plan_.around(last);
+        const std::vector<IncidentEdge> arms = plan_.around(last);
         const std::uint32_t after = arms[arms[0].end == before ? 1 : 0].end;
         before = std::exchange(last, after);
         length += way(before, last);
@@ -127,7 +127,7 @@ void FlowFaults::Finder::look_along(std::uint32_t first, std::uint32_t next) {
 }
 
 std::vector<FlowFault> FlowFaults::Finder::at_edge(std::uint32_t edge) {
-    const PlanEdge& e = plan_.edges()[edge];
+    const PartitionEdge& e = plan_.edges()[edge];
     if (!runs_on(e.from))
         look_along(e.from, e.to);
     if (!runs_on(e.to))
@@ -138,9 +138,9 @@ std::vector<FlowFault> FlowFaults::Finder::at_edge(std::uint32_t edge) {
     return std::exchange(faults_, {});
 }
 
-void FlowFaults::Finder::look_at_angles(std::uint32_t node, const std::vector<NodeArm>& arms) {
+void FlowFaults::Finder::look_at_angles(std::uint32_t node, const std::vector<IncidentEdge>& arms) {
     for (std::size_t i = 0; i < arms.size() && arms.size() > 1; ++i) {
-        const NodeArm& next = arms[(i + 1) % arms.size()];
+        const IncidentEdge& next = arms[(i + 1) % arms.size()];
         const double degrees = angle(plan_.at(node), plan_.at(arms[i].end), plan_.at(next.end));
         if (degrees < limits_.angle && (arms.size() > 2 || i == 0))
             faults_.push_back({FlowKind::angle, node, arms[i].end, next.end, degrees, {}});
@@ -156,29 +156,29 @@ bool FlowFaults::Finder::is_seen(const FlowFault& narrow) const {
     return plan_.all_near(low, high, [&](std::uint32_t e) {
         if (e == narrow.one)
             return true;
-        const PlanEdge& edge = plan_.edges()[e];
+        const PartitionEdge& edge = plan_.edges()[e];
         const FinePoint a = plan_.at(edge.from);
         const FinePoint b = plan_.at(edge.to);
         if (edge.from == narrow.node || edge.to == narrow.node)
             return !overlap_from(from, to, edge.from == narrow.node ? b : a);
         if (a == to || b == to)
             return !overlap_from(to, from, a == to ? b : a);
-        return !meet({a, b}, {from, to});
+        return !segments_intersect({a, b}, {from, to});
     });
 }
 
 /// The gap or neck between a node and an edge, which other edges may cross.
 std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::uint32_t node,
-                                                       const std::vector<NodeArm>& arms) const {
-    const PlanEdge& e = plan_.edges()[edge];
+                                                       const std::vector<IncidentEdge>& arms) const {
+    const PartitionEdge& e = plan_.edges()[edge];
     if (e.from == node || e.to == node)
         return std::nullopt;
     const FlowMetric& m = limits_.metric;
     const FinePoint p = plan_.at(node);
     const FinePoint a = plan_.at(e.from);
     const FinePoint b = plan_.at(e.to);
-    if (std::ranges::none_of(arms,
-                             [&](const NodeArm& arm) { return arm.left == e.left || arm.left == e.right; }))
+    if (std::ranges::none_of(
+            arms, [&](const IncidentEdge& arm) { return arm.left == e.left || arm.left == e.right; }))
         return std::nullopt;  // no sector of the node looks at it
     const double along =
         (m.x(a, p) * m.x(a, b) + m.y(a, p) * m.y(a, b)) / (m.x(a, b) * m.x(a, b) + m.y(a, b) * m.y(a, b));
@@ -193,12 +193,12 @@ std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::
     const double width = m.distance(p, place);
     if (!(width < far))
         return std::nullopt;
-    for (const NodeArm& arm : arms) {
+    for (const IncidentEdge& arm : arms) {
         if (arm.end == e.from || arm.end == e.to)
             return std::nullopt;  // a wedge
     }
     for (std::size_t i = 0; i < arms.size(); ++i) {
-        const NodeArm& next = arms[(i + 1) % arms.size()];
+        const IncidentEdge& next = arms[(i + 1) % arms.size()];
         if (arms.size() > 1 && !is_in_sector(p, plan_.at(arms[i].end), plan_.at(next.end), place))
             continue;
         const std::int32_t between = arms[i].left;
@@ -220,7 +220,7 @@ std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::
 /// Finds the narrowest gap and the narrowest neck at a corner, because wider ones there are their
 /// continuation. Searches from the node outwards, because most edges within the limit lie behind the nearest
 /// one.
-void FlowFaults::Finder::look_across(std::uint32_t node, const std::vector<NodeArm>& arms) {
+void FlowFaults::Finder::look_across(std::uint32_t node, const std::vector<IncidentEdge>& arms) {
     const double limit = std::max(limits_.gap, limits_.wall);
     reach_ = limit;
     if (!(limit > 0))
@@ -260,7 +260,7 @@ void FlowFaults::Finder::look_across(std::uint32_t node, const std::vector<NodeA
 }
 
 std::vector<FlowFault> FlowFaults::Finder::at_node(std::uint32_t node) {
-    const std::vector<NodeArm> arms = plan_.around(node);
+    const std::vector<IncidentEdge> arms = plan_.around(node);
     look_at_angles(node, arms);
     look_across(node, arms);
     return std::exchange(faults_, {});
@@ -273,7 +273,8 @@ void erase_if_marked(std::vector<KnownFault>& known, const std::vector<bool>& ma
 }
 
 /// Marks edges that are gone, so that their faults are erased.
-void mark_removed(const std::vector<KnownFault>& walls, const PlanEditor& plan, std::vector<bool>& marked) {
+void mark_removed(const std::vector<KnownFault>& walls, const PartitionEditor& plan,
+                  std::vector<bool>& marked) {
     for (const KnownFault& wall : walls)
         if (!plan.is_edge(wall.found_at))
             marked[wall.found_at] = true;
@@ -290,8 +291,8 @@ void merge_in(std::vector<KnownFault>& known, std::vector<KnownFault>&& more) {
 
 }  // namespace
 
-FlowFaults::FlowFaults(const PlanEditor& plan, std::span<const PlanContour> contours,
-                       const FlowLimits& limits, const StopRequest& stop)
+FlowFaults::FlowFaults(const PartitionEditor& plan, std::span<const PartitionContour> contours,
+                       const FlowLimits& limits, const StopToken& stop)
     : plan_(plan), limits_(limits), stop_(stop), finder_(std::make_unique<Finder>(plan, contours, limits)) {
     std::vector<std::uint32_t> edges(plan.edges().size());
     std::iota(edges.begin(), edges.end(), 0U);
@@ -366,8 +367,8 @@ void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>>
     look_at(edges, nodes);
 }
 
-std::vector<FlowFault> find_faults(const PlanEditor& plan, std::span<const PlanContour> contours,
-                                   const FlowLimits& limits, const StopRequest& stop) {
+std::vector<FlowFault> find_faults(const PartitionEditor& plan, std::span<const PartitionContour> contours,
+                                   const FlowLimits& limits, const StopToken& stop) {
     const FlowFaults known(plan, contours, limits, stop);
     std::vector<FlowFault> faults;
     faults.reserve(known.walls().size() + known.corners().size());

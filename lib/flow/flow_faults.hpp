@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "flow/flow_limits.hpp"
-#include "surface/plan_editor.hpp"
+#include "surface/partition_editor.hpp"
 
 namespace d2b {
 
@@ -42,8 +42,8 @@ struct KnownFault {
 class FlowFaults {
   public:
     /// @throws Cancelled
-    FlowFaults(const PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits,
-               const StopRequest& stop);
+    FlowFaults(const PartitionEditor& plan, std::span<const PartitionContour> contours,
+               const FlowLimits& limits, const StopToken& stop);
     ~FlowFaults();
     FlowFaults(const FlowFaults&) = delete;
     FlowFaults& operator=(const FlowFaults&) = delete;
@@ -62,9 +62,9 @@ class FlowFaults {
     class Finder;
     void look_at(std::span<const std::uint32_t> edges, std::span<const std::uint32_t> nodes);
 
-    const PlanEditor& plan_;
+    const PartitionEditor& plan_;
     const FlowLimits& limits_;
-    const StopRequest& stop_;
+    const StopToken& stop_;
     std::unique_ptr<Finder> finder_;
     std::vector<KnownFault> walls_;
     std::vector<KnownFault> corners_;
@@ -72,8 +72,8 @@ class FlowFaults {
 };
 
 /// All of them, once; walls before angles, gaps and necks.
-[[nodiscard]] std::vector<FlowFault> find_faults(const PlanEditor& plan,
-                                                 std::span<const PlanContour> contours,
-                                                 const FlowLimits& limits, const StopRequest& stop = {});
+[[nodiscard]] std::vector<FlowFault> find_faults(const PartitionEditor& plan,
+                                                 std::span<const PartitionContour> contours,
+                                                 const FlowLimits& limits, const StopToken& stop = {});
 
 }  // namespace d2b

@@ -20,7 +20,7 @@ constexpr double merge_share = 0.1;
 }  // namespace
 
 bool FlowMender::is_frozen(std::uint32_t node) const {
-    for (const NodeArm& arm : plan_.around(node))
+    for (const IncidentEdge& arm : plan_.around(node))
         for (std::int32_t c = arm.left; c != open_ground; c = contours_[static_cast<std::size_t>(c)].parent)
             if (frozen_[static_cast<std::size_t>(c)])
                 return true;
@@ -30,7 +30,7 @@ bool FlowMender::is_frozen(std::uint32_t node) const {
 void FlowMender::touch(std::uint32_t node) {
     touched_.resize(plan_.nodes().size());
     touched_[node] = true;
-    for (const NodeArm& arm : plan_.around(node))
+    for (const IncidentEdge& arm : plan_.around(node))
         touched_[arm.end] = true;
 }
 
@@ -47,7 +47,7 @@ bool FlowMender::merge_best(std::vector<Merge> merges, double share) {
         const double inside = metres(plan_.swept(node, plan_.at(into))) - outside;
         std::vector<std::int32_t> contours;
         for (const std::uint32_t at : {node, into})
-            for (const NodeArm& arm : plan_.around(at))
+            for (const IncidentEdge& arm : plan_.around(at))
                 contours.push_back(arm.left);
         if (is_frozen(node) || is_frozen(into) || !budget_.allows(contours, outside / share, inside))
             return false;
@@ -66,7 +66,7 @@ bool FlowMender::try_to(const Mend& mend) {
     const std::size_t nodes = plan_.nodes().size();
     if (mend())
         return true;
-    plan_.unsplit_to(nodes);
+    plan_.undo_splits(nodes);
     return false;
 }
 
@@ -81,7 +81,7 @@ FinePoint FlowMender::along(std::uint32_t from, std::uint32_t to, double metres)
 
 /// A node of an edge at a place, or near it.
 std::optional<std::uint32_t> FlowMender::place_on(std::uint32_t edge, FinePoint place) {
-    const PlanEdge e = plan_.edges()[edge];
+    const PartitionEdge e = plan_.edges()[edge];
     const double near = std::max(limits_.wall, limits_.gap) / 2;
     for (const std::uint32_t end : {e.from, e.to})
         if (limits_.metric.distance(plan_.at(end), place) < near)
@@ -94,7 +94,7 @@ bool FlowMender::is_fresh(const FlowFault& fault) const {
     if (is_old(fault.node))
         return false;
     if (fault.kind == FlowKind::gap || fault.kind == FlowKind::neck) {
-        const PlanEdge& edge = plan_.edges()[fault.one];
+        const PartitionEdge& edge = plan_.edges()[fault.one];
         return plan_.is_edge(fault.one) && !is_old(edge.from) && !is_old(edge.to);
     }
     return !is_old(fault.one) && (fault.kind == FlowKind::wall || !is_old(fault.other));
@@ -108,7 +108,7 @@ bool FlowMender::ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, st
     const FinePoint a = plan_.at(gone);
     const FinePoint b = plan_.at(stays);
     const FinePoint to = plan_.at(next);
-    const auto runs_beside = [&](const NodeArm& arm) {
+    const auto runs_beside = [&](const IncidentEdge& arm) {
         const FinePoint end = plan_.at(arm.end);
         const double along = m.x(a, to) * m.x(b, end) + m.y(a, to) * m.y(b, end);
         return arm.end != gone && along > beside * m.distance(a, to) * m.distance(b, end) &&
@@ -120,7 +120,7 @@ bool FlowMender::ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, st
 /// In place of a short wall a slanted one, which begins a little way along the next wall: where that one is
 /// long, it changes far less than moving its whole length does.
 bool FlowMender::slant(std::uint32_t gone, std::uint32_t stays) {
-    const std::vector<NodeArm> arms = plan_.around(gone);
+    const std::vector<IncidentEdge> arms = plan_.around(gone);
     if (arms.size() != 2)
         return false;
     const std::uint32_t next = arms[arms[0].end == stays ? 1 : 0].end;
@@ -151,7 +151,7 @@ bool FlowMender::is_away(FinePoint place, std::uint32_t node, double metres) con
     const std::int64_t reach = limits_.metric.steps_around(metres);
     return plan_.all_near(
         {place.row - reach, place.col - reach}, {place.row + reach, place.col + reach}, [&](std::uint32_t e) {
-            const PlanEdge& edge = plan_.edges()[e];
+            const PartitionEdge& edge = plan_.edges()[e];
             return edge.from == node || edge.to == node ||
                    limits_.metric.distance_to(place, plan_.at(edge.from), plan_.at(edge.to)) >= metres;
         });
@@ -159,13 +159,13 @@ bool FlowMender::is_away(FinePoint place, std::uint32_t node, double metres) con
 
 /// Where a gap is but a corner near a wall, the corner is cut off where both its walls are far enough.
 bool FlowMender::cut_corner(const FlowFault& fault) {
-    const std::vector<NodeArm> arms = plan_.around(fault.node);
+    const std::vector<IncidentEdge> arms = plan_.around(fault.node);
     if (arms.size() != 2)
         return false;
     const FlowMetric& m = limits_.metric;
     const double least = slack * std::max(limits_.wall, limits_.gap);
     std::vector<std::pair<std::uint32_t, FinePoint>> places;
-    for (const NodeArm& arm : arms)
+    for (const IncidentEdge& arm : arms)
         for (const double reach : reaches) {
             if (m.distance(plan_.at(fault.node), plan_.at(arm.end)) < (reach + 1) * least)
                 return false;
@@ -251,9 +251,9 @@ bool FlowMender::mend_angle(const FlowFault& fault) {
 
 /// Moves a corner to a place away from all other walls.
 bool FlowMender::move(std::uint32_t node, FinePoint place) {
-    const std::vector<NodeArm> arms = plan_.around(node);
+    const std::vector<IncidentEdge> arms = plan_.around(node);
     std::vector<std::int32_t> contours;
-    for (const NodeArm& arm : arms)
+    for (const IncidentEdge& arm : arms)
         contours.push_back(arm.left);
     const auto metres = [&](Int128 twice) { return static_cast<double>(twice) / 2 * limits_.metric.area(); };
     const double outside = metres(plan_.swept_outside(node, place));
@@ -262,7 +262,7 @@ bool FlowMender::move(std::uint32_t node, FinePoint place) {
         !is_away(place, node, std::max(limits_.wall, limits_.gap)))
         return false;
     touch(node);
-    return std::ranges::any_of(arms, [&](const NodeArm& arm) {
+    return std::ranges::any_of(arms, [&](const IncidentEdge& arm) {
         return try_to([&] {
             const auto moved = plan_.split(arm.edge, place);
             if (!moved || !plan_.merge(node, *moved))
@@ -276,7 +276,7 @@ bool FlowMender::move(std::uint32_t node, FinePoint place) {
 
 /// Makes an edge run through a place next to it.
 bool FlowMender::bend(std::uint32_t edge, FinePoint place) {
-    const PlanEdge e = plan_.edges()[edge];
+    const PartitionEdge e = plan_.edges()[edge];
     const Int128 turned = turn(plan_.at(e.from), plan_.at(e.to), place);
     const double area = std::abs(static_cast<double>(turned)) / 2 * limits_.metric.area();
     const bool is_outside = e.left == open_ground || e.right == open_ground;
@@ -295,7 +295,7 @@ bool FlowMender::bend(std::uint32_t edge, FinePoint place) {
 
 /// Widens a narrow part by moving its corner, or the wall across from it, outwards.
 bool FlowMender::mend_neck(const FlowFault& fault) {
-    const PlanEdge edge = plan_.edges()[fault.one];
+    const PartitionEdge edge = plan_.edges()[fault.one];
     const FinePoint corner = plan_.at(fault.node);
     const double share = (slack * limits_.wall - fault.size) / fault.size;
     const FinePoint shift{std::llround(share * static_cast<double>(corner.row - fault.place.row)),
@@ -324,7 +324,7 @@ bool FlowMender::mend(const FlowFault& fault) {
     return false;
 }
 
-FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan) {
+FlowProblem problem_of(const FlowFault& fault, const PartitionEditor& plan) {
     FlowProblem problem;
     problem.kind = fault.kind == FlowKind::wall    ? FlowProblemKind::wall
                    : fault.kind == FlowKind::angle ? FlowProblemKind::angle
@@ -336,7 +336,7 @@ FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan) {
         if (contour != open_ground)
             problem.contours.push_back(contour);
     };
-    for (const NodeArm& arm : plan.around(fault.node))
+    for (const IncidentEdge& arm : plan.around(fault.node))
         add(arm.left);
     if (fault.kind == FlowKind::gap || fault.kind == FlowKind::neck) {
         add(plan.edges()[fault.one].left);

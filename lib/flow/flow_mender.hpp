@@ -18,8 +18,8 @@ class FlowMender {
   public:
     /// @param budget what changes may take, of which they take
     /// @param frozen contours that stay as they are; empty for none
-    FlowMender(PlanEditor& plan, std::span<const PlanContour> contours, const FlowLimits& limits,
-               BlockBudget& budget, const std::vector<bool>& frozen, const StopRequest& stop)
+    FlowMender(PartitionEditor& plan, std::span<const PartitionContour> contours, const FlowLimits& limits,
+               BlockBudget& budget, const std::vector<bool>& frozen, const StopToken& stop)
         : plan_(plan),
           contours_(contours),
           limits_(limits),
@@ -56,18 +56,18 @@ class FlowMender {
     [[nodiscard]] FinePoint along(std::uint32_t from, std::uint32_t to, double metres) const;
     void touch(std::uint32_t node);
 
-    PlanEditor& plan_;
-    std::span<const PlanContour> contours_;
+    PartitionEditor& plan_;
+    std::span<const PartitionContour> contours_;
     const FlowLimits& limits_;
     BlockBudget& budget_;
     const std::vector<bool>& frozen_;  // contours
-    const StopRequest& stop_;
+    const StopToken& stop_;
     FlowFaults faults_;
     std::vector<bool> touched_;  // nodes, this round
     std::vector<FlowProblem> changed_;
 };
 
 /// What is said of a fault that is left. @param plan it was found in
-[[nodiscard]] FlowProblem problem_of(const FlowFault& fault, const PlanEditor& plan);
+[[nodiscard]] FlowProblem problem_of(const FlowFault& fault, const PartitionEditor& plan);
 
 }  // namespace d2b

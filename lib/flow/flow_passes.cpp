@@ -9,8 +9,8 @@
 #include "flow/needless_corners.hpp"
 #include "flow/plan_outlines.hpp"
 #include "surface/partition.hpp"
-#include "surface/plan_editor.hpp"
-#include "surface/take_apart_pinches.hpp"
+#include "surface/partition_editor.hpp"
+#include "surface/resolve_nonmanifold.hpp"
 
 namespace d2b {
 namespace {
@@ -31,8 +31,8 @@ CellSize cell_of(const FlowMetric& metric) {
 
 }  // namespace
 
-void FlowPasses::mend(const StopRequest& stop) {
-    PlanEditor editor(std::move(plan_));
+void FlowPasses::mend(const StopToken& stop) {
+    PartitionEditor editor(std::move(plan_));
     FlowMender mender(editor, contours_, limits_, budget_, frozen_, stop);
     for (int round = 0; round < most_rounds && mender.round(); ++round)
         continue;
@@ -41,28 +41,28 @@ void FlowPasses::mend(const StopRequest& stop) {
 }
 
 /// @return whether all could be
-bool FlowPasses::take_apart(std::span<const PlanContour> leveled, const StopRequest& stop) {
+bool FlowPasses::take_apart(std::span<const PartitionContour> leveled, const StopToken& stop) {
     const std::int64_t wanted = steps_of(std::max(limits_.wall, limits_.gap), limits_.metric);
-    PinchReach reach{wanted, plan_gaps(cell_of(limits_.metric))};
-    reach.allows = [&](PinchReach::Contours contours, double outside, double inside) {
+    MoveDistances reach{wanted, gap_tolerances(cell_of(limits_.metric))};
+    reach.allows = [&](MoveDistances::Contours contours, double outside, double inside) {
         return budget_.allows(contours, outside * limits_.metric.area(), inside * limits_.metric.area());
     };
     // Nothing may touch: the least gap is taken even where nothing may be.
-    reach.take = [&](PinchReach::Contours contours, double outside) {
+    reach.take = [&](MoveDistances::Contours contours, double outside) {
         budget_.take(contours, outside * limits_.metric.area());
     };
-    const PinchesTaken taken = take_apart_pinches(plan_, leveled, reach, stop);
-    for (const PinchMend& mend : taken.mends)
+    const ResolvedVertices taken = resolve_nonmanifold_vertices(plan_, leveled, reach, stop);
+    for (const VertexRepair& mend : taken.repairs)
         problems_.push_back({FlowProblemKind::touch, 0, limits_.metric.distance(mend.place, mend.moved), true,
                              mend.place, mend.contours});
-    return taken.stuck.empty();
+    return taken.unresolved.empty();
 }
 
 /// Corners that mending and taking apart have put into walls.
 void FlowPasses::straighten() {
-    PlanEditor editor(std::move(plan_));
+    PartitionEditor editor(std::move(plan_));
     take_needless_corners(editor, limits_.metric, [&](std::uint32_t node) {
-        return std::ranges::none_of(editor.around(node), [&](const NodeArm& arm) {
+        return std::ranges::none_of(editor.around(node), [&](const IncidentEdge& arm) {
             return arm.left != open_ground && frozen_[static_cast<std::size_t>(arm.left)];
         });
     });
@@ -70,13 +70,14 @@ void FlowPasses::straighten() {
 }
 
 bool FlowPasses::is_sound(const std::vector<FinePolygon>& outlines) const {
-    std::vector<PlanContour> again;
+    std::vector<PartitionContour> again;
     for (std::size_t c = 0; c < outlines.size(); ++c)
         again.push_back({outlines[c], contours_[c].parent, contours_[c].building, contours_[c].top});
-    return make_partition(again).at_odds.empty();
+    return make_partition(again).conflicting.empty();
 }
 
-std::optional<FlowOutlines> FlowPasses::make(std::span<const PlanContour> leveled, const StopRequest& stop) {
+std::optional<FlowOutlines> FlowPasses::make(std::span<const PartitionContour> leveled,
+                                             const StopToken& stop) {
     constexpr int passes = 3;
     for (int pass = 0; pass < passes; ++pass) {
         mend(stop);
@@ -88,7 +89,7 @@ std::optional<FlowOutlines> FlowPasses::make(std::span<const PlanContour> levele
     broken_ = std::move(drawn.broken);
     if (!broken_.empty() || !is_sound(drawn.outlines))
         return std::nullopt;
-    const PlanEditor editor(std::move(plan_));
+    const PartitionEditor editor(std::move(plan_));
     const std::vector<FlowFault> after = find_faults(editor, contours_, limits_, stop);
     for (const FlowFault& fault : after)
         problems_.push_back(problem_of(fault, editor));

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "flow/block_budget.hpp"
 #include "flow/flow_limits.hpp"
 #include "flow/flow_problem.hpp"
-#include "surface/plan.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b {
 
@@ -25,7 +25,7 @@ struct FlowOutlines {
 /// Mending makes corners touch, and taking these apart makes short walls.
 class FlowPasses {
   public:
-    FlowPasses(Plan plan, std::span<const PlanContour> contours, const FlowLimits& limits,
+    FlowPasses(PlanarPartition plan, std::span<const PartitionContour> contours, const FlowLimits& limits,
                const std::vector<bool>& frozen)
         : plan_(std::move(plan)),
           contours_(contours),
@@ -34,19 +34,19 @@ class FlowPasses {
           budget_(contours, plan_.edges, limits) {}
 
     /// @return nothing where outlines would not be what they are to be
-    [[nodiscard]] std::optional<FlowOutlines> make(std::span<const PlanContour> leveled,
-                                                   const StopRequest& stop);
+    [[nodiscard]] std::optional<FlowOutlines> make(std::span<const PartitionContour> leveled,
+                                                   const StopToken& stop);
     /// Contours that were in pieces or gone, where that was the reason.
     [[nodiscard]] const std::vector<std::uint32_t>& broken() const { return broken_; }
 
   private:
-    void mend(const StopRequest& stop);
-    [[nodiscard]] bool take_apart(std::span<const PlanContour> leveled, const StopRequest& stop);
+    void mend(const StopToken& stop);
+    [[nodiscard]] bool take_apart(std::span<const PartitionContour> leveled, const StopToken& stop);
     void straighten();
     [[nodiscard]] bool is_sound(const std::vector<FinePolygon>& outlines) const;
 
-    Plan plan_;
-    std::span<const PlanContour> contours_;
+    PlanarPartition plan_;
+    std::span<const PartitionContour> contours_;
     const FlowLimits& limits_;
     const std::vector<bool>& frozen_;
     BlockBudget budget_;  // of all passes together

@@ -11,16 +11,16 @@
 #include "flow/needless_corners.hpp"
 #include "flow/plan_outlines.hpp"
 #include "surface/partition.hpp"
-#include "surface/plan_editor.hpp"
-#include "surface/take_apart_pinches.hpp"
+#include "surface/partition_editor.hpp"
+#include "surface/resolve_nonmanifold.hpp"
 
 namespace d2b {
 namespace {
 
 /// Heights by level: what stands out is what is on a higher one.
-std::vector<PlanContour> with_levels(std::span<const PlanContour> contours) {
-    std::vector<PlanContour> leveled;
-    for (const PlanContour& contour : contours) {
+std::vector<PartitionContour> with_levels(std::span<const PartitionContour> contours) {
+    std::vector<PartitionContour> leveled;
+    for (const PartitionContour& contour : contours) {
         const std::int64_t below =
             contour.parent < 0 ? 0 : leveled[static_cast<std::size_t>(contour.parent)].top;
         leveled.push_back({{}, contour.parent, contour.building, below + 1});
@@ -30,9 +30,9 @@ std::vector<PlanContour> with_levels(std::span<const PlanContour> contours) {
 
 /// What mending would break stays as it is, and the rest is mended anew. @return nothing where that is no
 /// help
-std::optional<FlowOutlines> change(const Plan& plan, std::span<const PlanContour> contours,
-                                   std::span<const PlanContour> leveled, const FlowLimits& limits,
-                                   std::vector<bool> frozen, const StopRequest& stop) {
+std::optional<FlowOutlines> change(const PlanarPartition& plan, std::span<const PartitionContour> contours,
+                                   std::span<const PartitionContour> leveled, const FlowLimits& limits,
+                                   std::vector<bool> frozen, const StopToken& stop) {
     constexpr int most_tries = 8;
     frozen.resize(contours.size());
     for (int i = 0; i < most_tries; ++i) {
@@ -48,11 +48,11 @@ std::optional<FlowOutlines> change(const Plan& plan, std::span<const PlanContour
 }
 
 /// The outlines without corners in straight walls. @return nothing where there are none
-std::vector<FinePolygon> straightened(const Plan& plan, std::span<const PlanContour> contours,
+std::vector<FinePolygon> straightened(const PlanarPartition& plan, std::span<const PartitionContour> contours,
                                       const FlowLimits& limits, const std::vector<bool>& frozen) {
-    PlanEditor editor(plan);
+    PartitionEditor editor(plan);
     take_needless_corners(editor, limits.metric, [&](std::uint32_t node) {
-        return std::ranges::none_of(editor.around(node), [&](const NodeArm& arm) {
+        return std::ranges::none_of(editor.around(node), [&](const IncidentEdge& arm) {
             const auto contour = static_cast<std::size_t>(arm.left);
             return arm.left != open_ground && contour < frozen.size() && frozen[contour];
         });
@@ -74,11 +74,11 @@ void settle(std::vector<FlowProblem>& problems) {
 
 }  // namespace
 
-FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimits& limits,
-                          const std::vector<bool>& frozen, const StopRequest& stop) {
+FlowReady make_flow_ready(std::span<const PartitionContour> contours, const FlowLimits& limits,
+                          const std::vector<bool>& frozen, const StopToken& stop) {
     FlowReady result;
-    Partition partition = make_partition(contours);
-    for (const std::uint32_t c : std::set(partition.at_odds.begin(), partition.at_odds.end()))
+    PartitionResult partition = make_partition(contours);
+    for (const std::uint32_t c : std::set(partition.conflicting.begin(), partition.conflicting.end()))
         result.problems.push_back({FlowProblemKind::crossing,
                                    0,
                                    0,
@@ -87,17 +87,17 @@ FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimit
                                    {static_cast<std::int32_t>(c)}});
     if (!result.problems.empty())
         return result;
-    const std::vector<PlanContour> leveled = with_levels(contours);
+    const std::vector<PartitionContour> leveled = with_levels(contours);
     bool touches_itself = false;
     {
-        const PlanEditor plan(partition.plan);
+        const PartitionEditor plan(partition.plan);
         for (const FlowFault& fault : find_faults(plan, contours, limits, stop))
             result.problems.push_back(problem_of(fault, plan));
-        Plan touching = partition.plan;
-        const PinchesTaken touches = take_apart_pinches(touching, leveled);
-        for (const PinchMend& mend : touches.mends)
+        PlanarPartition touching = partition.plan;
+        const ResolvedVertices touches = resolve_nonmanifold_vertices(touching, leveled);
+        for (const VertexRepair& mend : touches.repairs)
             result.problems.push_back({FlowProblemKind::touch, 0, 0, false, mend.place, mend.contours});
-        touches_itself = !touches.mends.empty();
+        touches_itself = !touches.repairs.empty();
     }
     if (!result.problems.empty())
         if (auto changed = change(partition.plan, contours, leveled, limits, frozen, stop);

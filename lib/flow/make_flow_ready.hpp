@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "flow/flow_limits.hpp"
 #include "flow/flow_problem.hpp"
-#include "surface/plan.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b {
 
@@ -24,7 +24,7 @@ struct FlowReady {
 /// @param contours parents before what stands on them
 /// @param frozen those whose walls stay where they are, but for corners that touch; empty for none
 /// @throws Cancelled
-[[nodiscard]] FlowReady make_flow_ready(std::span<const PlanContour> contours, const FlowLimits& limits,
-                                        const std::vector<bool>& frozen = {}, const StopRequest& stop = {});
+[[nodiscard]] FlowReady make_flow_ready(std::span<const PartitionContour> contours, const FlowLimits& limits,
+                                        const std::vector<bool>& frozen = {}, const StopToken& stop = {});
 
 }  // namespace d2b

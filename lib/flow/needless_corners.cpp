@@ -11,7 +11,7 @@ constexpr double straight_m = 0.001;
 
 }  // namespace
 
-void take_needless_corners(PlanEditor& plan, const FlowMetric& metric,
+void take_needless_corners(PartitionEditor& plan, const FlowMetric& metric,
                            const std::function<bool(std::uint32_t)>& may_go) {
     const double step =
         std::max(std::hypot(metric.col_x, metric.col_y), std::hypot(metric.row_x, metric.row_y));
@@ -20,7 +20,7 @@ void take_needless_corners(PlanEditor& plan, const FlowMetric& metric,
     for (std::uint32_t node = 0; node < plan.nodes().size(); ++node) {
         if (plan.degree(node) != 2 || !may_go(node))
             continue;
-        const std::vector<NodeArm> arms = plan.around(node);
+        const std::vector<IncidentEdge> arms = plan.around(node);
         if (arms[0].end == arms[1].end || plan.edge_between(arms[0].end, arms[1].end))
             continue;
         const double off = metric.distance_to(plan.at(node), plan.at(arms[0].end), plan.at(arms[1].end)) +

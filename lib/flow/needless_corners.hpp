@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "flow/flow_limits.hpp"
-#include "surface/plan_editor.hpp"
+#include "surface/partition_editor.hpp"
 
 namespace d2b {
 
@@ -12,7 +12,7 @@ namespace d2b {
 /// where that is longer. Corners at which more than two walls meet stay. No wall leaves what it was by more,
 /// however many of its corners go.
 /// @param may_go whether a node may
-void take_needless_corners(PlanEditor& plan, const FlowMetric& metric,
+void take_needless_corners(PartitionEditor& plan, const FlowMetric& metric,
                            const std::function<bool(std::uint32_t)>& may_go);
 
 }  // namespace d2b

@@ -5,13 +5,13 @@
 #include <tuple>
 #include <utility>
 
-#include "surface/plan_faces.hpp"
+#include "surface/faces.hpp"
 
 namespace d2b {
 
-PlanOutlines plan_outlines(const Plan& plan, std::span<const PlanContour> contours) {
+PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const PartitionContour> contours) {
     // Of each contour the edges that have it, or what stands on it, on one side alone.
-    std::vector<Plan> parts(contours.size());
+    std::vector<PlanarPartition> parts(contours.size());
     const auto parent = [&](std::int32_t contour) {
         return contours[static_cast<std::size_t>(contour)].parent;
     };
@@ -20,17 +20,17 @@ PlanOutlines plan_outlines(const Plan& plan, std::span<const PlanContour> contou
             contour = parent(contour);
         return contour == below;
     };
-    for (const PlanEdge& edge : plan.edges)
+    for (const PartitionEdge& edge : plan.edges)
         for (const auto& [from, to, in, out] : {std::tuple(edge.from, edge.to, edge.left, edge.right),
                                                 std::tuple(edge.to, edge.from, edge.right, edge.left)})
             for (std::int32_t c = in; c != open_ground && !is_on(out, c); c = parent(c))
                 parts[static_cast<std::size_t>(c)].edges.push_back({from, to, c, open_ground});
     PlanOutlines result;
     for (std::uint32_t c = 0; c < parts.size(); ++c) {
-        Plan& part = parts[c];
+        PlanarPartition& part = parts[c];
         // Only its own nodes, or the work would be that of all nodes a contour.
         std::vector<std::uint32_t> used;
-        for (const PlanEdge& edge : part.edges)
+        for (const PartitionEdge& edge : part.edges)
             used.insert(used.end(), {edge.from, edge.to});
         std::ranges::sort(used);
         used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -39,11 +39,11 @@ PlanOutlines plan_outlines(const Plan& plan, std::span<const PlanContour> contou
         const auto number = [&](std::uint32_t node) {
             return static_cast<std::uint32_t>(std::ranges::lower_bound(used, node) - used.begin());
         };
-        for (PlanEdge& edge : part.edges) {
+        for (PartitionEdge& edge : part.edges) {
             edge.from = number(edge.from);
             edge.to = number(edge.to);
         }
-        std::vector<OwnedFace> faces = plan_faces(part);
+        std::vector<OwnedFace> faces = partition_faces(part);
         std::erase_if(faces, [](const OwnedFace& face) { return face.owner == open_ground; });
         if (faces.size() == 1)
             result.outlines.push_back(polygon_of(faces.front().face, part));

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "surface/plan.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b {
 
@@ -16,6 +16,7 @@ struct PlanOutlines {
 
 /// The outline of each contour, from the plan that shows which of them is on top where: what a contour covers
 /// is what it shows and all that stands on it.
-[[nodiscard]] PlanOutlines plan_outlines(const Plan& plan, std::span<const PlanContour> contours);
+[[nodiscard]] PlanOutlines plan_outlines(const PlanarPartition& plan,
+                                         std::span<const PartitionContour> contours);
 
 }  // namespace d2b

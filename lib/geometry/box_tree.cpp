@@ -8,6 +8,25 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/geometry/strategies/strategies.hpp>  // required by the R-tree of Boost 1.83
 #include <boost/iterator/function_output_iterator.hpp>
+
+namespace d2b {
+
+Box box_of(std::span<const Position> positions) {
+    Box box;
+    for (const Position& p : positions)
+        box.add(p);
+    return box;
+}
+
+Box box_of(std::span<const WorldPolygon> polygons) {
+    Box box;
+    for (const WorldPolygon& polygon : polygons)
+        box.add(box_of(std::span<const Position>(polygon.exterior)));
+    return box;
+}
+
+}  // namespace d2b
+
 #undef BOOST_ALLOW_DEPRECATED_HEADERS
 
 namespace d2b {
@@ -47,7 +66,7 @@ void BoxTree::query(const Box& box, const std::function<void(std::size_t)>& visi
                       boost::make_function_output_iterator([&](const Entry& entry) { visit(entry.second); }));
 }
 
-bool BoxTree::meets_any(const Box& box) const {
+bool BoxTree::intersects_any(const Box& box) const {
     return impl_->tree.qbegin(index::intersects(extent_of(box))) != impl_->tree.qend();
 }
 

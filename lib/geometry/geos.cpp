@@ -5,18 +5,95 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <mutex>
 #include <utility>
 
+#include <geos_c.h>
+
+#include "core/stop_token.hpp"
 #include "dem2buildings/error.hpp"
-#include "geometry/geos_interrupt.hpp"
-#include "geometry/geos_polygons.hpp"
+#include "geometry/geos_converter.hpp"
 #include "geometry/validity.hpp"
 
 namespace d2b {
 
+/// Enables interrupts of GEOS in this process during its lifetime. GEOS calls one global function without
+/// parameters in its larger loops, for all threads. Its interrupt flag is global as well: the first thread to
+/// see it clears it, whoever requested it. Therefore the flag is not used. Instead, the callback throws,
+/// which aborts only the current thread's call, like an exception of GEOS itself.
+class GeosInterrupt {
+  public:
+    GeosInterrupt();
+    GeosInterrupt(const GeosInterrupt&) = delete;
+    GeosInterrupt& operator=(const GeosInterrupt&) = delete;
+    ~GeosInterrupt();
+
+    /// Makes GEOS calls of this thread fail soon after a stop is requested; callers then have to check
+    /// `stop`. Must not be nested.
+    class Watch {
+      public:
+        explicit Watch(const StopToken& stop);
+        Watch(const Watch&) = delete;
+        Watch& operator=(const Watch&) = delete;
+        ~Watch();
+    };
+};
+
 namespace {
 
-double area_of(const GeosPolygons& geos, const GeometryPtr& geometry) {
+// Globals are unavoidable, because GEOS passes no argument to its callback.
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
+thread_local const StopToken* current_stop = nullptr;
+GEOSInterruptCallback* previous_callback = nullptr;  // previously registered callback
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
+
+extern "C" void on_interrupt() {
+    if (previous_callback != nullptr)
+        previous_callback();
+    if (current_stop != nullptr)
+        current_stop->check();
+}
+
+struct Registrations {
+    std::mutex mutex;
+    int count = 0;
+};
+
+Registrations& registrations() {
+    static Registrations all;
+    return all;
+}
+
+}  // namespace
+
+GeosInterrupt::GeosInterrupt() {
+    Registrations& all = registrations();
+    const std::lock_guard lock(all.mutex);
+    if (all.count++ == 0)
+        previous_callback = GEOS_interruptRegisterCallback(on_interrupt);
+}
+
+GeosInterrupt::~GeosInterrupt() {
+    Registrations& all = registrations();
+    const std::lock_guard lock(all.mutex);
+    if (--all.count > 0)
+        return;
+    // Keep the callback of anyone who registered after us.
+    if (GEOSInterruptCallback* last = GEOS_interruptRegisterCallback(previous_callback); last != on_interrupt)
+        GEOS_interruptRegisterCallback(last);
+}
+
+GeosInterrupt::Watch::Watch(const StopToken& stop) {
+    current_stop = &stop;
+}
+
+GeosInterrupt::Watch::~Watch() {
+    current_stop = nullptr;
+}
+
+namespace {
+
+double area_of(const GeosConverter& geos, const GeometryPtr& geometry) {
     double area = 0;
     if (GEOSArea_r(geos.context(), geometry.get(), &area) == 0)
         geos.fail("to measure a polygon");
@@ -41,13 +118,13 @@ double area_of_rounding(const std::vector<WorldPolygon>& polygons) {
 }  // namespace
 
 struct Geos::Impl {
-    GeosPolygons polygons;
+    GeosConverter polygons;
     GeosInterrupt interrupt;
 
-    explicit Impl(StopRequest stop) : polygons(std::move(stop)) {}
+    explicit Impl(StopToken stop) : polygons(std::move(stop)) {}
 };
 
-Geos::Geos(StopRequest stop) : impl_(std::make_unique<Impl>(std::move(stop))) {}
+Geos::Geos(StopToken stop) : impl_(std::make_unique<Impl>(std::move(stop))) {}
 Geos::Geos(Geos&&) noexcept = default;
 Geos& Geos::operator=(Geos&&) noexcept = default;
 Geos::~Geos() = default;
@@ -62,17 +139,17 @@ std::vector<WorldPolygon> Geos::repaired(const std::vector<WorldPolygon>& polygo
     return d2b::repaired(impl_->polygons, polygons);
 }
 
-std::vector<WorldPolygon> Geos::on_grid(const std::vector<WorldPolygon>& polygons, double step) {
-    const GeosPolygons& geos = impl_->polygons;
+std::vector<WorldPolygon> Geos::snap_to_grid(const std::vector<WorldPolygon>& polygons, double step) {
+    const GeosConverter& geos = impl_->polygons;
     const GeosInterrupt::Watch watch(geos.stop());
     const GeometryPtr exact = geos.multi_polygon(polygons);
-    const GeometryPtr snapped = geos.own(GEOSGeom_setPrecision_r(geos.context(), exact.get(), step, 0));
+    const GeometryPtr snapped = geos.wrap(GEOSGeom_setPrecision_r(geos.context(), exact.get(), step, 0));
     return geos.polygons_of<WorldPolygon>(snapped.get());
 }
 
 std::vector<bool> Geos::covered(const std::vector<WorldPolygon>& outer,
                                 const std::vector<std::vector<WorldPolygon>>& inner) {
-    const GeosPolygons& geos = impl_->polygons;
+    const GeosConverter& geos = impl_->polygons;
     const GeosInterrupt::Watch watch(geos.stop());
     const GeometryPtr whole = geos.multi_polygon(outer);
     const PreparedPtr prepared(GEOSPrepare_r(geos.context(), whole.get()), {geos.context()});
@@ -83,41 +160,41 @@ std::vector<bool> Geos::covered(const std::vector<WorldPolygon>& outer,
         geos.stop().check();
         const GeometryPtr geometry = geos.multi_polygon(part);
         const bool exactly =
-            geos.answer(GEOSPreparedCovers_r(geos.context(), prepared.get(), geometry.get()));
+            geos.predicate(GEOSPreparedCovers_r(geos.context(), prepared.get(), geometry.get()));
         answers.push_back(exactly ||
-                          area_of(geos, geos.own(GEOSDifference_r(geos.context(), geometry.get(),
-                                                                  whole.get()))) <= area_of_rounding(part));
+                          area_of(geos, geos.wrap(GEOSDifference_r(geos.context(), geometry.get(),
+                                                                   whole.get()))) <= area_of_rounding(part));
     }
     return answers;
 }
 
 bool Geos::overlap(const std::vector<WorldPolygon>& one, const std::vector<WorldPolygon>& other) {
-    const GeosPolygons& geos = impl_->polygons;
+    const GeosConverter& geos = impl_->polygons;
     const GeosInterrupt::Watch watch(geos.stop());
     const GeometryPtr a = geos.multi_polygon(one);
     const GeometryPtr b = geos.multi_polygon(other);
-    return geos.answer(GEOSRelatePattern_r(geos.context(), a.get(), b.get(), "T********")) &&
-           area_of(geos, geos.own(GEOSIntersection_r(geos.context(), a.get(), b.get()))) >
+    return geos.predicate(GEOSRelatePattern_r(geos.context(), a.get(), b.get(), "T********")) &&
+           area_of(geos, geos.wrap(GEOSIntersection_r(geos.context(), a.get(), b.get()))) >
                area_of_rounding(one);
 }
 
 std::vector<FinePolygon> Geos::difference(const FinePolygon& whole, const std::vector<FinePolygon>& parts) {
     if (parts.empty())
         return {whole};
-    const GeosPolygons& geos = impl_->polygons;
+    const GeosConverter& geos = impl_->polygons;
     const GeosInterrupt::Watch watch(geos.stop());
     const GeometryPtr from = geos.polygon(whole);
     const GeometryPtr pieces = geos.multi_polygon(parts);
-    const GeometryPtr less = geos.own(GEOSUnaryUnion_r(geos.context(), pieces.get()));
-    const GeometryPtr left = geos.own(GEOSDifference_r(geos.context(), from.get(), less.get()));
+    const GeometryPtr less = geos.wrap(GEOSUnaryUnion_r(geos.context(), pieces.get()));
+    const GeometryPtr left = geos.wrap(GEOSDifference_r(geos.context(), from.get(), less.get()));
     return geos.polygons_of<FinePolygon>(left.get());
 }
 
 std::vector<std::array<FinePoint, 3>> Geos::triangles(const FinePolygon& polygon) {
-    const GeosPolygons& geos = impl_->polygons;
+    const GeosConverter& geos = impl_->polygons;
     const GeosInterrupt::Watch watch(geos.stop());
     const GeometryPtr whole = geos.polygon(polygon);
-    const GeometryPtr parts = geos.own(GEOSConstrainedDelaunayTriangulation_r(geos.context(), whole.get()));
+    const GeometryPtr parts = geos.wrap(GEOSConstrainedDelaunayTriangulation_r(geos.context(), whole.get()));
     std::vector<std::array<FinePoint, 3>> triangles;
     for (const FinePolygon& part : geos.polygons_of<FinePolygon>(parts.get())) {
         if (part.exterior.size() != 3)
@@ -128,11 +205,11 @@ std::vector<std::array<FinePoint, 3>> Geos::triangles(const FinePolygon& polygon
 }
 
 double Geos::area_outside(const WorldPolygon& inner, const WorldPolygon& outer) {
-    const GeosPolygons& geos = impl_->polygons;
+    const GeosConverter& geos = impl_->polygons;
     const GeosInterrupt::Watch watch(geos.stop());
     const GeometryPtr a = geos.polygon(inner);
     const GeometryPtr b = geos.polygon(outer);
-    return area_of(geos, geos.own(GEOSDifference_r(geos.context(), a.get(), b.get())));
+    return area_of(geos, geos.wrap(GEOSDifference_r(geos.context(), a.get(), b.get())));
 }
 
 std::string geos_version() {

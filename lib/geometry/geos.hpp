@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/lattice.hpp"
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "dem2buildings/world_polygon.hpp"
 
 namespace d2b {
@@ -20,7 +20,7 @@ namespace d2b {
 class Geos {
   public:
     /// @param stop also checked inside GEOS's algorithms, which then throw Cancelled
-    explicit Geos(StopRequest stop = {});
+    explicit Geos(StopToken stop = {});
     Geos(Geos&&) noexcept;
     Geos& operator=(Geos&&) noexcept;
     ~Geos();
@@ -32,7 +32,8 @@ class Geos {
     [[nodiscard]] std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& polygons);
     /// Rounds all corners to multiples of `step` and removes collapsed parts; the result is valid.
     /// @throws GeometryError
-    [[nodiscard]] std::vector<WorldPolygon> on_grid(const std::vector<WorldPolygon>& polygons, double step);
+    [[nodiscard]] std::vector<WorldPolygon> snap_to_grid(const std::vector<WorldPolygon>& polygons,
+                                                         double step);
     /// Per inner polygon: true if `outer` covers it, up to rounding errors of corners on its border.
     /// @throws GeometryError
     [[nodiscard]] std::vector<bool> covered(const std::vector<WorldPolygon>& outer,

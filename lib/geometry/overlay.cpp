@@ -3,14 +3,150 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "geometry/box_tree.hpp"
-#include "geometry/dissolve.hpp"
-#include "geometry/geos_polygons.hpp"
+#include "geometry/geos_converter.hpp"
 #include "geometry/validity.hpp"
 
 namespace d2b {
+
+/// Coverage of polygons, as disjoint polygons.
+struct PolygonCoverage {
+    std::vector<WorldPolygon> once;   ///< their union
+    std::vector<WorldPolygon> twice;  ///< area covered by two or more of them
+};
+
+enum class CoverageKind { once, once_and_twice };
+
+/// Computes the coverage by cascaded union: an area is covered twice if it is so in one half or lies in both.
+/// @param features each valid; may be empty @param kind `once` leaves the list `twice` empty @throws Error
+[[nodiscard]] PolygonCoverage polygon_coverage(const GeosConverter& geos,
+                                               std::span<const std::vector<WorldPolygon>> features,
+                                               CoverageKind kind);
+
+namespace {
+
+/// Polygons that do not overlap, with their bounding boxes.
+class BoxedPolygons {
+  public:
+    void add(WorldPolygon polygon) {
+        boxes_.push_back(box_of(std::span(&polygon, 1)));
+        polygons_.push_back(std::move(polygon));
+    }
+    void add(BoxedPolygons other) {
+        std::ranges::move(other.polygons_, std::back_inserter(polygons_));
+        std::ranges::move(other.boxes_, std::back_inserter(boxes_));
+    }
+    [[nodiscard]] bool empty() const { return polygons_.empty(); }
+    [[nodiscard]] const std::vector<WorldPolygon>& polygons() const { return polygons_; }
+    [[nodiscard]] const std::vector<Box>& boxes() const { return boxes_; }
+
+    /// Removes and returns those whose boxes intersect none of the others.
+    BoxedPolygons extract_disjoint(const BoxTree& others) {
+        BoxedPolygons far;
+        BoxedPolygons near;
+        for (std::size_t i = 0; i < polygons_.size(); ++i) {
+            const bool intersects = others.intersects_any(boxes_[i]);
+            (intersects ? near : far).add(std::move(polygons_[i]));
+        }
+        *this = std::move(near);
+        return far;
+    }
+
+  private:
+    std::vector<WorldPolygon> polygons_;
+    std::vector<Box> boxes_;
+};
+
+struct PieceCover {
+    BoxedPolygons once;
+    BoxedPolygons twice;
+};
+
+/// Cascaded union by recursive halving. Only pieces near the other half need an overlay operation.
+class CascadedUnion {
+  public:
+    CascadedUnion(const GeosConverter& geos, std::span<const std::vector<WorldPolygon>> features,
+                  CoverageKind kind)
+        : geos_(geos), features_(features), kind_(kind) {}
+
+    /// @param items indices of features, in any order
+    // NOLINTNEXTLINE(misc-no-recursion): as deep as halves can be halved
+    [[nodiscard]] PieceCover cover(std::span<std::size_t> items) const {
+        PieceCover result;
+        if (items.size() <= 1) {
+            for (const std::size_t item : items)
+                for (const WorldPolygon& polygon : features_[item])
+                    result.once.add(polygon);
+            return result;
+        }
+        split(items);
+        PieceCover a = cover(items.first(items.size() / 2));
+        PieceCover b = cover(items.subspan(items.size() / 2));
+        result.twice = join(std::move(a.twice), std::move(b.twice)).once;
+        PieceCover both = join(std::move(a.once), std::move(b.once));
+        result.once = std::move(both.once);
+        result.twice = join(std::move(result.twice), std::move(both.twice)).once;
+        return result;
+    }
+
+  private:
+    /// Partitions features so that the half with lower center coordinates comes first.
+    void split(std::span<std::size_t> items) const {
+        const auto centre = [this](std::size_t item) { return box_of(features_[item]).centre(); };
+        Box centres;
+        for (const std::size_t item : items)
+            centres.add(centre(item));
+        const bool wide = centres.right - centres.left > centres.high - centres.low;
+        std::ranges::nth_element(items, items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2), {},
+                                 [&](std::size_t item) { return wide ? centre(item).x : centre(item).y; });
+    }
+
+    /// Computes union and intersection.
+    [[nodiscard]] PieceCover join(BoxedPolygons a, BoxedPolygons b) const {
+        PieceCover result;
+        const BoxTree tree_of_a(a.boxes());
+        const BoxTree tree_of_b(b.boxes());
+        result.once = a.extract_disjoint(tree_of_b);
+        result.once.add(b.extract_disjoint(tree_of_a));
+        if (a.empty())
+            return result;
+        const GeometryPtr first = geos_.multi_polygon(a.polygons());
+        const GeometryPtr second = geos_.multi_polygon(b.polygons());
+        GEOSContextHandle_t context = geos_.context();
+        add(GEOSUnion_r(context, first.get(), second.get()), result.once);
+        if (kind_ == CoverageKind::once_and_twice)
+            add(GEOSIntersection_r(context, first.get(), second.get()), result.twice);
+        return result;
+    }
+
+    void add(GEOSGeometry* geometry, BoxedPolygons& pieces) const {
+        for (WorldPolygon& polygon : geos_.polygons_of<WorldPolygon>(geos_.wrap(geometry).get()))
+            pieces.add(std::move(polygon));
+    }
+
+    const GeosConverter& geos_;
+    std::span<const std::vector<WorldPolygon>> features_;
+    CoverageKind kind_;
+};
+
+}  // namespace
+
+PolygonCoverage polygon_coverage(const GeosConverter& geos,
+                                 std::span<const std::vector<WorldPolygon>> features, CoverageKind kind) {
+    std::vector<std::size_t> items;
+    for (std::size_t i = 0; i < features.size(); ++i)
+        if (!features[i].empty())
+            items.push_back(i);
+    const PieceCover cover = CascadedUnion(geos, features, kind).cover(items);
+    return {cover.once.polygons(), cover.twice.polygons()};
+}
+
 namespace {
 
 bool finite(const Position& p) {
@@ -46,16 +182,16 @@ struct PreparedDeleter {
 /// Prepared geometry, for testing many others against it.
 class Prepared {
   public:
-    Prepared(const GeosPolygons& geos, std::span<const WorldPolygon> polygons)
+    Prepared(const GeosConverter& geos, std::span<const WorldPolygon> polygons)
         : geos_(&geos),
           geometry_(geos.multi_polygon(polygons)),
           prepared_(GEOSPrepare_r(geos.context(), geometry_.get()), PreparedDeleter{geos.context()}) {}
-    [[nodiscard]] bool meets(const GEOSGeometry* other) const {
-        return geos_->answer(GEOSPreparedIntersects_r(geos_->context(), prepared_.get(), other));
+    [[nodiscard]] bool intersects(const GEOSGeometry* other) const {
+        return geos_->predicate(GEOSPreparedIntersects_r(geos_->context(), prepared_.get(), other));
     }
 
   private:
-    const GeosPolygons* geos_;
+    const GeosConverter* geos_;
     GeometryPtr geometry_;
     std::unique_ptr<const GEOSPreparedGeometry, PreparedDeleter> prepared_;
 };
@@ -63,7 +199,7 @@ class Prepared {
 }  // namespace
 
 struct Overlay::Impl {
-    GeosPolygons geos;
+    GeosConverter geos;
 };
 
 Overlay::Overlay() : impl_(std::make_unique<Impl>()) {}
@@ -75,56 +211,56 @@ bool Overlay::valid(const Polygons& feature) {
     return invalidity(impl_->geos, feature).empty();
 }
 
-Polygons Overlay::made_valid(const Polygons& feature) {
+Polygons Overlay::make_valid(const Polygons& feature) {
     return repaired(impl_->geos, usable_parts(feature));
 }
 
 Dissolved Overlay::dissolve(std::span<const Polygons> features) {
-    Cover cover = cover_of(impl_->geos, features, CoverKind::once_and_twice);
+    PolygonCoverage cover = polygon_coverage(impl_->geos, features, CoverageKind::once_and_twice);
     return {std::move(cover.once), std::move(cover.twice)};
 }
 
 Polygons Overlay::union_of(std::span<const Polygons> features) {
-    return cover_of(impl_->geos, features, CoverKind::once).once;
+    return polygon_coverage(impl_->geos, features, CoverageKind::once).once;
 }
 
 Polygons Overlay::repaired_union(std::span<const WorldPolygon> polygons) {
     std::vector<Polygons> parts;
     for (const WorldPolygon& polygon : polygons) {
         const Polygons part{polygon};
-        parts.push_back(valid(part) ? part : made_valid(part));
+        parts.push_back(valid(part) ? part : make_valid(part));
     }
     return union_of(parts);
 }
 
 Polygons Overlay::intersection(const Polygons& a, const Polygons& b) {
-    const GeosPolygons& geos = impl_->geos;
+    const GeosConverter& geos = impl_->geos;
     const GeometryPtr first = geos.multi_polygon(a);
     const GeometryPtr second = geos.multi_polygon(b);
     return geos.polygons_of<WorldPolygon>(
-        geos.own(GEOSIntersection_r(geos.context(), first.get(), second.get())).get());
+        geos.wrap(GEOSIntersection_r(geos.context(), first.get(), second.get())).get());
 }
 
-std::vector<Polyline> Overlay::rings_within(const Polygons& area, const Polygons& other) {
-    const GeosPolygons& geos = impl_->geos;
+std::vector<Polyline> Overlay::clip_rings(const Polygons& area, const Polygons& other) {
+    const GeosConverter& geos = impl_->geos;
     const GeometryPtr rings = geos.multi_line(area);
     const GeometryPtr within = geos.multi_polygon(other);
-    return geos.lines_of(geos.own(GEOSIntersection_r(geos.context(), rings.get(), within.get())).get());
+    return geos.lines_of(geos.wrap(GEOSIntersection_r(geos.context(), rings.get(), within.get())).get());
 }
 
-std::vector<bool> Overlay::touching(std::span<const Polygons> features, const Polygons& area) {
-    const GeosPolygons& geos = impl_->geos;
+std::vector<bool> Overlay::intersecting(std::span<const Polygons> features, const Polygons& area) {
+    const GeosConverter& geos = impl_->geos;
     const Prepared prepared(geos, area);
     std::vector<bool> result;
     result.reserve(features.size());
     for (const Polygons& feature : features)
-        result.push_back(prepared.meets(geos.multi_polygon(feature).get()));
+        result.push_back(prepared.intersects(geos.multi_polygon(feature).get()));
     return result;
 }
 
-std::vector<std::optional<std::size_t>> Overlay::holders(std::span<const WorldPolygon> inners,
-                                                         std::span<const WorldPolygon> outers) {
-    const GeosPolygons& geos = impl_->geos;
+std::vector<std::optional<std::size_t>> Overlay::containing_polygons(std::span<const WorldPolygon> inners,
+                                                                     std::span<const WorldPolygon> outers) {
+    const GeosConverter& geos = impl_->geos;
     std::vector<Box> boxes;
     for (const WorldPolygon& outer : outers)
         boxes.push_back(box_of(std::span(&outer, 1)));
@@ -133,8 +269,8 @@ std::vector<std::optional<std::size_t>> Overlay::holders(std::span<const WorldPo
     std::vector<std::optional<std::size_t>> result;
     for (const WorldPolygon& inner : inners) {
         const GeometryPtr polygon = geos.polygon(inner);
-        const GeometryPtr point = geos.own(GEOSPointOnSurface_r(geos.context(), polygon.get()));
-        std::optional<std::size_t>& holder = result.emplace_back();
+        const GeometryPtr point = geos.wrap(GEOSPointOnSurface_r(geos.context(), polygon.get()));
+        std::optional<std::size_t>& container = result.emplace_back();
         Position p;
         if (GEOSGeomGetX_r(geos.context(), point.get(), &p.x) != 1 ||
             GEOSGeomGetY_r(geos.context(), point.get(), &p.y) != 1)
@@ -142,18 +278,18 @@ std::vector<std::optional<std::size_t>> Overlay::holders(std::span<const WorldPo
         tree.query(Box{p.x, p.y, p.x, p.y}, [&](std::size_t i) {
             if (!prepared[i])
                 prepared[i].emplace(geos, outers.subspan(i, 1));
-            if (!holder && prepared[i]->meets(point.get()))
-                holder = i;
+            if (!container && prepared[i]->intersects(point.get()))
+                container = i;
         });
     }
     return result;
 }
 
 std::size_t Overlay::simplified_vertices(const Polygons& feature, double tolerance) {
-    const GeosPolygons& geos = impl_->geos;
+    const GeosConverter& geos = impl_->geos;
     const GeometryPtr geometry = geos.multi_polygon(feature);
     const GeometryPtr simple =
-        geos.own(GEOSTopologyPreserveSimplify_r(geos.context(), geometry.get(), tolerance));
+        geos.wrap(GEOSTopologyPreserveSimplify_r(geos.context(), geometry.get(), tolerance));
     return static_cast<std::size_t>(std::max(0, GEOSGetNumCoordinates_r(geos.context(), simple.get())));
 }
 

@@ -33,7 +33,7 @@ class Overlay {
     [[nodiscard]] bool valid(const Polygons& feature);
     /// Repairs an invalid feature with GEOS's structural repair: the area inside its exterior rings and
     /// outside their holes. Drops degenerate rings and non-finite positions; the result may be empty.
-    [[nodiscard]] Polygons made_valid(const Polygons& feature);
+    [[nodiscard]] Polygons make_valid(const Polygons& feature);
     /// @param features each valid; may be empty
     [[nodiscard]] Dissolved dissolve(std::span<const Polygons> features);
     /// Computes only the union, in half the time. @param features each valid; may be empty
@@ -42,13 +42,13 @@ class Overlay {
     [[nodiscard]] Polygons repaired_union(std::span<const WorldPolygon> polygons);
     [[nodiscard]] Polygons intersection(const Polygons& a, const Polygons& b);
     /// Closed rings of an area, clipped to another area including its border.
-    [[nodiscard]] std::vector<Polyline> rings_within(const Polygons& area, const Polygons& other);
+    [[nodiscard]] std::vector<Polyline> clip_rings(const Polygons& area, const Polygons& other);
     /// Per feature: true if it intersects an area. @param features each valid
-    [[nodiscard]] std::vector<bool> touching(std::span<const Polygons> features, const Polygons& area);
+    [[nodiscard]] std::vector<bool> intersecting(std::span<const Polygons> features, const Polygons& area);
     /// Per inner polygon: index of the outer polygon that contains an interior point of it, if any.
     /// @param outers must not overlap
-    [[nodiscard]] std::vector<std::optional<std::size_t>> holders(std::span<const WorldPolygon> inners,
-                                                                  std::span<const WorldPolygon> outers);
+    [[nodiscard]] std::vector<std::optional<std::size_t>> containing_polygons(
+        std::span<const WorldPolygon> inners, std::span<const WorldPolygon> outers);
     /// Number of vertices of a feature after topology-preserving simplification, closing vertices included.
     /// @param feature valid
     [[nodiscard]] std::size_t simplified_vertices(const Polygons& feature, double tolerance);

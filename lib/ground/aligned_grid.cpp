@@ -4,15 +4,45 @@
 #include <cmath>
 #include <vector>
 
-#include "core/row_bands.hpp"
-#include "ground/line_pass.hpp"
+#include "core/grid.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::ground {
+
+std::vector<Tile> tiles_of(std::int32_t rows, std::int32_t cols, std::int32_t side) {
+    const auto begin = [side](std::int32_t length, std::int32_t i) {
+        const std::int64_t parts = (length + side - 1) / side;
+        return static_cast<std::int32_t>(length * std::int64_t{i} / parts);
+    };
+    std::vector<Tile> tiles;
+    for (std::int32_t i = 0; i * side < rows; ++i)
+        for (std::int32_t j = 0; j * side < cols; ++j) {
+            const std::int32_t row = begin(rows, i);
+            const std::int32_t col = begin(cols, j);
+            tiles.push_back({row, col, begin(rows, i + 1) - row, begin(cols, j + 1) - col});
+        }
+    return tiles;
+}
+
+Tile widened(const Tile& tile, std::int32_t reach, const MetreGrid& grid) {
+    const std::int32_t row = std::max(tile.row - reach, 0);
+    const std::int32_t col = std::max(tile.col - reach, 0);
+    return {row, col, std::min(tile.row + tile.rows + reach, grid.rows) - row,
+            std::min(tile.col + tile.cols + reach, grid.cols) - col};
+}
+
+void copy_tile(const MetreGrid& grid, const Tile& tile, MetreGrid& part) {
+    part.rows = tile.rows;
+    part.cols = tile.cols;
+    part.values.resize(part.index(part.rows, 0));
+    for (std::int32_t i = 0; i < tile.rows; ++i)
+        std::copy_n(grid.row(tile.row + i).data() + tile.col, tile.cols, part.row(i).data());
+}
 
 namespace {
 
 /// Returns the blocks that cover `fine`, without values.
-AlignedGrid shape_of_blocks(const AlignedGrid& fine, Factor factor) {
+AlignedGrid block_shape(const AlignedGrid& fine, BlockSize factor) {
     AlignedGrid blocks;
     blocks.first_row = block_of(fine.first_row, factor.down);
     blocks.first_col = block_of(fine.first_col, factor.across);
@@ -24,7 +54,7 @@ AlignedGrid shape_of_blocks(const AlignedGrid& fine, Factor factor) {
 
 }  // namespace
 
-AlignedGrid shape_of(const AlignedGrid& grid) {
+AlignedGrid without_values(const AlignedGrid& grid) {
     AlignedGrid shape;
     shape.grid.rows = grid.grid.rows;
     shape.grid.cols = grid.grid.cols;
@@ -34,21 +64,21 @@ AlignedGrid shape_of(const AlignedGrid& grid) {
     return shape;
 }
 
-Factor factor_for(const CellSize& cell, double wanted) {
+BlockSize block_size_for(const CellSize& cell, double wanted) {
     const auto cells = [wanted](double size) {
         return static_cast<std::int32_t>(std::clamp(std::round(wanted / size), 1.0, 1024.0));
     };
     return {cells(cell.down), cells(cell.across)};
 }
 
-AlignedGrid blocks_of(const AlignedGrid& fine, Factor factor, float value, Executor& threads) {
-    AlignedGrid blocks = shape_of_blocks(fine, factor);
+AlignedGrid blocks_of(const AlignedGrid& fine, BlockSize factor, float value, Executor& threads) {
+    AlignedGrid blocks = block_shape(fine, factor);
     blocks.grid = MetreGrid(blocks.grid.rows, blocks.grid.cols, value, threads);
     return blocks;
 }
 
-void lower_blocks(std::span<const float> cells, std::int32_t first, std::int32_t factor,
-                  std::span<float> blocks) {
+void lower_blocks_to_minima(std::span<const float> cells, std::int32_t first, std::int32_t factor,
+                            std::span<float> blocks) {
     const auto lower = [](float a, float b) { return a < b ? a : b; };
     if (factor == 1) {
         for (std::size_t j = 0; j < cells.size(); ++j)
@@ -62,8 +92,8 @@ void lower_blocks(std::span<const float> cells, std::int32_t first, std::int32_t
             blocks[block] = lower(cells[j], blocks[block]);
 }
 
-void spread_blocks(std::span<const float> blocks, std::int32_t first, std::int32_t factor,
-                   std::span<float> cells) {
+void copy_blocks_to_cells(std::span<const float> blocks, std::int32_t first, std::int32_t factor,
+                          std::span<float> cells) {
     const auto before = static_cast<std::size_t>(first - block_of(first, factor) * factor);
     const auto step = static_cast<std::size_t>(factor);
     std::size_t j = 0;
@@ -74,9 +104,9 @@ void spread_blocks(std::span<const float> blocks, std::int32_t first, std::int32
     }
 }
 
-AlignedGrid lowest_of_blocks(const AlignedGrid& shape, const MetreGrid& values, Factor factor,
-                             Executor& threads) {
-    AlignedGrid blocks = shape_of_blocks(shape, factor);
+AlignedGrid block_minima(const AlignedGrid& shape, const MetreGrid& values, BlockSize factor,
+                         Executor& threads) {
+    AlignedGrid blocks = block_shape(shape, factor);
     blocks.grid = MetreGrid::unset(blocks.grid.rows, blocks.grid.cols, threads);
     const auto cols = static_cast<std::size_t>(values.cols);
     for_row_bands(threads, blocks.grid.rows, values.cols, [&](RowBand band) {
@@ -85,10 +115,10 @@ AlignedGrid lowest_of_blocks(const AlignedGrid& shape, const MetreGrid& values, 
             const std::int32_t first = (blocks.first_row + row) * factor.down - shape.first_row;
             std::fill(lowest.begin(), lowest.end(), no_value);
             for (std::int32_t i = std::max(first, 0); i < std::min(first + factor.down, values.rows); ++i)
-                lower_blocks(values.row(i), 0, 1, lowest);
+                lower_blocks_to_minima(values.row(i), 0, 1, lowest);
             const auto out = blocks.grid.row(row);
             std::fill(out.begin(), out.end(), no_value);
-            lower_blocks(lowest, shape.first_col, factor.across, out);
+            lower_blocks_to_minima(lowest, shape.first_col, factor.across, out);
         }
     });
     return blocks;

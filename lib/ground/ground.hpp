@@ -5,6 +5,7 @@
 #include "core/context.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/options.hpp"
+#include "ground/rules.hpp"
 
 namespace d2b {
 
@@ -22,7 +23,7 @@ struct Terrain {
 
 /// Position of the window's first cell on the grid of the whole raster, because blocks are aligned to that
 /// grid.
-struct GridPlace {
+struct GridOrigin {
     std::int32_t row = 0;
     std::int32_t col = 0;
 };
@@ -35,10 +36,21 @@ struct GridPlace {
 /// are restored
 /// @throws Cancelled; an exception destroys the surface
 [[nodiscard]] Terrain estimate_ground(MetreGrid& surface, const CellSize& cell, const GroundOptions& options,
-                                      Context& context, const GridPlace& place = {});
+                                      Context& context, const GridOrigin& place = {});
 
 /// Distance in metres from a cut through a raster beyond which the cut does not change the terrain, provided
 /// there is ground within `max_building_width` of each cell.
 [[nodiscard]] double ground_halo(const CellSize& cell, const GroundOptions& options);
 
 }  // namespace d2b
+
+namespace d2b::ground {
+
+/// Same as estimate_ground() with given rules. @param width of the widest building, metres
+[[nodiscard]] Terrain estimate(MetreGrid& surface, const CellSize& cell, double width, const Context& context,
+                               const GridOrigin& place, const Rules& rules);
+
+/// Same as ground_halo() with given rules.
+[[nodiscard]] double halo(const CellSize& cell, double width, const Rules& rules);
+
+}  // namespace d2b::ground

@@ -5,15 +5,84 @@
 #include <cmath>
 #include <span>
 
-#include "core/processors.hpp"
-#include "ground/line_pass.hpp"
-#include "ground/row_opening.hpp"
+#include "core/grid.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {
 
+template <typename First, typename Second, typename T>
+void swap_neutral_values(std::span<T> row) {
+    constexpr T from = First::template neutral<T>;
+    constexpr T to = Second::template neutral<T>;
+    for (T& value : row)
+        value = value == from ? to : value;
+}
+
+template <typename First, typename Second, typename T>
+void open_along_row(std::span<T> row, std::int32_t radius, OpeningBuffers<T>& buffers) {
+    const auto cols = static_cast<std::int32_t>(row.size());
+    buffers.first.resize(row.size());
+    filter_row<First>(row.data(), cols, radius, buffers.lines, buffers.first.data());
+    swap_neutral_values<First, Second>(std::span<T>(buffers.first));
+    filter_row<Second>(buffers.first.data(), cols, radius, buffers.lines, row.data());
+}
+
 template <typename T>
-void fit(Grid<T>& grid, const Grid<T>& like) {
+void open_row_impl(std::span<T> row, Extremum first, std::int32_t radius, OpeningBuffers<T>& buffers) {
+    if (first == Extremum::lowest)
+        open_along_row<Minimum, Maximum>(row, radius, buffers);
+    else
+        open_along_row<Maximum, Minimum>(row, radius, buffers);
+}
+
+template <typename T>
+void swap_neutral_impl(std::span<T> row, Extremum from) {
+    if (from == Extremum::lowest)
+        swap_neutral_values<Minimum, Maximum>(row);
+    else
+        swap_neutral_values<Maximum, Minimum>(row);
+}
+
+template <typename T>
+void clear_gaps(std::span<const T> surface, std::span<T> opened) {
+    constexpr T none = no_value_of<T>;
+    for (std::size_t j = 0; j < opened.size(); ++j)
+        opened[j] = surface[j] == none ? none : opened[j];
+}
+
+}  // namespace
+
+D2B_MULTIVERSION void open_row(std::span<float> row, Extremum first, std::int32_t radius,
+                               OpeningBuffers<float>& buffers) {
+    open_row_impl(row, first, radius, buffers);
+}
+
+D2B_MULTIVERSION void open_row(std::span<std::int16_t> row, Extremum first, std::int32_t radius,
+                               OpeningBuffers<std::int16_t>& buffers) {
+    open_row_impl(row, first, radius, buffers);
+}
+
+D2B_MULTIVERSION void swap_neutral(std::span<float> row, Extremum from) {
+    swap_neutral_impl(row, from);
+}
+
+D2B_MULTIVERSION void swap_neutral(std::span<std::int16_t> row, Extremum from) {
+    swap_neutral_impl(row, from);
+}
+
+D2B_MULTIVERSION void keep_gaps(std::span<const float> surface, std::span<float> opened) {
+    clear_gaps(surface, opened);
+}
+
+D2B_MULTIVERSION void keep_gaps(std::span<const std::int16_t> surface, std::span<std::int16_t> opened) {
+    clear_gaps(surface, opened);
+}
+
+namespace {
+
+template <typename T>
+void resize_like(Grid<T>& grid, const Grid<T>& like) {
     grid.rows = like.rows;
     grid.cols = like.cols;
     grid.values.resize(like.size());
@@ -30,7 +99,7 @@ void add_margin(const Grid<T>& grid, Radius margin, Grid<T>& wide) {
 }
 
 template <typename T>
-void take_margin(const Grid<T>& wide, Radius margin, Grid<T>& grid) {
+void remove_margin(const Grid<T>& wide, Radius margin, Grid<T>& grid) {
     for (std::int32_t i = 0; i < grid.rows; ++i)
         std::copy_n(wide.row(i + margin.down).begin() + margin.across, grid.cols, grid.row(i).begin());
 }
@@ -39,15 +108,15 @@ void take_margin(const Grid<T>& wide, Radius margin, Grid<T>& grid) {
 /// between them, so that the grid is traversed once instead of four times.
 template <typename T>
 void rectangle(const Grid<T>& grid, Extremum first, Radius radius, Workspace<T>& workspace, Grid<T>& out,
-               const AfterRow<T>& after) {
-    double_pass(
+               const RowCallback<T>& after) {
+    double_rank_filter(
         grid, out, Line::column, first, radius.down,
         [&](std::span<T> row) { open_row(row, first, radius.across, workspace.row); }, after);
 }
 
 /// Returns a function that clears cells without a value in each opened row.
 template <typename T>
-AfterRow<T> gaps_kept(const Grid<T>& surface, bool any) {
+RowCallback<T> gap_clearer(const Grid<T>& surface, bool any) {
     if (!any)
         return {};
     return [&surface, i = std::int32_t{0}](std::span<T> row) mutable { keep_gaps(surface.row(i++), row); };
@@ -55,24 +124,25 @@ AfterRow<T> gaps_kept(const Grid<T>& surface, bool any) {
 
 /// Opens the surface with a margin for elements that extend beyond it.
 template <typename T, typename Open>
-void with_room(const Grid<T>& surface, Radius outside, Workspace<T>& workspace, Grid<T>& opened, Open open) {
-    fit(opened, surface);
+void with_margin(const Grid<T>& surface, Radius outside, Workspace<T>& workspace, Grid<T>& opened,
+                 Open open) {
+    resize_like(opened, surface);
     if (outside.down <= 0 && outside.across <= 0) {
         open(surface, opened);
     } else {
         const Radius margin{std::max(outside.down, 0), std::max(outside.across, 0)};
-        add_margin(surface, margin, workspace.roomy);
-        fit(workspace.roomy_opened, workspace.roomy);
-        open(workspace.roomy, workspace.roomy_opened);
-        take_margin(workspace.roomy_opened, margin, opened);
+        add_margin(surface, margin, workspace.padded);
+        resize_like(workspace.padded_opened, workspace.padded);
+        open(workspace.padded, workspace.padded_opened);
+        remove_margin(workspace.padded_opened, margin, opened);
     }
 }
 
 template <typename T>
-void open_along(const Grid<T>& surface, Line line, std::int32_t radius, Grid<T>& opened) {
-    fit(opened, surface);
-    double_pass(surface, opened, line, Extremum::lowest, radius,
-                [](std::span<T> row) { turn_row(row, Extremum::lowest); }, {});
+void open_along_line(const Grid<T>& surface, Line line, std::int32_t radius, Grid<T>& opened) {
+    resize_like(opened, surface);
+    double_rank_filter(surface, opened, line, Extremum::lowest, radius,
+                       [](std::span<T> row) { swap_neutral(row, Extremum::lowest); }, {});
 }
 
 /// Computes the second highest of four values, cell by cell. @param row first values; receives the results
@@ -93,9 +163,9 @@ void open_by_lines(const Grid<T>& grid, Radius radius, Workspace<T>& workspace, 
     const auto diagonal =
         std::max(1, static_cast<std::int32_t>(std::lround(0.7071 * std::max(radius.down, radius.across))));
     std::array<Grid<T>, 3>& lines = workspace.lines;
-    open_along(grid, Line::column, radius.down, lines[0]);
-    open_along(grid, Line::right_diagonal, diagonal, lines[1]);
-    open_along(grid, Line::left_diagonal, diagonal, lines[2]);
+    open_along_line(grid, Line::column, radius.down, lines[0]);
+    open_along_line(grid, Line::right_diagonal, diagonal, lines[1]);
+    open_along_line(grid, Line::left_diagonal, diagonal, lines[2]);
     for (std::int32_t i = 0; i < grid.rows; ++i) {
         const std::span<T> row = out.row(i);
         std::ranges::copy(grid.row(i), row.begin());
@@ -107,47 +177,45 @@ void open_by_lines(const Grid<T>& grid, Radius radius, Workspace<T>& workspace, 
 }
 
 template <typename T>
-void open_by(Element element, const Grid<T>& surface, Radius radius, Radius outside, Workspace<T>& workspace,
-             Grid<T>& opened) {
-    with_room(surface, outside, workspace, opened, [&](const Grid<T>& grid, Grid<T>& out) {
-        if (element == Element::rectangle)
-            rectangle(grid, Extremum::lowest, radius, workspace, out, gaps_kept(grid, workspace.gaps));
+void open_by(ElementShape element, const Grid<T>& surface, Radius radius, Radius outside,
+             Workspace<T>& workspace, Grid<T>& opened) {
+    with_margin(surface, outside, workspace, opened, [&](const Grid<T>& grid, Grid<T>& out) {
+        if (element == ElementShape::rectangle)
+            rectangle(grid, Extremum::lowest, radius, workspace, out, gap_clearer(grid, workspace.gaps));
         else
             open_by_lines(grid, radius, workspace, out);
     });
 }
 
 template <typename T>
-void close_by_rectangle(const Grid<T>& surface, Radius radius, Workspace<T>& workspace, Grid<T>& closed) {
-    Grid<T>& without_gaps = workspace.roomy;
+void close_rectangle_impl(const Grid<T>& surface, Radius radius, Workspace<T>& workspace, Grid<T>& closed) {
+    Grid<T>& without_gaps = workspace.padded;
     without_gaps = surface;
-    turn_row(std::span<T>(without_gaps.values), Extremum::lowest);
-    fit(closed, surface);
+    swap_neutral(std::span<T>(without_gaps.values), Extremum::lowest);
+    resize_like(closed, surface);
     rectangle<T>(without_gaps, Extremum::highest, radius, workspace, closed, {});
 }
 
 }  // namespace
 
-D2B_FOR_EACH_PROCESSOR void open(Element element, const Grid<float>& surface, Radius radius, Radius outside,
-                                 Workspace<float>& workspace, Grid<float>& opened) {
+D2B_MULTIVERSION void open(ElementShape element, const Grid<float>& surface, Radius radius, Radius outside,
+                           Workspace<float>& workspace, Grid<float>& opened) {
     open_by(element, surface, radius, outside, workspace, opened);
 }
 
-D2B_FOR_EACH_PROCESSOR void open(Element element, const Grid<std::int16_t>& surface, Radius radius,
-                                 Radius outside, Workspace<std::int16_t>& workspace,
-                                 Grid<std::int16_t>& opened) {
+D2B_MULTIVERSION void open(ElementShape element, const Grid<std::int16_t>& surface, Radius radius,
+                           Radius outside, Workspace<std::int16_t>& workspace, Grid<std::int16_t>& opened) {
     open_by(element, surface, radius, outside, workspace, opened);
 }
 
-D2B_FOR_EACH_PROCESSOR void closed_by_rectangle(const MetreGrid& surface, Radius radius,
-                                                Workspace<float>& workspace, MetreGrid& closed) {
-    close_by_rectangle(surface, radius, workspace, closed);
+D2B_MULTIVERSION void close_rectangle(const MetreGrid& surface, Radius radius, Workspace<float>& workspace,
+                                      MetreGrid& closed) {
+    close_rectangle_impl(surface, radius, workspace, closed);
 }
 
-D2B_FOR_EACH_PROCESSOR void closed_by_rectangle(const Grid<std::int16_t>& surface, Radius radius,
-                                                Workspace<std::int16_t>& workspace,
-                                                Grid<std::int16_t>& closed) {
-    close_by_rectangle(surface, radius, workspace, closed);
+D2B_MULTIVERSION void close_rectangle(const Grid<std::int16_t>& surface, Radius radius,
+                                      Workspace<std::int16_t>& workspace, Grid<std::int16_t>& closed) {
+    close_rectangle_impl(surface, radius, workspace, closed);
 }
 
 }  // namespace d2b::ground

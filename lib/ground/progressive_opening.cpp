@@ -6,16 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/processors.hpp"
-#include "core/row_bands.hpp"
-#include "ground/line_pass.hpp"
+#include "core/grid.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {
 
-constexpr double widest_in_cells = 30;
-constexpr double neighbour_slope = 0.5;
-constexpr std::int32_t most_around_tile = 60;  ///< or the reach of a single element if that is larger
+constexpr double max_radius_in_cells = 30;
+constexpr double limit_slope = 0.5;
+constexpr std::int32_t max_reach = 60;  ///< or the reach of a single element if that is larger
 
 Radius in_cells(double metres, const CellSize& cell) {
     return {static_cast<std::int32_t>(std::lround(metres / cell.down)),
@@ -27,9 +26,9 @@ double smaller_side(const CellSize& cell) {
 }
 
 /// Returns the number of cells around a cell that affect its opened value, along rows, columns or diagonals.
-std::int32_t reach_of(std::span<const Step> steps) {
+std::int32_t reach_of(std::span<const StructuringElement> steps) {
     std::int32_t sum = 0;
-    for (const Step& step : steps)
+    for (const StructuringElement& step : steps)
         sum += 2 * std::max(step.radius.down, step.radius.across);
     return sum;
 }
@@ -45,7 +44,8 @@ void lower_limits(std::span<float> limits, const float* old, const float* now, f
 
 /// Calls use(begin, end, rise) for ranges of columns in a row of a part with the height of objects there.
 template <typename Use>
-void for_stretches(const OpenedPart& part, const Step& step, std::int32_t i, const Use& use) {
+void for_column_ranges(const OpenedPart& part, const StructuringElement& step, std::int32_t i,
+                       const Use& use) {
     const std::int32_t row = part.tile.row + i;
     const std::int32_t cols = part.tile.cols;
     const bool beside = row < step.border.down || row >= part.grid_rows - step.border.down;
@@ -60,9 +60,9 @@ void for_stretches(const OpenedPart& part, const Step& step, std::int32_t i, con
     use_if_any(right, cols, step.border_rise);
 }
 
-void set_limits(OpenedPart& part, const Step& step) {
+void set_limits(OpenedPart& part, const StructuringElement& step) {
     for (std::int32_t i = 0; i < part.tile.rows; ++i)
-        for_stretches(part, step, i, [&](std::size_t begin, std::size_t end, float rise) {
+        for_column_ranges(part, step, i, [&](std::size_t begin, std::size_t end, float rise) {
             lower_limits(part.limits.row(i).subspan(begin, end - begin),
                          part.row(part.surface, i).data() + begin, part.row(part.next, i).data() + begin,
                          rise);
@@ -70,17 +70,17 @@ void set_limits(OpenedPart& part, const Step& step) {
 }
 
 /// Same for whole steps. Converts to metres only chunks with a cell that may have been lowered by as much.
-D2B_FOR_EACH_PROCESSOR void set_limits_of_steps(OpenedPart& part, const Step& step) {
+D2B_MULTIVERSION void set_quantized_limits(OpenedPart& part, const StructuringElement& step) {
     constexpr std::size_t piece = 64;
-    const WholeSteps& values = part.whole;
+    const QuantizedElevations& values = part.quantized;
     std::array<float, piece> old{};
     std::array<float, piece> now{};
     for (std::int32_t i = 0; i < part.tile.rows; ++i) {
         const auto before = part.row(values.surface, i);
         const auto after = part.row(values.next, i);
         const auto limits = part.limits.row(i);
-        for_stretches(part, step, i, [&](std::size_t begin, std::size_t end, float rise) {
-            const int least = values.surely_within(rise);
+        for_column_ranges(part, step, i, [&](std::size_t begin, std::size_t end, float rise) {
+            const int least = values.guaranteed_steps(rise);
             for (std::size_t first = begin; first < end; first += piece) {
                 const std::size_t n = std::min(piece, end - first);
                 int cut = 0;
@@ -88,20 +88,20 @@ D2B_FOR_EACH_PROCESSOR void set_limits_of_steps(OpenedPart& part, const Step& st
                     cut |= before[j] - after[j] > least ? 1 : 0;
                 if (cut == 0)
                     continue;
-                values.in_metres(before.subspan(first, n), old.data());
-                values.in_metres(after.subspan(first, n), now.data());
+                values.to_metres(before.subspan(first, n), old.data());
+                values.to_metres(after.subspan(first, n), now.data());
                 lower_limits(limits.subspan(first, n), old.data(), now.data(), rise);
             }
         });
     }
 }
 
-void open_whole_steps(OpenedPart& part, std::span<const Step> steps, Element element) {
-    WholeSteps& values = part.whole;
+void open_quantized(OpenedPart& part, std::span<const StructuringElement> steps, ElementShape element) {
+    QuantizedElevations& values = part.quantized;
     values.workspace.gaps = values.gaps;
-    for (const Step& step : steps) {
+    for (const StructuringElement& step : steps) {
         open(element, values.surface, step.radius, step.outside, values.workspace, values.next);
-        set_limits_of_steps(part, step);
+        set_quantized_limits(part, step);
         std::swap(values.surface, values.next);
     }
 }
@@ -112,44 +112,45 @@ void lower_row(std::span<const float> by, std::span<float> limits) {
 }
 
 /// Returns the first elements of a series, as many as tiles can be opened by with limited surroundings.
-std::span<const Step> first_steps(std::span<const Step> steps) {
+std::span<const StructuringElement> first_elements(std::span<const StructuringElement> steps) {
     std::size_t count = 1;
-    while (count < steps.size() && reach_of(steps.first(count + 1)) <= most_around_tile)
+    while (count < steps.size() && reach_of(steps.first(count + 1)) <= max_reach)
         ++count;
     return steps.first(count);
 }
 
 /// Opens a grid by all elements of a series. @return opened grid; empty if there are no elements
 /// @param limits set if there are elements @param beside is emptied once it was done
-MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Element element,
-                     MetreGrid& limits, Executor& threads, std::function<void()>& beside) {
+MetreGrid open_grid(const MetreGrid& surface, std::span<const StructuringElement> steps, ElementShape element,
+                    MetreGrid& limits, Executor& threads, std::function<void()>& beside) {
     const std::vector<Tile> tiles = tiles_of(surface.rows, surface.cols, tile_side);
     MetreGrid left;
     MetreGrid into;
     while (!steps.empty()) {
-        const std::span<const Step> now = first_steps(steps);
+        const std::span<const StructuringElement> now = first_elements(steps);
         const bool begins = left.size() == 0;
         const MetreGrid& from = begins ? surface : left;
         if (into.size() == 0)
             into = MetreGrid::unset(surface.rows, surface.cols, threads);
         const std::function<void()> first = std::exchange(beside, {});
         const std::size_t before = first ? 1 : 0;
-        threads.for_each_in_room<OpenedPart>(before + tiles.size(), [&](std::size_t t, OpenedPart& part) {
-            if (t < before)
-                return first();
-            const Tile& tile = tiles[t - before];
-            open_part(from, tile, now, element, part);
-            for (std::int32_t i = 0; i < tile.rows; ++i) {
-                part.write_row(i, into.row(tile.row + i).data() + tile.col);
-                const auto lowered = part.limits.row(i);
-                const auto here =
-                    limits.row(tile.row + i).subspan(static_cast<std::size_t>(tile.col), lowered.size());
-                if (begins)
-                    std::ranges::copy(lowered, here.begin());
-                else
-                    lower_row(lowered, here);
-            }
-        });
+        threads.for_each_with_scratch<OpenedPart>(
+            before + tiles.size(), [&](std::size_t t, OpenedPart& part) {
+                if (t < before)
+                    return first();
+                const Tile& tile = tiles[t - before];
+                open_part(from, tile, now, element, part);
+                for (std::int32_t i = 0; i < tile.rows; ++i) {
+                    part.write_row(i, into.row(tile.row + i).data() + tile.col);
+                    const auto lowered = part.limits.row(i);
+                    const auto here =
+                        limits.row(tile.row + i).subspan(static_cast<std::size_t>(tile.col), lowered.size());
+                    if (begins)
+                        std::ranges::copy(lowered, here.begin());
+                    else
+                        lower_row(lowered, here);
+                }
+            });
         std::swap(left, into);
         steps = steps.subspan(now.size());
     }
@@ -158,12 +159,12 @@ MetreGrid open_whole(const MetreGrid& surface, std::span<const Step> steps, Elem
 
 void lower_limits(MetreGrid& limits, const AlignedGrid& fine, const AlignedGrid& coarse,
                   const MetreGrid& coarse_limits, Executor& threads) {
-    const MetreGrid around = with_neighbours_limits(coarse_limits, coarse.cell, threads);
+    const MetreGrid around = spread_limits(coarse_limits, coarse.cell, threads);
     for_row_bands(threads, limits.rows, limits.cols, [&](RowBand band) {
         std::vector<float> spread(static_cast<std::size_t>(limits.cols));
         for (std::int32_t i = band.begin; i < band.end; ++i) {
             const std::int32_t row = block_of(fine.first_row + i, twice.down) - coarse.first_row;
-            spread_blocks(around.row(row), fine.first_col, twice.across, spread);
+            copy_blocks_to_cells(around.row(row), fine.first_col, twice.across, spread);
             lower_row(spread, limits.row(i));
         }
     });
@@ -171,9 +172,9 @@ void lower_limits(MetreGrid& limits, const AlignedGrid& fine, const AlignedGrid&
 
 }  // namespace
 
-MetreGrid with_neighbours_limits(const MetreGrid& limits, const CellSize& cell, Executor& threads) {
-    MetreGrid around = lowest_around(limits, threads);
-    const auto rise = static_cast<float>(neighbour_slope * smaller_side(cell));
+MetreGrid spread_limits(const MetreGrid& limits, const CellSize& cell, Executor& threads) {
+    MetreGrid around = minimum_3x3(limits, threads);
+    const auto rise = static_cast<float>(limit_slope * smaller_side(cell));
     for_row_bands(threads, limits.rows, limits.cols, [&](RowBand band) {
         for (std::int32_t i = band.begin; i < band.end; ++i) {
             for (float& limit : around.row(i))
@@ -184,8 +185,8 @@ MetreGrid with_neighbours_limits(const MetreGrid& limits, const CellSize& cell, 
     return around;
 }
 
-OpeningSteps opening_steps(const StructuringElements& elements, const CellSize& cell) {
-    OpeningSteps series{{}, elements.radius};
+ElementSeries element_series(const OpeningParameters& elements, const CellSize& cell) {
+    ElementSeries series{{}, elements.radius};
     const Radius border = in_cells(elements.border_reach, cell);
     double& radius = series.next_radius;
     while (radius <= elements.last_radius * 1.0001) {
@@ -203,14 +204,14 @@ OpeningSteps opening_steps(const StructuringElements& elements, const CellSize& 
 }
 
 void OpenedPart::write_row(std::int32_t i, float* out) const {
-    if (in_steps)
-        whole.in_metres(row(whole.surface, i), out);
+    if (is_quantized)
+        quantized.to_metres(row(quantized.surface, i), out);
     else
         std::ranges::copy(row(surface, i), out);
 }
 
-void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Element element,
-               OpenedPart& part) {
+void open_part(const MetreGrid& surface, const Tile& tile, std::span<const StructuringElement> steps,
+               ElementShape element, OpenedPart& part) {
     part.tile = tile;
     part.place = widened(tile, reach_of(steps), surface);
     part.grid_rows = surface.rows;
@@ -218,38 +219,38 @@ void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step>
     part.limits.rows = tile.rows;
     part.limits.cols = tile.cols;
     part.limits.values.assign(part.limits.index(tile.rows, 0), no_value);
-    part.in_steps = part.whole.take(surface, part.place);
-    if (part.in_steps)
-        return open_whole_steps(part, steps, element);
+    part.is_quantized = part.quantized.take(surface, part.place);
+    if (part.is_quantized)
+        return open_quantized(part, steps, element);
     copy_tile(surface, part.place, part.surface);
-    part.workspace.gaps = part.whole.gaps;
-    for (const Step& step : steps) {
+    part.workspace.gaps = part.quantized.gaps;
+    for (const StructuringElement& step : steps) {
         open(element, part.surface, step.radius, step.outside, part.workspace, part.next);
         set_limits(part, step);
         std::swap(part.surface, part.next);
     }
 }
 
-MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements, Element element,
-                           Executor& threads, std::function<void()> beside) {
-    std::vector<AlignedGrid> levels{shape_of(surface)};
+MetreGrid limits_on_blocks(const AlignedGrid& surface, const OpeningParameters& elements,
+                           ElementShape element, Executor& threads, std::function<void()> beside) {
+    std::vector<AlignedGrid> levels{without_values(surface)};
     std::vector<MetreGrid> limits;
     const MetreGrid* cells = &surface.grid;
     MetreGrid blocks;
-    StructuringElements here = elements;
+    OpeningParameters here = elements;
     for (;;) {
         const CellSize& size = levels.back().cell;
-        here.last_radius = std::min(elements.last_radius, widest_in_cells * smaller_side(size));
-        const OpeningSteps series = opening_steps(here, size);
+        here.last_radius = std::min(elements.last_radius, max_radius_in_cells * smaller_side(size));
+        const ElementSeries series = element_series(here, size);
         limits.push_back(series.steps.empty() ? MetreGrid(cells->rows, cells->cols, no_value, threads)
                                               : MetreGrid::unset(cells->rows, cells->cols, threads));
-        MetreGrid left = open_whole(*cells, series.steps, element, limits.back(), threads, beside);
+        MetreGrid left = open_grid(*cells, series.steps, element, limits.back(), threads, beside);
         here.radius = series.next_radius;
         if (here.radius > elements.last_radius * 1.0001)
             break;
         AlignedGrid coarse =
-            lowest_of_blocks(levels.back(), series.steps.empty() ? *cells : left, twice, threads);
-        levels.push_back(shape_of(coarse));
+            block_minima(levels.back(), series.steps.empty() ? *cells : left, twice, threads);
+        levels.push_back(without_values(coarse));
         blocks = std::move(coarse.grid);
         cells = &blocks;
     }

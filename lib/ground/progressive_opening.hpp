@@ -6,13 +6,12 @@
 
 #include "ground/aligned_grid.hpp"
 #include "ground/opening.hpp"
-#include "ground/tiles.hpp"
-#include "ground/whole_steps.hpp"
+#include "ground/quantized_elevations.hpp"
 
 namespace d2b::ground {
 
 /// Sequence of structuring elements, and the height above their openings that makes an object.
-struct StructuringElements {
+struct OpeningParameters {
     double radius = 1;         ///< radius of the next element, metres
     double last_radius = 1;    ///< radius of the widest element
     double rise = 0;           ///< an object rises above the opened surface by this ...
@@ -24,7 +23,7 @@ struct StructuringElements {
 };
 
 /// Structuring element in cells.
-struct Step {
+struct StructuringElement {
     Radius radius;
     Radius outside;          ///< extent beyond the grid
     float rise = 0;          ///< height of an object above the opened surface
@@ -33,11 +32,11 @@ struct Step {
 };
 
 /// Successive openings of a grid with cells of one size.
-struct OpeningSteps {
-    std::vector<Step> steps;
+struct ElementSeries {
+    std::vector<StructuringElement> steps;
     double next_radius = 0;  ///< radius of the next element, metres
 };
-[[nodiscard]] OpeningSteps opening_steps(const StructuringElements& elements, const CellSize& cell);
+[[nodiscard]] ElementSeries element_series(const OpeningParameters& elements, const CellSize& cell);
 
 /// Part of a grid after removal of objects up to some width, and the height above which a cell was part of
 /// one, `no_value` if it was not. Reused, so that memory is allocated once.
@@ -46,9 +45,9 @@ struct OpenedPart {
     Tile place;  ///< part with the surroundings that its elements need
     std::int32_t grid_rows = 0;
     std::int32_t grid_cols = 0;
-    MetreGrid limits;       ///< covers `tile`
-    bool in_steps = false;  ///< true if the surface is stored as integers
-    WholeSteps whole;
+    MetreGrid limits;           ///< covers `tile`
+    bool is_quantized = false;  ///< true if the surface is stored as integers
+    QuantizedElevations quantized;
     MetreGrid surface;  ///< covers `place`, but is correct only in `tile`
     MetreGrid next;
     Workspace<float> workspace;
@@ -66,19 +65,18 @@ struct OpenedPart {
 
 /// Progressive opening as in SMRF (Pingel, Clarke and McBride, 2013): each element opens the result of the
 /// previous one.
-void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Step> steps, Element element,
-               OpenedPart& part);
+void open_part(const MetreGrid& surface, const Tile& tile, std::span<const StructuringElement> steps,
+               ElementShape element, OpenedPart& part);
 
 /// Same for all cells, but wider elements are applied to a pyramid of 2 x 2 blocks, so that the cost per cell
 /// does not grow with the widest element. @return the limits
 /// @param beside independent single-threaded work, done once while the other threads open
-[[nodiscard]] MetreGrid limits_on_blocks(const AlignedGrid& surface, const StructuringElements& elements,
-                                         Element element, Executor& threads,
+[[nodiscard]] MetreGrid limits_on_blocks(const AlignedGrid& surface, const OpeningParameters& elements,
+                                         ElementShape element, Executor& threads,
                                          std::function<void()> beside = {});
 
 /// Applies the limit of a block also to its neighbours, plus the height that ground may rise in between,
 /// because walls do not follow blocks.
-[[nodiscard]] MetreGrid with_neighbours_limits(const MetreGrid& limits, const CellSize& cell,
-                                               Executor& threads);
+[[nodiscard]] MetreGrid spread_limits(const MetreGrid& limits, const CellSize& cell, Executor& threads);
 
 }  // namespace d2b::ground

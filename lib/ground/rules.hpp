@@ -7,11 +7,11 @@ namespace d2b::ground {
 /// Parameters of the ground filter, in metres and metres per metre. One set for all places, without options.
 /// The defaults are for cells of up to one metre, see rules_for().
 struct Rules {
-    double work_cell = 1;     ///< approximate cell size of the grid for small objects
-    double pit_depth = 5;     ///< depth of a low outlier below the lowest ground around it
-    double pit_radius = 1;    ///< outliers are closed by an element of this radius
-    double pit_reach = 25;    ///< radius of "around it"
-    double border_reach = 8;  ///< elements extend into the raster at least this far at its border
+    double work_cell = 1;       ///< approximate cell size of the grid for small objects
+    double outlier_depth = 5;   ///< depth of a low outlier below the lowest ground around it
+    double outlier_radius = 1;  ///< outliers are closed by an element of this radius
+    double outlier_reach = 25;  ///< radius of "around it"
+    double border_reach = 8;    ///< elements extend into the raster at least this far at its border
 
     double small_growth = 1.2;   ///< between elements, but at least one cell
     double small_radius = 8;     ///< radius of the widest element for small objects

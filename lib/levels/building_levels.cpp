@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/equal_runs.hpp"
+#include "core/grid.hpp"
 #include "levels/natural_breaks.hpp"
 
 namespace d2b {
@@ -27,7 +27,7 @@ std::vector<double> slices(const PointStats& stats, const FixedPoint& fixed, int
 }
 
 /// @param price price in square metres of a point
-std::vector<double> breaks(const ElevationHistogram& histogram, int lod, const BreakPrice& price,
+std::vector<double> breaks(const ElevationHistogram& histogram, int lod, const BreakPenalty& price,
                            double metres) {
     // More bins than a building of 100 m has in tenths; higher ones get wider bins.
     constexpr std::size_t most_bins = 1024;
@@ -46,7 +46,7 @@ std::vector<double> breaks(const ElevationHistogram& histogram, int lod, const B
 /// pass for a tier; therefore a threshold has to reduce the error by as much as some points that are a metre
 /// off.
 /// @param border_price price of a border of one cell, in square metres of a point
-BreakPrice price_of(const PointStats& stats, double border_price) {
+BreakPenalty price_of(const PointStats& stats, double border_price) {
     constexpr double least_share = 0.029;
     constexpr double least_error = 10;  // square metres of a point
     if (!(border_price > 0))
@@ -54,7 +54,7 @@ BreakPrice price_of(const PointStats& stats, double border_price) {
     return {least_error + border_price * 2 * std::sqrt(static_cast<double>(stats.n)), least_share};
 }
 
-void add_even(std::span<const double> cells, Label label, std::vector<EvenCells>& to) {
+void add_even(std::span<const double> cells, Label label, std::vector<ConstantRun>& to) {
     for (std::size_t c = 0; c < cells.size();) {
         const double z = cells[c];
         const std::size_t first = c++;
@@ -78,8 +78,8 @@ std::vector<double> own_thresholds(const BuildingStatistics& statistics, Label l
 
 }  // namespace
 
-std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBand& labels) {
-    std::vector<EvenCells> result;
+std::vector<ConstantRun> constant_runs(const ElevationBand& elevations, const LabelBand& labels) {
+    std::vector<ConstantRun> result;
     for (std::int32_t r = 0; r < elevations.shape.rows; ++r) {
         const std::span<const double> row = elevations.row(r);
         for_equal_runs(labels.row(r), [&](std::int32_t begin, std::int32_t end, Label label) {
@@ -90,14 +90,14 @@ std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBa
     return result;
 }
 
-std::vector<EvenCells> even_cells(const BuildingCells& cells, Label label) {
-    std::vector<EvenCells> result;
+std::vector<ConstantRun> constant_runs(const BuildingCells& cells, Label label) {
+    std::vector<ConstantRun> result;
     add_even(cells.elevations, label, result);
     return result;
 }
 
-void BuildingStatistics::add(const std::vector<EvenCells>& cells) {
-    for (const EvenCells& even : cells) {
+void BuildingStatistics::add(const std::vector<ConstantRun>& cells) {
+    for (const ConstantRun& even : cells) {
         stats_[even.label].add(even.elevation, even.cells, fixed_);
         if (!histograms_.empty())
             histograms_[even.label].add(even.elevation * metres_, even.cells);

@@ -5,22 +5,23 @@
 
 #include "core/context.hpp"
 #include "dem2buildings/options.hpp"
-#include "levels/building_cells.hpp"
-#include "levels/elevation_histogram.hpp"
 #include "levels/level_plan.hpp"
+#include "levels/merge_regions.hpp"
+#include "levels/natural_breaks.hpp"
 
 namespace d2b {
 
 /// Run of adjacent cells with the same label and elevation.
-struct EvenCells {
+struct ConstantRun {
     Label label = 0;
     std::int64_t cells = 0;
     double elevation = 0;
 };
 /// Returns the runs of valid labelled cells of a band. Clean elevations have few runs for many cells.
-[[nodiscard]] std::vector<EvenCells> even_cells(const ElevationBand& elevations, const LabelBand& labels);
+[[nodiscard]] std::vector<ConstantRun> constant_runs(const ElevationBand& elevations,
+                                                     const LabelBand& labels);
 /// Returns the runs of valid cells of a building.
-[[nodiscard]] std::vector<EvenCells> even_cells(const BuildingCells& cells, Label label);
+[[nodiscard]] std::vector<ConstantRun> constant_runs(const BuildingCells& cells, Label label);
 
 /// Statistics that determine the thresholds of each building. Exact, so that the order of bands does not
 /// matter.
@@ -37,7 +38,7 @@ class BuildingStatistics {
           histograms_(metres > 0 ? stats_.size() : 0) {}
 
     /// Adds runs. Callable from several threads if no two of them have cells of the same label.
-    void add(const std::vector<EvenCells>& cells);
+    void add(const std::vector<ConstantRun>& cells);
     [[nodiscard]] const PointStats& of(Label label) const { return stats_[label]; }
     /// Requires histograms.
     [[nodiscard]] const ElevationHistogram& histogram(Label label) const { return histograms_[label]; }

@@ -1,16 +1,51 @@
 #include "levels/clean_tiers.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <mutex>
 #include <utility>
 #include <vector>
 
-#include "core/equal_runs.hpp"
-#include "core/stage_clock.hpp"
+#include "core/context.hpp"
+#include "core/grid.hpp"
 
 namespace d2b {
+namespace {
+
+bool same(double a, double b) {
+    return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+}  // namespace
+
+CleanRows::CleanRows(std::unique_ptr<Spool> spool, std::int32_t first_row, std::int32_t rows)
+    : spool_(std::move(spool)), slabs_(first_row, rows) {}
+
+void CleanRows::add(const BuildingCells& cells) {
+    std::size_t cell = 0;
+    for (std::size_t i = 0; i < cells.runs.size();) {
+        const std::size_t slab = slabs_.index(cells.runs[i].row);
+        ByteWriter writer;
+        for (; i < cells.runs.size() && slabs_.index(cells.runs[i].row) == slab; ++i) {
+            const BuildingCells::Run& run = cells.runs[i];
+            for (std::int32_t begin = run.begin; begin < run.end;) {
+                const double elevation = cells.elevations[cell];
+                std::int32_t end = begin;
+                for (; end < run.end && same(cells.elevations[cell], elevation); ++end)
+                    ++cell;
+                writer.put(Run{run.row, begin, end, 0, elevation});
+                begin = end;
+            }
+        }
+        const SpoolEntry entry = append(*spool_, writer);
+        const std::lock_guard lock(*mutex_);
+        slabs_[slab].push_back(entry);
+    }
+}
+
 namespace {
 
 /// Points gathered at a time: several bands per thread.
@@ -22,7 +57,7 @@ struct GatheredRows {
     std::vector<double> elevations;
 };
 
-GatheredRows gather(const ElevationBand& band, const LabelBand& labels) {
+GatheredRows gather_rows(const ElevationBand& band, const LabelBand& labels) {
     GatheredRows gathered;
     for (std::int32_t row = 0; row < band.shape.rows; ++row) {
         const auto elevations = band.row(row);
@@ -89,7 +124,7 @@ EndedBuildings take_ended(OpenBuildings& open, const std::vector<std::int32_t>& 
     return ended;
 }
 
-void clean(BuildingCells& cells, const RegionOptions& options, const StopRequest& stop) {
+void clean(BuildingCells& cells, const RegionOptions& options, const StopToken& stop) {
     const TierRegions regions = merge_regions(cells, options, stop);
     for (std::size_t i = 0; i < cells.elevations.size(); ++i) {
         const TierRegion& region = regions.regions[regions.of_cell[i]];
@@ -115,7 +150,7 @@ CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label co
         std::map<std::int32_t, GatheredRows> gathered;
         std::mutex mutex;
         reader.for_part(chunk, [&](const ElevationBand& band) {
-            GatheredRows here = gather(band, labels.band(band.shape));
+            GatheredRows here = gather_rows(band, labels.band(band.shape));
             const std::lock_guard lock(mutex);
             gathered.emplace(band.shape.first_row, std::move(here));
         });

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/band.hpp"
 #include "core/context.hpp"
 #include "dem2buildings/options.hpp"
 #include "elevations/statistics.hpp"
@@ -12,7 +13,7 @@ namespace d2b {
 
 /// Maximum number of levels of a label, including the root, because levels are stored in 16 bits and 0 means
 /// "not valid".
-inline constexpr int most_levels = std::numeric_limits<std::uint16_t>::max();
+inline constexpr int max_levels = std::numeric_limits<std::uint16_t>::max();
 
 /// Thresholds per label, ascending. A point belongs to level k if z > thresholds[label][k - 1], and to level
 /// 0, the root, if it is valid. Label 0 has no thresholds.
@@ -42,7 +43,24 @@ struct LevelPlan {
 /// Checks the number of levels of a plan.
 /// @param levels maximum number of levels of a label, including the root; a double, because an interval may
 /// yield more than an integer holds
-/// @throws OptionError if they exceed most_levels
+/// @throws OptionError if they exceed max_levels
 void check_level_count(double levels, const LevelOptions& options);
+
+/// Counts the levels of each point. Compares doubles strictly: a point on a threshold does not exceed it.
+/// Pointwise: no halo, no state.
+/// @tparam Count std::uint8_t or std::uint16_t, wide enough for plan.level_count()
+template <typename Count>
+[[nodiscard]] LevelBand<Count> quantise(const ElevationBand& elevations, const LabelBand& labels,
+                                        const LevelPlan& plan);
+
+/// Same, for one point.
+/// @param z NaN if not valid
+template <typename Count>
+[[nodiscard]] Count quantise(double z, Label label, const LevelPlan& plan);
+
+extern template std::uint8_t quantise(double, Label, const LevelPlan&);
+extern template std::uint16_t quantise(double, Label, const LevelPlan&);
+extern template LevelBand<std::uint8_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
+extern template LevelBand<std::uint16_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 
 }  // namespace d2b

@@ -1,12 +1,24 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "core/stop_request.hpp"
-#include "levels/building_cells.hpp"
+#include "core/stop_token.hpp"
 
 namespace d2b {
+
+/// Cells of one building and their elevations.
+struct BuildingCells {
+    struct Run {
+        std::int32_t row = 0;
+        std::int32_t begin = 0;  ///< first column
+        std::int32_t end = 0;
+        [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end - begin); }
+    };
+    std::vector<Run> runs;           ///< runs in scan order; those of a row do not touch
+    std::vector<double> elevations;  ///< by cell of the runs; NaN if not valid
+};
 
 /// Connected cells of a building that form one tier.
 struct TierRegion {
@@ -34,6 +46,6 @@ struct RegionOptions {
 /// depends on the building's cells.
 /// @throws Cancelled
 [[nodiscard]] TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& options,
-                                        const StopRequest& stop = {});
+                                        const StopToken& stop = {});
 
 }  // namespace d2b

@@ -1,17 +1,154 @@
 #include "options/option_checks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "options/option_rules.hpp"
-#include "options/sweep_plan.hpp"
+#include "options/option_values.hpp"
 
 namespace d2b {
+namespace {
+
+constexpr std::string_view one_window = "give one of -srcwin, -projwin and -te";
+constexpr std::string_view sweep_levels = "the levels of a sweep are those of its lod";
+constexpr std::string_view own_values = "the sweep names the values itself";
+constexpr std::string_view no_layers = "a sweep writes no layers and no rasters";
+constexpr std::string_view round_walls = "round walls come from -regularize auto alone";
+constexpr std::string_view thesis_walls = "its outlines stay as traced unless -regularize auto is given";
+
+constexpr std::string_view flow_walls = "arcs are short walls, which are merged";
+
+constexpr OptionCondition given(std::string_view name) {
+    return {name};
+}
+constexpr OptionCondition is(std::string_view name, std::string_view value) {
+    return {name, Match::equal, value};
+}
+constexpr OptionCondition is_not(std::string_view name, std::string_view value) {
+    return {name, Match::other, value};
+}
+constexpr OptionCondition names(std::string_view name, std::string_view part) {
+    return {name, Match::names, part};
+}
+
+constexpr OptionRule exclude(OptionCondition one, OptionCondition other, std::string_view advice) {
+    return {RuleKind::exclude, one, other, advice};
+}
+constexpr OptionRule no_effect(OptionCondition one, OptionCondition other, std::string_view advice,
+                               OptionCondition unless = {}) {
+    return {RuleKind::no_effect, one, other, advice, unless};
+}
+
+constexpr std::array rules{
+    exclude(given("fl"), given("i"), "list the levels or give an interval"),
+    exclude(given("lod"), given("fl"), "the listed levels take the place of those of -lod"),
+    exclude(given("lod"), given("i"), "the interval takes the place of -lod"),
+    exclude(given("sweep"), given("fl"), sweep_levels),
+    exclude(given("sweep"), given("i"), sweep_levels),
+    exclude(given("srcwin"), given("projwin"), one_window),
+    exclude(given("srcwin"), given("te"), one_window),
+    exclude(given("projwin"), given("te"), one_window),
+    exclude(given("snodata"), given("inodata"), "set a NoData value or ignore it"),
+    exclude(given("overwrite"), given("append"), "replace the layers or add to them"),
+    exclude(is_not("simplify", "0"), is_not("regularize", "off"), "straight walls need no simplification"),
+
+    // Levels.
+    no_effect(given("levels"), given("fl"), "the listed levels are the same for all buildings"),
+    no_effect(given("levels"), given("i"), "the levels of an interval are the same for all buildings"),
+    no_effect(given("lod"), names("sweep", "lod"), own_values),
+    no_effect(given("nf"), names("sweep", "nf"), own_values),
+    no_effect(given("detail"), names("sweep", "detail"), own_values),
+
+    // Outlines and layers.
+    no_effect(given("arcs"), is_not("simplify", "0"), "simplified outlines have no straight walls"),
+    no_effect(given("arcs"), is("regularize", "off"), round_walls),
+    no_effect(given("regularize_tolerance"), is_not("simplify", "0"),
+              "simplified outlines have no straight walls"),
+    no_effect(given("regularize_tolerance"), is("regularize", "off"), "it says how walls become straight"),
+    no_effect(given("wall_inset"), is_not("simplify", "0"), "simplified outlines have no straight walls"),
+    no_effect(given("wall_inset"), is("regularize", "off"), "it moves straight walls"),
+    no_effect(given("wall_inset"), is("preset", "thesis"), thesis_walls, given("regularize")),
+    no_effect(given("arcs"), is("regularize", "right"), round_walls),
+    no_effect(given("arcs"), is("regularize", "free"), round_walls),
+    no_effect(given("arcs"), given("t_srs"), "a circle in one CRS is no circle in another"),
+    no_effect(given("arcs"), is("preset", "thesis"), thesis_walls, given("regularize")),
+    no_effect(given("arcs"), is_not("flow_ready", "0"), flow_walls),
+    no_effect(given("arcs"), given("min_gap"), flow_walls),
+    no_effect(given("arcs"), given("min_wall"), flow_walls),
+    no_effect(given("regularize_tolerance"), is("preset", "thesis"), thesis_walls, given("regularize")),
+    no_effect(given("disjoint"), is("layers", "buildings"),
+              "contours alone become bands, with -layers contours or both"),
+    no_effect(is_not("fields", "own"), is("layers", "contours"), "only fields of buildings have other names",
+              given("write_doubtful")),
+    no_effect(given("split_field"), is("layers", "contours"), "only buildings say whose parcel they are",
+              given("write_doubtful")),
+    no_effect(given("write_doubtful"), is("min_confidence", "0"), "nothing is doubtful then"),
+    no_effect(given("max_building_width"), is_not("ground", "auto"),
+              "it helps to find the ground, which is given"),
+
+    // Surfaces.
+    no_effect(given("surface_roof"), is("surface_of", "contours"), "tiers have heights of their own"),
+    no_effect(given("surface_roof"), is("preset", "thesis"),
+              "its surface is that of the contours unless -surface_of buildings is given",
+              given("surface_of")),
+
+    // -sweep.
+    no_effect(names("sweep", "detail"), is("preset", "thesis"), "it detects no buildings"),
+    no_effect(given("layers"), given("sweep"), no_layers),
+    no_effect(given("3d"), given("sweep"), no_layers),
+    no_effect(given("f"), given("sweep"), no_layers),
+    no_effect(given("dsco"), given("sweep"), no_layers),
+    no_effect(given("lco"), given("sweep"), no_layers),
+    no_effect(given("nln"), given("sweep"), no_layers),
+    no_effect(given("append"), given("sweep"), no_layers),
+    no_effect(given("fields"), given("sweep"), no_layers),
+    no_effect(given("split_field"), given("sweep"), no_layers),
+    no_effect(given("arcs"), given("sweep"), no_layers),
+    no_effect(given("write_doubtful"), given("sweep"), no_layers),
+    no_effect(given("write_rejected"), given("sweep"), no_layers),
+    no_effect(given("write_problems"), given("sweep"), no_layers),
+    no_effect(given("write_ground"), given("sweep"), no_layers),
+    no_effect(given("write_height"), given("sweep"), no_layers),
+    no_effect(given("write_canopy"), given("sweep"), no_layers),
+    no_effect(given("surface"), given("sweep"), no_layers),
+    no_effect(given("page"), given("sweep"), no_layers),
+    no_effect(given("overwrite"), given("sweep"), "it writes a picture at most, with -preview",
+              given("preview")),
+};
+
+constexpr std::array needs{
+    OptionDependency{"off", "i", "it is the elevation that the intervals count from"},
+    OptionDependency{"cutline_layer", "cutline", "it names the layer of its polygons"},
+    OptionDependency{"preview_size", "preview", "it is the size of its picture"},
+    OptionDependency{"surface_of", "surface", "it says what the surface is made of"},
+    OptionDependency{"surface_roof", "surface", "it is the height of its flat roofs"},
+    OptionDependency{"surface_solids", "surface", "it says how many objects an OBJ has, or solids an STL"},
+    OptionDependency{"surface_origin", "surface", "its coordinates begin there"},
+    OptionDependency{"write_problems",
+                     "surface",
+                     "what it writes was in the way of a surface or a flow solver",
+                     {"flow_ready", "min_gap", "min_wall"}},
+    OptionDependency{"mask_layer", "mask", "it names the layer of its polygons"},
+    OptionDependency{"split_layer", "split_by", "it names the layer of the parcels"},
+    OptionDependency{"split_field", "split_by", "it is a field of the parcels"},
+    OptionDependency{"split_width", "split_by", "it is the width of what parcels cut off"},
+};
+
+}  // namespace
+
+std::span<const OptionRule> option_rules() {
+    return rules;
+}
+
+std::span<const OptionDependency> option_dependencies() {
+    return needs;
+}
+
 namespace {
 
 std::string lower(std::string_view text) {
@@ -40,7 +177,7 @@ std::size_t edit_distance(std::string_view one, std::string_view other) {
 }
 
 /// Returns true if an option set to `value` matches the use.
-bool is_so(const OptionUse& use, const std::string& value) {
+bool matches(const OptionCondition& use, const std::string& value) {
     switch (use.match) {
         case Match::any:
             break;
@@ -55,7 +192,7 @@ bool is_so(const OptionUse& use, const std::string& value) {
 }
 
 /// Formats the use as on a command line.
-std::string written(const OptionUse& use, const Request& request) {
+std::string written(const OptionCondition& use, const Request& request) {
     std::string option = "-" + std::string(use.name);
     switch (use.match) {
         case Match::any:
@@ -69,9 +206,9 @@ std::string written(const OptionUse& use, const Request& request) {
     return option;
 }
 
-bool holds(const OptionUse& use, const Request& request) {
+bool holds(const OptionCondition& use, const Request& request) {
     const OptionRow& row = *find_option(use.name);
-    return row.is_given(request) && is_so(use, row.show(request));
+    return row.is_given(request) && matches(use, row.show(request));
 }
 
 bool is_broken(const OptionRule& rule, const Request& request) {
@@ -89,7 +226,7 @@ void check_rule(const OptionRule& rule, const Request& request) {
 }
 
 /// Returns "-surface <file>, -flow_ready <m> or -min_gap <m>".
-std::string choices_of(const OptionNeed& need) {
+std::string needed_alternatives(const OptionDependency& need) {
     std::string text = option_synopsis(*find_option(need.needed));
     for (std::size_t i = 0; i < need.or_else.size() && !need.or_else[i].empty(); ++i) {
         const bool is_last = i + 1 == need.or_else.size() || need.or_else[i + 1].empty();
@@ -98,13 +235,13 @@ std::string choices_of(const OptionNeed& need) {
     return text;
 }
 
-void check_need(const OptionNeed& need, const Request& request) {
+void check_need(const OptionDependency& need, const Request& request) {
     const OptionRow& needed = *find_option(need.needed);
     const bool has_another = std::ranges::any_of(need.or_else, [&](std::string_view other) {
         return !other.empty() && find_option(other)->is_given(request);
     });
     if (find_option(need.name)->is_given(request) && !needed.is_given(request) && !has_another)
-        throw OptionError("-" + std::string(need.name) + " needs " + choices_of(need) + "; " +
+        throw OptionError("-" + std::string(need.name) + " needs " + needed_alternatives(need) + "; " +
                           std::string(need.advice) + ".");
 }
 
@@ -149,7 +286,7 @@ void check_options(const Request& request) {
     for (const OptionRule& rule : option_rules())
         check_rule(rule, request);
     check_preset(request);
-    for (const OptionNeed& need : option_needs())
+    for (const OptionDependency& need : option_dependencies())
         check_need(need, request);
     check_offset(request.options.levels);
     check_solids(request);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -8,9 +9,51 @@
 
 namespace d2b {
 
-/// Checks the options against the preset, option_rules() and option_needs(). Only options that were given
-/// count, see OptionRow::is_given. @throws OptionError if an option has no meaning in the preset, excludes
-/// another, has no effect with another or needs one that is missing, or if intervals cannot be counted
+enum class Match {
+    any,    ///< any value
+    equal,  ///< this value
+    other,  ///< any value except this one
+    names   ///< a value that names this: "lod" in "lod=1..6,nf=5"
+};
+
+/// Condition on a given option. Values are texts as returned by OptionRow::show.
+struct OptionCondition {
+    std::string_view name{};  ///< without dash
+    Match match = Match::any;
+    std::string_view value{};
+};
+
+enum class RuleKind {
+    exclude,   ///< both cannot hold
+    no_effect  ///< the first changes nothing if the second holds
+};
+
+/// Two uses of options that are refused together.
+struct OptionRule {
+    RuleKind kind = RuleKind::exclude;
+    OptionCondition one{};
+    OptionCondition other{};
+    std::string_view advice{};  ///< ends the sentence
+    OptionCondition
+        unless{};  ///< exception: with this third use the two make sense; ignored if it has no name
+};
+
+/// Option that is meaningless without another.
+struct OptionDependency {
+    std::string_view name{};
+    std::string_view needed{};
+    std::string_view advice{};                  ///< ends the sentence
+    std::array<std::string_view, 3> or_else{};  ///< alternatives to `needed`
+};
+
+/// Rules in the order of checking.
+[[nodiscard]] std::span<const OptionRule> option_rules();
+[[nodiscard]] std::span<const OptionDependency> option_dependencies();
+
+/// Checks the options against the preset, option_rules() and option_dependencies(). Only options that were
+/// given count, see OptionRow::is_given. @throws OptionError if an option has no meaning in the preset,
+/// excludes another, has no effect with another or needs one that is missing, or if intervals cannot be
+/// counted
 void check_options(const Request& request);
 
 /// Returns true if the value of an option matters, given the other options.

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "options/option_table.hpp"
 #include "options/option_values.hpp"
 
@@ -31,7 +31,7 @@ using Texts = std::vector<std::string>;
 enum class Python { none, extract_file, everywhere };
 
 /// Properties of a row apart from its name, its values and the field that they set.
-struct Columns {
+struct RowProperties {
     std::string title{};
     DialogSection section = DialogSection::advanced;
     std::string help{};
@@ -45,30 +45,32 @@ struct Columns {
     std::string item{};
 };
 
-[[nodiscard]] OptionRow described(std::string name, OptionKind kind, std::string values, Columns columns);
+[[nodiscard]] OptionRow make_row(std::string name, OptionKind kind, std::string values,
+                                 RowProperties columns);
 
 /// Scope of options that need building detection. @param elsewhere value that switches the option off; "" if
 /// there is none
-[[nodiscard]] PresetScope where_buildings_are_found(std::string elsewhere = "");
+[[nodiscard]] PresetScope detection_scope(std::string elsewhere = "");
 
 // Below, `field` is a generic lambda from a (const) Request to a reference to the field that the option sets,
 // so that a row cannot read one field and write another.
 
 template <class Field>
-OptionRow switch_row(std::string name, Field field, Columns columns) {
-    OptionRow row = described(std::move(name), OptionKind::toggle, "", std::move(columns));
+OptionRow switch_row(std::string name, Field field, RowProperties columns) {
+    OptionRow row = make_row(std::move(name), OptionKind::toggle, "", std::move(columns));
     row.apply = [field](Request& request, OptionValues) { field(request) = true; };
     row.texts = [field](const Request& request) { return field(request) ? Texts{"yes"} : Texts{}; };
     return row;
 }
 
 template <class Field>
-OptionRow whole_row(std::string name, std::string values, NumberRange range, Field field, Columns columns) {
-    OptionRow row = described(std::move(name), OptionKind::whole, std::move(values), std::move(columns));
+OptionRow integer_row(std::string name, std::string values, NumberRange range, Field field,
+                      RowProperties columns) {
+    OptionRow row = make_row(std::move(name), OptionKind::whole, std::move(values), std::move(columns));
     row.range = range.text("a whole number");
     row.numbers = range;
     row.apply = [field, range, name = row.name](Request& request, OptionValues texts) {
-        field(request) = parse_whole(name, range, texts[0]);
+        field(request) = parse_integer(name, range, texts[0]);
     };
     row.texts = [field](const Request& request) { return Texts{std::to_string(field(request))}; };
     return row;
@@ -82,8 +84,9 @@ OptionRow whole_row(std::string name, std::string values, NumberRange range, Fie
 }
 
 template <class Field>
-OptionRow number_row(std::string name, std::string values, NumberRange range, Field field, Columns columns) {
-    OptionRow row = described(std::move(name), OptionKind::number, std::move(values), std::move(columns));
+OptionRow number_row(std::string name, std::string values, NumberRange range, Field field,
+                     RowProperties columns) {
+    OptionRow row = make_row(std::move(name), OptionKind::number, std::move(values), std::move(columns));
     row.range = range.text("a number");
     row.numbers = range;
     row.apply = [field, range, name = row.name](Request& request, OptionValues texts) {
@@ -101,8 +104,8 @@ using Four = std::array<double, 4>;
 /// function
 template <std::size_t n, class Field>
 OptionRow several_row(std::string name, OptionKind kind, std::string values, std::string range,
-                      bool (*fits)(const std::array<double, n>&), Field field, Columns columns) {
-    OptionRow row = described(std::move(name), kind, std::move(values), std::move(columns));
+                      bool (*fits)(const std::array<double, n>&), Field field, RowProperties columns) {
+    OptionRow row = make_row(std::move(name), kind, std::move(values), std::move(columns));
     row.arity = Arity::several;
     row.count = n;
     row.range = std::move(range);
@@ -128,8 +131,9 @@ OptionRow several_row(std::string name, OptionKind kind, std::string values, std
 }
 
 template <class Field>
-OptionRow text_row(std::string name, OptionKind kind, std::string values, Field field, Columns columns) {
-    OptionRow row = described(std::move(name), kind, std::move(values), std::move(columns));
+OptionRow text_row(std::string name, OptionKind kind, std::string values, Field field,
+                   RowProperties columns) {
+    OptionRow row = make_row(std::move(name), kind, std::move(values), std::move(columns));
     row.apply = [field](Request& request, OptionValues texts) { field(request) = texts[0]; };
     row.texts = [field](const Request& request) {
         return field(request).empty() ? Texts{} : Texts{field(request)};
@@ -169,9 +173,9 @@ template <class Value, class Chosen>
 
 /// Row of an option that takes one of a few words.
 template <class Value, class Field>
-OptionRow choice_row(std::string name, const Choices<Value>& choices, Field field, Columns columns) {
+OptionRow choice_row(std::string name, const Choices<Value>& choices, Field field, RowProperties columns) {
     const Texts words = words_of(choices);
-    OptionRow row = described(std::move(name), OptionKind::choice, joined(words, "|"), std::move(columns));
+    OptionRow row = make_row(std::move(name), OptionKind::choice, joined(words, "|"), std::move(columns));
     row.choices = words;
     row.range = alternatives(words);
     row.apply = [field, choices, name = row.name, range = row.range](Request& request, OptionValues texts) {
@@ -186,8 +190,9 @@ OptionRow choice_row(std::string name, const Choices<Value>& choices, Field fiel
 
 /// Row of a repeatable option whose texts accumulate. @param range "NAME=VALUE", or "" if any text is valid
 template <class Field>
-OptionRow texts_row(std::string name, std::string values, std::string range, Field field, Columns columns) {
-    OptionRow row = described(std::move(name), OptionKind::text, std::move(values), std::move(columns));
+OptionRow list_row(std::string name, std::string values, std::string range, Field field,
+                   RowProperties columns) {
+    OptionRow row = make_row(std::move(name), OptionKind::text, std::move(values), std::move(columns));
     row.repeatable = true;
     row.range = std::move(range);
     row.apply = [field, name = row.name, text = row.range](Request& request, OptionValues texts) {

@@ -23,16 +23,16 @@ OptionRow preset() {
 OptionRow ground() {
     const Choices<GroundMode> modes{{"auto", GroundMode::automatic}, {"none", GroundMode::none}};
     OptionRow row =
-        described("ground", OptionKind::terrain, joined(words_of(modes), "|") + "|<terrain model>",
-                  {.title = "How the ground is found",
-                   .section = DialogSection::ground,
-                   .help = "The ground below the buildings.",
-                   .details = "auto: the program estimates it from the input. none: the input holds heights "
-                              "above ground. A terrain model is any raster that GDAL reads; the program "
-                              "converts it to the cells, CRS and unit of the input. A file called auto or "
-                              "none needs its path: ./auto.",
-                   .scope = where_buildings_are_found("none"),
-                   .item = "GROUND"});
+        make_row("ground", OptionKind::terrain, joined(words_of(modes), "|") + "|<terrain model>",
+                 {.title = "How the ground is found",
+                  .section = DialogSection::ground,
+                  .help = "The ground below the buildings.",
+                  .details = "auto: the program estimates it from the input. none: the input holds heights "
+                             "above ground. A terrain model is any raster that GDAL reads; the program "
+                             "converts it to the cells, CRS and unit of the input. A file called auto or "
+                             "none needs its path: ./auto.",
+                  .scope = detection_scope("none"),
+                  .item = "GROUND"});
     row.choices = words_of(modes);
     row.apply = [modes](Request& request, OptionValues texts) {
         GroundOptions& ground = request.options.ground;
@@ -58,19 +58,19 @@ std::vector<OptionRow> parcels() {
          .details = "Any dataset that GDAL reads, in any CRS. Each part is a building of its own, and "
                     "parts share their wall exactly. The field parcel holds the identifier of the "
                     "polygon. -split_height divides the parts further.",
-         .scope = where_buildings_are_found(),
+         .scope = detection_scope(),
          .item = "SPLIT_BY"}));
     rows.push_back(text_row("split_layer", OptionKind::text, "<layer>",
                             [](auto& r) -> auto& { return r.options.detect.split_layer; },
                             {.title = "Layer of the parcels",
                              .help = "Layer of -split_by; by default the first that has geometries.",
-                             .scope = where_buildings_are_found()}));
+                             .scope = detection_scope()}));
     rows.push_back(
         text_row("split_field", OptionKind::text, "<field>",
                  [](auto& r) -> auto& { return r.options.detect.split_field; },
                  {.title = "Field that identifies a parcel",
                   .help = "Field of -split_by that identifies a parcel; by default the id of the feature.",
-                  .scope = where_buildings_are_found()}));
+                  .scope = detection_scope()}));
     rows.push_back(number_row(
         "split_width", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.split_width; },
         {.title = "Narrowest part that parcels cut off",
@@ -80,7 +80,7 @@ std::vector<OptionRow> parcels() {
          .details = "Parcels and walls never agree exactly. What is narrower stays with what lies beside it, "
                     "and a part smaller than -min_area with the neighbour it shares most with.",
          .unit = "m",
-         .scope = where_buildings_are_found(),
+         .scope = detection_scope(),
          .item = "SPLIT_WIDTH_M"}));
     return rows;
 }
@@ -95,7 +95,7 @@ std::vector<OptionRow> evidence() {
                     .help = "Least confidence of a building; less certain objects are left out.",
                     .details = "The confidence tells buildings from trees by smoothness, the step along the "
                                "border, and the tilt and size of the smooth pieces.",
-                    .scope = where_buildings_are_found(),
+                    .scope = detection_scope(),
                     .item = "MIN_CONFIDENCE"}));
     rows.push_back(
         text_row("mask", OptionKind::dataset, "<raster or polygons>",
@@ -104,21 +104,21 @@ std::vector<OptionRow> evidence() {
                   .section = DialogSection::trees,
                   .help = "Look for buildings only where this raster is not 0, or in these polygons.",
                   .details = "Any dataset that GDAL reads, in any CRS. The ground is estimated everywhere.",
-                  .scope = where_buildings_are_found(),
+                  .scope = detection_scope(),
                   .item = "MASK"}));
     rows.push_back(
         text_row("mask_layer", OptionKind::text, "<layer>",
                  [](auto& r) -> auto& { return r.options.detect.mask_layer; },
                  {.title = "Layer of the mask",
                   .help = "Layer of the polygons of -mask; by default the first that has geometries.",
-                  .scope = where_buildings_are_found()}));
+                  .scope = detection_scope()}));
     rows.push_back(text_row("ndvi", OptionKind::raster, "<raster>",
                             [](auto& r) -> auto& { return r.options.detect.ndvi; },
                             {.title = "Vegetation index (NDVI)",
                              .section = DialogSection::trees,
                              .help = "Vegetation index (NDVI) from -1 to 1, to tell trees from buildings.",
                              .details = "Values above 0.3 are plants.",
-                             .scope = where_buildings_are_found(),
+                             .scope = detection_scope(),
                              .item = "NDVI"}));
     rows.push_back(number_row(
         "split_height", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.split_height; },
@@ -130,7 +130,7 @@ std::vector<OptionRow> evidence() {
                     "smaller than -min_area stay with "
                     "their neighbour.",
          .unit = "m",
-         .scope = where_buildings_are_found("0"),
+         .scope = detection_scope("0"),
          .item = "SPLIT_HEIGHT_M"}));
     for (OptionRow& row : parcels())
         rows.push_back(std::move(row));
@@ -153,7 +153,7 @@ std::vector<OptionRow> buildings() {
                     .details = "For -ground auto. A larger width takes more time and follows hills less "
                                "closely.",
                     .unit = "m",
-                    .scope = where_buildings_are_found(),
+                    .scope = detection_scope(),
                     .item = "MAX_BUILDING_WIDTH_M"}));
     rows.push_back(number_row(
         "min_height", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.min_height; },
@@ -163,7 +163,7 @@ std::vector<OptionRow> buildings() {
          .details = "Lower parts of buildings are cut off. To keep only high buildings use "
                     "-min_building_height.",
          .unit = "m",
-         .scope = where_buildings_are_found(),
+         .scope = detection_scope(),
          .item = "MIN_HEIGHT_M"}));
     rows.push_back(
         number_row("min_building_height", "<m>", {.lowest = 0},
@@ -174,7 +174,7 @@ std::vector<OptionRow> buildings() {
                     .details = "p90 is the height above ground that 90 % of its points do not exceed. A "
                                "building is kept whole, with its contours.",
                     .unit = "m",
-                    .scope = where_buildings_are_found("0"),
+                    .scope = detection_scope("0"),
                     .item = "MIN_BUILDING_HEIGHT_M"}));
     for (OptionRow& row : evidence())
         rows.push_back(std::move(row));

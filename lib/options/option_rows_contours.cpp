@@ -7,12 +7,12 @@ namespace {
 /// Takes all numbers that follow: "-fl 10 12.5 15".
 OptionRow fixed_levels() {
     OptionRow row =
-        described("fl", OptionKind::numbers, "<level> [<level>...]",
-                  {.title = "Levels at these elevations",
-                   .help = "Thresholds at these elevations, in place of those of -lod.",
-                   .details = "Every number that follows is a threshold. The option may be given again and "
-                              "then adds more. A file whose name is a number needs its path: ./12.",
-                   .unit = "vertical unit of the input"});
+        make_row("fl", OptionKind::numbers, "<level> [<level>...]",
+                 {.title = "Levels at these elevations",
+                  .help = "Thresholds at these elevations, in place of those of -lod.",
+                  .details = "Every number that follows is a threshold. The option may be given again and "
+                             "then adds more. A file whose name is a number needs its path: ./12.",
+                  .unit = "vertical unit of the input"});
     row.arity = Arity::list;
     row.repeatable = true;
     row.range = "numbers";
@@ -37,20 +37,20 @@ OptionRow fixed_levels() {
 
 std::vector<OptionRow> noise() {
     std::vector<OptionRow> rows;
-    rows.push_back(
-        whole_row("nf", "<points>", {.lowest = 0, .highest = 1000000000},
-                  [](auto& r) -> auto& { return r.options.filter.noise_factor; },
-                  {.title = "Shortest outline of a part",
-                   .help = "Noise factor: drop contours whose outline passes fewer grid points.",
-                   .details = "All that stands on such a contour goes with it. Holes are filled by the same "
-                              "rule, unless a contour that is kept stands in them. 0 keeps everything.",
-                   .unit = "grid points",
-                   .item = "NOISE_FACTOR"}));
+    rows.push_back(integer_row(
+        "nf", "<points>", {.lowest = 0, .highest = 1000000000},
+        [](auto& r) -> auto& { return r.options.filter.noise_factor; },
+        {.title = "Shortest outline of a part",
+         .help = "Noise factor: drop contours whose outline passes fewer grid points.",
+         .details = "All that stands on such a contour goes with it. Holes are filled by the same "
+                    "rule, unless a contour that is kept stands in them. 0 keeps everything.",
+         .unit = "grid points",
+         .item = "NOISE_FACTOR"}));
     rows.push_back(number_row(
         "min_area", "<m2>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.filter.min_area_m2; },
         {.title = "Smallest building to keep",
          .section = DialogSection::basic,
-         .help = "Smallest area of a building; by default " + number_text(smallest_building_m2) + " m2.",
+         .help = "Smallest area of a building; by default " + number_text(default_min_building_m2) + " m2.",
          .details = "With -preset thesis it drops contours of a smaller area and fills such holes, "
                     "as -nf does with short ones; this also removes long thin rows of trees. There "
                     "it has no default.",
@@ -122,9 +122,9 @@ std::vector<OptionRow> levels() {
                                "building: for each building in equal slices. Both keep thresholds at least "
                                "half a metre apart. global: one set for the whole input, as -preset thesis "
                                "does. By default natural, with -preset thesis global.",
-                    .scope = where_buildings_are_found("global"),
+                    .scope = detection_scope("global"),
                     .item = "LEVELS"}));
-    rows.push_back(whole_row(
+    rows.push_back(integer_row(
         "lod", "<n>", {.lowest = 1, .highest = 10000}, [](auto& r) -> auto& { return r.options.levels.lod; },
         {.title = "Number of levels in a building",
          .section = DialogSection::detail,
@@ -143,9 +143,9 @@ std::vector<OptionRow> levels() {
          .details = "So do parts narrower than two cells: chimneys, dormers, edges that a wall smears. Wider "
                     "strips may stand out by less, narrower ones must by more. A larger height gives fewer "
                     "contours with fewer vertices; 0 keeps every cell's own elevation. By default " +
-                    number_text(usual_detail_m) + ", with -preset thesis 0.",
+                    number_text(default_detail_m) + ", with -preset thesis 0.",
          .unit = "m",
-         .scope = where_buildings_are_found("0"),
+         .scope = detection_scope("0"),
          .item = "DETAIL_M"}));
     rows.push_back(fixed_levels());
     rows.push_back(number_row("i", "<interval>", {.lowest = 0, .above_lowest = true},
@@ -188,7 +188,7 @@ std::vector<OptionRow> contours() {
         {.title = "Tolerance of straight walls",
          .help = "Largest distance between a straight wall and the traced outline; by default " +
                  number_text(wall_tolerance_cells) + ", but at most " + number_text(wall_tolerance_m) +
-                 " m, and at least " + number_text(least_wall_tolerance_cells) + ".",
+                 " m, and at least " + number_text(min_wall_tolerance_cells) + ".",
          .unit = "cells"}));
     rows.push_back(number_row(
         "wall_inset", "<cells>", {.lowest = 0, .highest = 1},

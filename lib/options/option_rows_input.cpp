@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "options/option_rows.hpp"
 
@@ -13,14 +13,14 @@ OptionRow vertical_unit() {
     const NumberRange metres{.lowest = 0, .above_lowest = true};
     const Texts units{"m", "ft", "us-ft"};
     OptionRow row =
-        described("zunit", OptionKind::text, joined(units, "|") + "|<metres>",
-                  {.title = "Unit of the elevations",
-                   .help = "Unit of the elevations.",
-                   .details = "By default the program takes the first of these that is known, and the report "
-                              "says which: the unit of the band, of the vertical CRS, of the horizontal CRS. "
-                              "A band whose unit is no length is refused without this option. ft is the "
-                              "international foot, us-ft the US survey foot; a number gives the metres in "
-                              "one unit."});
+        make_row("zunit", OptionKind::text, joined(units, "|") + "|<metres>",
+                 {.title = "Unit of the elevations",
+                  .help = "Unit of the elevations.",
+                  .details = "By default the program takes the first of these that is known, and the report "
+                             "says which: the unit of the band, of the vertical CRS, of the horizontal CRS. "
+                             "A band whose unit is no length is refused without this option. ft is the "
+                             "international foot, us-ft the US survey foot; a number gives the metres in "
+                             "one unit."});
     row.choices = units;
     Texts all = units;
     all.push_back(metres.text("a number") + " (metres in one unit)");
@@ -116,13 +116,13 @@ std::vector<OptionRow> windows() {
 
 std::vector<OptionRow> input() {
     std::vector<OptionRow> rows;
-    rows.push_back(whole_row("b", "<band>", {.lowest = 1, .highest = 65536},
-                             [](auto& r) -> auto& { return r.options.read.band; },
-                             {.title = "Band of the elevations", .help = "Band that holds the elevations."}));
-    rows.push_back(texts_row(
+    rows.push_back(integer_row(
+        "b", "<band>", {.lowest = 1, .highest = 65536}, [](auto& r) -> auto& { return r.options.read.band; },
+        {.title = "Band of the elevations", .help = "Band that holds the elevations."}));
+    rows.push_back(list_row(
         "oo", "<NAME>=<VALUE>", "NAME=VALUE", [](auto& r) -> auto& { return r.options.read.open_options; },
         {.title = "Open options of the raster's format", .help = "Open option of the input's format."}));
-    rows.push_back(texts_row(
+    rows.push_back(list_row(
         "if", "<format>", "", [](auto& r) -> auto& { return r.options.read.drivers; },
         {.title = "Format of the raster",
          .help = "Format to try on the input.",

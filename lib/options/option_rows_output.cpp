@@ -15,17 +15,17 @@ std::vector<OptionRow> dataset() {
          .details = "A short name of GDAL's, as --formats lists them, such as GPKG or \"ESRI Shapefile\".",
          .aliases = {"of", "output_format"},
          .python = Python::extract_file}));
-    rows.push_back(texts_row("dsco", "<NAME>=<VALUE>", "NAME=VALUE",
-                             [](auto& r) -> auto& { return r.options.write.dataset_options; },
-                             {.title = "Creation options of the file",
-                              .help = "Creation option of the output's format.",
-                              .aliases = {"co"},
-                              .python = Python::extract_file}));
-    rows.push_back(texts_row("lco", "<NAME>=<VALUE>", "NAME=VALUE",
-                             [](auto& r) -> auto& { return r.options.write.layer_options; },
-                             {.title = "Creation options of the layers",
-                              .help = "Creation option of the output's layers.",
-                              .python = Python::extract_file}));
+    rows.push_back(list_row("dsco", "<NAME>=<VALUE>", "NAME=VALUE",
+                            [](auto& r) -> auto& { return r.options.write.dataset_options; },
+                            {.title = "Creation options of the file",
+                             .help = "Creation option of the output's format.",
+                             .aliases = {"co"},
+                             .python = Python::extract_file}));
+    rows.push_back(list_row("lco", "<NAME>=<VALUE>", "NAME=VALUE",
+                            [](auto& r) -> auto& { return r.options.write.layer_options; },
+                            {.title = "Creation options of the layers",
+                             .help = "Creation option of the output's layers.",
+                             .python = Python::extract_file}));
     rows.push_back(text_row(
         "nln", OptionKind::text, "<name>", [](auto& r) -> auto& { return r.options.write.layer_name; },
         {.title = "Name of the layers",
@@ -61,7 +61,7 @@ std::vector<OptionRow> surface() {
         return std::ranges::all_of(metres, [](double m) { return std::isfinite(m) && m == std::round(m); });
     };
     std::vector<OptionRow> rows;
-    OptionRow files = texts_row(
+    OptionRow files = list_row(
         "surface", "<file>", "", [](auto& r) -> auto& { return r.options.write.surfaces; },
         {.title = "Surface of the buildings",
          .section = DialogSection::output,
@@ -136,7 +136,7 @@ std::vector<OptionRow> also_written() {
          .section = DialogSection::trees,
          .help = "Also write a layer of objects that may be buildings, with the reason for the doubt.",
          .details = "Its name is doubtful, or that of -nln with _doubtful after it.",
-         .scope = where_buildings_are_found()}));
+         .scope = detection_scope()}));
     rows.push_back(switch_row("write_rejected", [](auto& r) -> auto& { return r.options.write.rejected; },
                               {.title = "Also write dropped and changed contours",
                                .help = "Also write a layer of contours and holes that were dropped, filled "
@@ -154,7 +154,7 @@ std::vector<OptionRow> also_written() {
                             {.title = "Terrain as a GeoTIFF",
                              .section = DialogSection::ground,
                              .help = "Also write the terrain as a GeoTIFF, in metres.",
-                             .scope = where_buildings_are_found(),
+                             .scope = detection_scope(),
                              .python = Python::extract_file,
                              .repeats = false}));
     rows.push_back(text_row("write_height", OptionKind::geotiff, "<file.tif>",
@@ -162,7 +162,7 @@ std::vector<OptionRow> also_written() {
                             {.title = "Heights above the terrain as a GeoTIFF",
                              .section = DialogSection::ground,
                              .help = "Also write the heights above the terrain as a GeoTIFF, in metres.",
-                             .scope = where_buildings_are_found(),
+                             .scope = detection_scope(),
                              .python = Python::extract_file,
                              .repeats = false}));
     rows.push_back(
@@ -173,7 +173,7 @@ std::vector<OptionRow> also_written() {
                   .help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
                   .details = "Trees are everything that rises above -min_height and is no building. Wind "
                              "models use this raster.",
-                  .scope = where_buildings_are_found(),
+                  .scope = detection_scope(),
                   .python = Python::extract_file,
                   .repeats = false}));
     for (OptionRow& row : surface())
@@ -200,22 +200,23 @@ std::vector<OptionRow> also_written() {
                     "glance.",
          .python = Python::extract_file,
          .repeats = false}));
-    rows.push_back(whole_row("preview_size", "<pixels>", {.lowest = 300, .highest = 10000},
-                             [](auto& r) -> auto& { return r.options.write.preview_size; },
-                             {.title = "Longer side of the picture",
-                              .section = DialogSection::output,
-                              .help = "Longer side of the picture of -preview.",
-                              .details = "In SVG and PDF a pixel is a 96th of an inch, and lines and letters "
-                                         "stay sharp at any size.",
-                              .unit = "pixels",
-                              .python = Python::extract_file,
-                              .repeats = false}));
+    rows.push_back(
+        integer_row("preview_size", "<pixels>", {.lowest = 300, .highest = 10000},
+                    [](auto& r) -> auto& { return r.options.write.preview_size; },
+                    {.title = "Longer side of the picture",
+                     .section = DialogSection::output,
+                     .help = "Longer side of the picture of -preview.",
+                     .details = "In SVG and PDF a pixel is a 96th of an inch, and lines and letters "
+                                "stay sharp at any size.",
+                     .unit = "pixels",
+                     .python = Python::extract_file,
+                     .repeats = false}));
     return rows;
 }
 
 /// Accepts gdal_contour's switch for polygons, so that its command lines work here.
 OptionRow polygons() {
-    OptionRow row = described(
+    OptionRow row = make_row(
         "p", OptionKind::toggle, "",
         {.help = "Accepted; polygons are always written.", .python = Python::none, .repeats = false});
     row.hidden = true;
@@ -262,17 +263,17 @@ namespace {
 
 OptionRow sweep() {
     OptionRow row =
-        described("sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
-                  {.title = "Trials",
-                   .help = "Try every level of detail with every noise factor and every -detail, and "
-                           "print a table; nothing else is written.",
-                   .details = "Leave the destination out. The table has for each trial: buildings, contours, "
-                              "points of these, the distance of the stack to the input (root mean square), "
-                              "seconds. With -preview the program also draws a contact sheet, of as many "
-                              "trials as can be read on it. Of more than six values it tries six, spread "
-                              "evenly; a third number is the step: nf=5..60..5, detail=0..2..0.5. An option "
-                              "that is not named here keeps its value. The program reads the input once and "
-                              "keeps it in memory."});
+        make_row("sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
+                 {.title = "Trials",
+                  .help = "Try every level of detail with every noise factor and every -detail, and "
+                          "print a table; nothing else is written.",
+                  .details = "Leave the destination out. The table has for each trial: buildings, contours, "
+                             "points of these, the distance of the stack to the input (root mean square), "
+                             "seconds. With -preview the program also draws a contact sheet, of as many "
+                             "trials as can be read on it. Of more than six values it tries six, spread "
+                             "evenly; a third number is the step: nf=5..60..5, detail=0..2..0.5. An option "
+                             "that is not named here keeps its value. The program reads the input once and "
+                             "keeps it in memory."});
     row.apply = [](Request& request, OptionValues texts) {
         request.tool.sweep_plan = parse_sweep(texts[0]);
         request.tool.sweep = texts[0];
@@ -288,11 +289,11 @@ OptionRow sweep() {
 std::vector<OptionRow> report() {
     std::vector<OptionRow> rows;
     rows.push_back(sweep());
-    rows.push_back(whole_row("threads", "<n>", {.lowest = 0, .highest = 1024},
-                             [](auto& r) -> auto& { return r.options.run.threads; },
-                             {.title = "Threads",
-                              .help = "Number of threads; 0 takes one per core.",
-                              .details = "It does not change the result."}));
+    rows.push_back(integer_row("threads", "<n>", {.lowest = 0, .highest = 1024},
+                               [](auto& r) -> auto& { return r.options.run.threads; },
+                               {.title = "Threads",
+                                .help = "Number of threads; 0 takes one per core.",
+                                .details = "It does not change the result."}));
     rows.push_back(
         switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
                    {.title = "No progress", .help = "No progress and no summary.", .aliases = {"quiet"}}));

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "dem2buildings/error.hpp"
+#include "dem2buildings/options.hpp"
 #include "options/option_rows.hpp"
 
 namespace d2b {
@@ -42,7 +44,7 @@ std::vector<OptionRow> make_table() {
 
 namespace rows {
 
-OptionRow described(std::string name, OptionKind kind, std::string values, Columns columns) {
+OptionRow make_row(std::string name, OptionKind kind, std::string values, RowProperties columns) {
     OptionRow row;
     row.name = std::move(name);
     row.kind = kind;
@@ -64,7 +66,7 @@ OptionRow described(std::string name, OptionKind kind, std::string values, Colum
     return row;
 }
 
-PresetScope where_buildings_are_found(std::string elsewhere) {
+PresetScope detection_scope(std::string elsewhere) {
     return {{Preset::buildings}, std::move(elsewhere), "it detects no buildings, so leave one of them out"};
 }
 
@@ -110,6 +112,17 @@ void apply_option(const OptionRow& row, Request& request, OptionValues values) {
         refuse_count(row);
     row.apply(request, values);
     request.options.given.insert(row.name);
+}
+
+void set_option(Options& options, std::string_view name, const std::vector<std::string>& values) {
+    const OptionRow* const row = find_option(name);
+    if (row == nullptr)
+        throw OptionError("There is no option '" + std::string(name) + "'; docs/options.md lists all.");
+    Request request{options, {}};
+    apply_option(*row, request, values);
+    if (request.tool != ToolOptions{})
+        throw OptionError("-" + row->name + " is of the program alone; leave it out.");
+    options = std::move(request.options);
 }
 
 }  // namespace d2b

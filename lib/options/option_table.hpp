@@ -11,7 +11,6 @@
 
 #include "dem2buildings/options.hpp"
 #include "options/option_values.hpp"
-#include "options/sweep_plan.hpp"
 
 namespace d2b {
 

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace d2b {
 
@@ -34,12 +37,40 @@ struct NumberRange {
 [[nodiscard]] double parse_number(std::string_view name, const NumberRange& range, std::string_view text);
 
 /// @throws OptionError unless the whole text is an integer in the range, without a decimal point
-[[nodiscard]] int parse_whole(std::string_view name, const NumberRange& range, std::string_view text);
+[[nodiscard]] int parse_integer(std::string_view name, const NumberRange& range, std::string_view text);
 
 /// Returns "a", "a or b", "a, b or c".
 [[nodiscard]] std::string alternatives(std::span<const std::string> words);
 
 /// Joins the words with a separator.
 [[nodiscard]] std::string joined(std::span<const std::string> words, std::string_view separator);
+
+/// Grid of trials: every lod with every noise factor and every detail. An empty list keeps the option's
+/// value.
+struct SweepPlan {
+    std::vector<int> lods;
+    std::vector<int> noise_factors;
+    std::vector<double> details;  ///< m
+
+    friend bool operator==(const SweepPlan&, const SweepPlan&) = default;
+
+    [[nodiscard]] std::size_t trials() const {
+        return std::max<std::size_t>(lods.size(), 1) * std::max<std::size_t>(noise_factors.size(), 1) *
+               std::max<std::size_t>(details.size(), 1);
+    }
+    [[nodiscard]] bool empty() const { return lods.empty() && noise_factors.empty() && details.empty(); }
+};
+
+/// Smallest side of a trial on a contact sheet whose caption is legible.
+inline constexpr int min_trial_px = 400;
+
+/// @param longest side of the sheet, in pixels @throws OptionError if it has no room for that many trials
+void require_legible(std::size_t trials, int longest);
+
+/// Parses "lod=1..6,nf=5..60": integers from the first to the last, all if they are six or fewer, otherwise
+/// six spread evenly. A third number is the step ("nf=5..60..5"); a single number is one value.
+/// "detail=0..2..0.5" also takes fractions; between two that are not integers six are spread. @throws
+/// OptionError if the text is anything else, or names more than 400 trials
+[[nodiscard]] SweepPlan parse_sweep(const std::string& text);
 
 }  // namespace d2b

@@ -25,7 +25,7 @@ void refuse_for_layers(const Options& options, Layers layers) {
 }  // namespace
 
 double detail_of(const Options& options) {
-    return options.levels.detail.value_or(detects_buildings(options) ? usual_detail_m : 0);
+    return options.levels.detail.value_or(detects_buildings(options) ? default_detail_m : 0);
 }
 
 double RunPlan::wall_tolerance(double cell_m) const {
@@ -33,10 +33,10 @@ double RunPlan::wall_tolerance(double cell_m) const {
         return *asked.outline.wall_tolerance;
     if (!(cell_m > 0))
         return wall_tolerance_cells;
-    return std::clamp(wall_tolerance_m / cell_m, least_wall_tolerance_cells, wall_tolerance_cells);
+    return std::clamp(wall_tolerance_m / cell_m, min_wall_tolerance_cells, wall_tolerance_cells);
 }
 
-Options RunPlan::settled() const {
+Options RunPlan::resolved() const {
     Options options = asked;
     options.ground.mode = ground;
     options.levels.source = levels;
@@ -60,7 +60,7 @@ RunPlan make_run_plan(Options options, Layers layers) {
         .detail = detail_of(options),
         .trace = options.trace.mode.value_or(detects ? TraceMode::cells : TraceMode::points),
         .walls = options.outline.walls.value_or(straightens ? Walls::automatic : Walls::off),
-        .building_m2 = options.filter.min_area_m2.value_or(smallest_building_m2),
+        .building_m2 = options.filter.min_area_m2.value_or(default_min_building_m2),
         .contour_m2 = detects ? 0 : options.filter.min_area_m2.value_or(0),  // tiers may be smaller
         .layers = layers,
         .surface_of =

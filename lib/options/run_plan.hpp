@@ -1,20 +1,23 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "dem2buildings/options.hpp"
 
 namespace d2b {
 
 /// Default of -min_area for buildings.
-inline constexpr double smallest_building_m2 = 30;
+inline constexpr double default_min_building_m2 = 30;
 
 /// Default of -detail. Removes railings, dormers and branches over a roof, but keeps a storey.
-inline constexpr double usual_detail_m = 0.5;
+inline constexpr double default_detail_m = 0.5;
 
 /// Default of -regularize_tolerance. Limited in metres, because in coarse cells walls would otherwise come
 /// closer to their neighbours than the distance between them; at least one cell, because a slanted wall
 /// cannot fit its staircase within less.
 inline constexpr double wall_tolerance_cells = 1.5;
-inline constexpr double least_wall_tolerance_cells = 1;
+inline constexpr double min_wall_tolerance_cells = 1;
 inline constexpr double wall_tolerance_m = 1.25;
 
 /// Returns true for Preset::buildings. Preset::thesis takes everything above its thresholds.
@@ -42,7 +45,7 @@ struct RunPlan {
     /// Returns the tolerance in cells. @param cell_m side of a cell in metres; 0 if unknown
     [[nodiscard]] double wall_tolerance(double cell_m) const;
     /// Returns the options with all decisions filled in, except those that depend on the cell size.
-    [[nodiscard]] Options settled() const;
+    [[nodiscard]] Options resolved() const;
 };
 
 /// Decides options that were left open:
@@ -59,5 +62,14 @@ struct RunPlan {
 /// @param options already accepted by check_options() @param layers that the destination gets
 /// @throws OptionError if an option concerns a layer that the destination does not get
 [[nodiscard]] RunPlan make_run_plan(Options options, Layers layers);
+
+/// Returns the names of rasters, surfaces and the page written besides the layers; "" for those not
+/// requested.
+[[nodiscard]] inline std::vector<std::string> auxiliary_file_names(const WriteOptions& write) {
+    std::vector<std::string> names{write.ground, write.height, write.canopy};
+    names.push_back(write.page);
+    names.insert(names.end(), write.surfaces.begin(), write.surfaces.end());
+    return names;
+}
 
 }  // namespace d2b

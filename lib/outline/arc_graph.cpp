@@ -1,19 +1,250 @@
 #include "outline/arc_graph.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "outline/lattice_net.hpp"
+#include "core/lattice.hpp"
+#include "core/stop_token.hpp"
+#include "trace/contour.hpp"
 
 namespace d2b {
+
+/// Noded rings of contours: every corner of another ring on an edge of a ring becomes a vertex of it.
+class NodedRings {
+  public:
+    using Vertex = std::uint32_t;
+    /// Directions from a vertex; opposite directions differ by 2.
+    enum class Direction : std::uint8_t { east, south, west, north };
+
+    /// @throws Cancelled
+    NodedRings(std::span<const Contour* const> contours, const StopToken& stop);
+
+    [[nodiscard]] std::size_t size() const { return points_.size(); }
+    /// Vertices are sorted by row, then column.
+    [[nodiscard]] LatticePoint point(Vertex v) const { return points_[v]; }
+    /// True if the degree of the vertex is not two.
+    [[nodiscard]] bool junction(Vertex v) const { return degree_two.at(directions_[v]) == 0; }
+    [[nodiscard]] Direction direction(Vertex from, Vertex to) const;
+    /// Rings grouped by contour: exterior, then interiors.
+    [[nodiscard]] std::size_t rings() const { return first_.size() - 1; }
+    [[nodiscard]] std::span<const Vertex> ring(std::size_t r) const {
+        return std::span(vertices_).subspan(first_[r], first_[r + 1] - first_[r]);
+    }
+
+  private:
+    static constexpr std::array<std::uint8_t, 16> degree_two{0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 0, 0};
+    std::vector<Vertex> number_corners(const std::vector<LatticePoint>& corners, const StopToken& stop);
+    void order_columns();
+    void append_edge(Vertex from, Vertex to);
+
+    std::vector<LatticePoint> points_;
+    std::vector<Vertex> by_col_;            // vertices sorted by column, then row
+    std::vector<Vertex> place_in_col_;      // per vertex: its index in by_col_
+    std::vector<std::uint8_t> directions_;  // per vertex: bits of the directions of its edges
+    std::vector<Vertex> vertices_;          // concatenated vertices of all rings
+    std::vector<std::size_t> first_;        // per ring: its first vertex
+};
+
+namespace {
+
+LatticePoint transposed(LatticePoint point) {
+    return {point.col, point.row};
+}
+
+void sort_unique(std::vector<LatticePoint>& points) {
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+
+}  // namespace
+
+LatticePolygon traced_polygon(const Contour& contour) {
+    LatticePolygon polygon{contour.exterior.corners(), {}};
+    for (const PackedRing& ring : contour.interiors)
+        polygon.interiors.push_back(ring.corners());
+    return polygon;
+}
+
+CornerIndex::CornerIndex(const std::vector<Contour>& contours) {
+    for (const Contour& contour : contours)
+        add(contour);
+    sort();
+}
+
+CornerIndex::CornerIndex(std::span<const Contour* const> contours) {
+    for (const Contour* contour : contours)
+        add(*contour);
+    sort();
+}
+
+void CornerIndex::add(const Contour& contour) {
+    const auto add_ring = [&](const PackedRing& packed) {
+        const LatticeRing ring = packed.corners();
+        by_row_.insert(by_row_.end(), ring.begin(), ring.end());
+    };
+    add_ring(contour.exterior);
+    for (const PackedRing& ring : contour.interiors)
+        add_ring(ring);
+}
+
+void CornerIndex::sort() {
+    sort_unique(by_row_);
+    by_col_.reserve(by_row_.size());
+    for (const LatticePoint point : by_row_)
+        by_col_.push_back(transposed(point));
+    std::sort(by_col_.begin(), by_col_.end());
+}
+
+void CornerIndex::append_between(LatticePoint from, LatticePoint to, LatticeRing& ring) const {
+    const bool along_row = from.row == to.row;
+    const std::vector<LatticePoint>& points = along_row ? by_row_ : by_col_;
+    const LatticePoint a = along_row ? from : transposed(from);
+    const LatticePoint b = along_row ? to : transposed(to);
+    const auto begin = std::upper_bound(points.begin(), points.end(), std::min(a, b));
+    const auto end = std::lower_bound(begin, points.end(), std::max(a, b));
+    const std::size_t old_size = ring.size();
+    for (auto point = begin; point != end; ++point)
+        ring.push_back(along_row ? *point : transposed(*point));
+    if (b < a)
+        std::reverse(ring.begin() + static_cast<std::ptrdiff_t>(old_size), ring.end());
+}
+
+LatticeRing CornerIndex::noded(const LatticeRing& ring) const {
+    LatticeRing result;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        result.push_back(ring[i]);
+        append_between(ring[i], ring[(i + 1) % ring.size()], result);
+    }
+    return result;
+}
+
+LatticePolygon CornerIndex::noded(const LatticePolygon& polygon) const {
+    LatticePolygon result{noded(polygon.exterior), {}};
+    for (const LatticeRing& ring : polygon.interiors)
+        result.interiors.push_back(noded(ring));
+    return result;
+}
+
+namespace {
+
+constexpr std::uint32_t sign_bit = 0x80000000U;
+
+/// Key that sorts like the pair (first, second).
+std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(first) ^ sign_bit) << 32 |
+           (static_cast<std::uint32_t>(second) ^ sign_bit);
+}
+
+}  // namespace
+
+NodedRings::NodedRings(std::span<const Contour* const> contours, const StopToken& stop) {
+    std::vector<LatticePoint> corners;
+    std::vector<std::size_t> ends;
+    std::size_t count = 0;
+    for (const Contour* contour : contours) {
+        count += contour->exterior.corner_count();
+        for (const PackedRing& ring : contour->interiors)
+            count += ring.corner_count();
+    }
+    corners.reserve(count);
+    const auto add = [&](const PackedRing& packed) {
+        stop.check();
+        const LatticeRing ring = packed.corners();
+        corners.insert(corners.end(), ring.begin(), ring.end());
+        ends.push_back(corners.size());
+    };
+    for (const Contour* contour : contours) {
+        add(contour->exterior);
+        for (const PackedRing& ring : contour->interiors)
+            add(ring);
+    }
+    stop.check();
+    const std::vector<Vertex> numbers = number_corners(corners, stop);
+    stop.check();
+    order_columns();
+    directions_.assign(points_.size(), 0);
+    vertices_.reserve(numbers.size() + numbers.size() / 4);
+    first_.reserve(ends.size() + 1);
+    first_.push_back(0);
+    std::size_t begin = 0;
+    for (const std::size_t end : ends) {
+        stop.check();
+        for (std::size_t i = begin; i < end; ++i)
+            append_edge(numbers[i], numbers[i + 1 < end ? i + 1 : begin]);
+        first_.push_back(vertices_.size());
+        begin = end;
+    }
+}
+
+/// @return vertex per corner
+std::vector<NodedRings::Vertex> NodedRings::number_corners(const std::vector<LatticePoint>& corners,
+                                                           const StopToken& stop) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order(corners.size());
+    for (std::uint32_t i = 0; i < corners.size(); ++i)
+        order[i] = {sort_key(corners[i].row, corners[i].col), i};
+    stop.check();
+    std::sort(order.begin(), order.end());
+    stop.check();
+    std::vector<Vertex> numbers(corners.size());
+    points_.reserve(corners.size());
+    for (const auto& [place, corner] : order) {
+        if (points_.empty() || points_.back() != corners[corner])
+            points_.push_back(corners[corner]);
+        numbers[corner] = static_cast<Vertex>(points_.size() - 1);
+    }
+    return numbers;
+}
+
+void NodedRings::order_columns() {
+    std::vector<std::pair<std::uint64_t, Vertex>> order(points_.size());
+    for (Vertex v = 0; v < points_.size(); ++v)
+        order[v] = {sort_key(points_[v].col, points_[v].row), v};
+    std::sort(order.begin(), order.end());
+    by_col_.resize(points_.size());
+    place_in_col_.resize(points_.size());
+    for (Vertex place = 0; place < order.size(); ++place) {
+        by_col_[place] = order[place].second;
+        place_in_col_[order[place].second] = place;
+    }
+}
+
+NodedRings::Direction NodedRings::direction(Vertex from, Vertex to) const {
+    if (points_[from].row == points_[to].row)
+        return from < to ? Direction::east : Direction::west;
+    return from < to ? Direction::south : Direction::north;
+}
+
+/// Appends all vertices from one corner to the next, exclusive.
+void NodedRings::append_edge(Vertex from, Vertex to) {
+    const Direction forwards = direction(from, to);
+    const bool along_row = points_[from].row == points_[to].row;
+    const auto ahead = static_cast<std::uint8_t>(1U << static_cast<unsigned>(forwards));
+    const auto behind = static_cast<std::uint8_t>(1U << (static_cast<unsigned>(forwards) ^ 2U));
+    const auto next = [&](Vertex v) {
+        if (along_row)
+            return from < to ? v + 1 : v - 1;
+        return by_col_[from < to ? place_in_col_[v] + 1 : place_in_col_[v] - 1];
+    };
+    for (Vertex v = from; v != to;) {
+        vertices_.push_back(v);
+        directions_[v] |= ahead;
+        v = next(v);
+        directions_[v] |= behind;
+    }
+}
+
 namespace {
 
 class ArcCutter {
   public:
-    using Vertex = LatticeNet::Vertex;
+    using Vertex = NodedRings::Vertex;
 
-    ArcCutter(const LatticeNet& net, std::vector<Arc>& arcs)
+    ArcCutter(const NodedRings& net, std::vector<Arc>& arcs)
         : net_(net), arcs_(arcs), known_(4 * net.size(), nowhere) {}
 
     std::vector<ArcUse> cut(std::span<const Vertex> ring) {
@@ -44,7 +275,8 @@ class ArcCutter {
         const std::pair backwards(arc_.back(), arc_[arc_.size() - 2]);
         const bool reversed = backwards < forwards;
         const auto [from, to] = reversed ? backwards : forwards;
-        std::uint32_t& known = known_[4 * std::size_t{from} + static_cast<std::size_t>(net_.way(from, to))];
+        std::uint32_t& known =
+            known_[4 * std::size_t{from} + static_cast<std::size_t>(net_.direction(from, to))];
         if (known == nowhere) {
             known = static_cast<std::uint32_t>(arcs_.size());
             Arc& arc = arcs_.emplace_back();
@@ -57,7 +289,7 @@ class ArcCutter {
         return {known, reversed};
     }
 
-    const LatticeNet& net_;
+    const NodedRings& net_;
     std::vector<Arc>& arcs_;
     std::vector<std::uint32_t> known_;  // arc per vertex and direction
     std::vector<Vertex> arc_;
@@ -78,8 +310,8 @@ LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& ar
 
 }  // namespace
 
-ArcGraph build_arc_graph(std::span<const Contour* const> contours, const StopRequest& stop) {
-    const LatticeNet net(contours, stop);
+ArcGraph build_arc_graph(std::span<const Contour* const> contours, const StopToken& stop) {
+    const NodedRings net(contours, stop);
     ArcGraph graph;
     ArcCutter cutter(net, graph.arcs);
     graph.outlines.reserve(contours.size());
@@ -97,7 +329,7 @@ ArcGraph build_arc_graph(std::span<const Contour* const> contours, const StopReq
     return graph;
 }
 
-ArcGraph build_arc_graph(const std::vector<Contour>& contours, const StopRequest& stop) {
+ArcGraph build_arc_graph(const std::vector<Contour>& contours, const StopToken& stop) {
     std::vector<const Contour*> all;
     all.reserve(contours.size());
     for (const Contour& contour : contours)

@@ -37,7 +37,7 @@ struct FineSegment {
     FinePoint b;
 };
 
-[[nodiscard]] inline bool boxes_meet(const FineSegment& s, const FineSegment& t) {
+[[nodiscard]] inline bool boxes_intersect(const FineSegment& s, const FineSegment& t) {
     return std::max(s.a.row, s.b.row) >= std::min(t.a.row, t.b.row) &&
            std::max(t.a.row, t.b.row) >= std::min(s.a.row, s.b.row) &&
            std::max(s.a.col, s.b.col) >= std::min(t.a.col, t.b.col) &&
@@ -45,8 +45,8 @@ struct FineSegment {
 }
 
 /// Returns true if two segments intersect, ends included. Exact.
-[[nodiscard]] inline bool meet(const FineSegment& s, const FineSegment& t) {
-    if (!boxes_meet(s, t))
+[[nodiscard]] inline bool segments_intersect(const FineSegment& s, const FineSegment& t) {
+    if (!boxes_intersect(s, t))
         return false;
     const int a = side(s.a, s.b, t.a);
     const int b = side(s.a, s.b, t.b);
@@ -67,7 +67,7 @@ struct FineSegment {
 
 /// Angular comparison around a point: true if `to` precedes `than` counter-clockwise (y up) from due west.
 /// Exact.
-[[nodiscard]] inline bool earlier_from_west(FinePoint from, FinePoint to, FinePoint than) {
+[[nodiscard]] inline bool precedes_ccw(FinePoint from, FinePoint to, FinePoint than) {
     // Counter-clockwise from west come south, east, north, so west and everything below it is the first half.
     const auto half = [&](FinePoint p) {
         return p.row > from.row || (p.row == from.row && p.col < from.col) ? 0 : 1;

@@ -1,16 +1,161 @@
 #include "outline/outline.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <memory>
 #include <optional>
+#include <set>
 #include <utility>
+#include <vector>
 
+#include "core/lattice.hpp"
+#include "dem2buildings/spool.hpp"
+#include "geometry/box_tree.hpp"
 #include "outline/arc_graph.hpp"
-#include "outline/changed_outlines.hpp"
-#include "outline/noding.hpp"
+#include "outline/fine_geometry.hpp"
+#include "outline/packed_outline.hpp"
 #include "outline/simplify.hpp"
-#include "outline/walls/regular_outlines.hpp"
+#include "outline/walls/fit_walls.hpp"
+#include "outline/walls/trace_sums.hpp"
 
 namespace d2b {
+
+/// Outlines that replace those derived from traces, spooled at a few bytes per vertex.
+class ReplacedOutlines {
+  public:
+    struct SpooledOutline {
+        SpoolEntry place;
+        OutlineQuality quality;
+    };
+    explicit ReplacedOutlines(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
+
+    /// @param place a number chosen by the caller, unique per outline
+    void put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality);
+    /// @return nullptr if it has not been replaced
+    [[nodiscard]] const SpooledOutline* find(std::size_t place) const;
+    [[nodiscard]] FinePolygon outline(const SpooledOutline& kept) const;
+
+    /// Ratio of the areas after and before.
+    [[nodiscard]] static double area_ratio(const FinePolygon& before, const FinePolygon& after);
+    /// Largest distance in cells between corners of one outline and edges of the other.
+    [[nodiscard]] static double max_distance_cells(const FinePolygon& before, const FinePolygon& after,
+                                                   const CellShape& shape);
+
+  private:
+    std::unique_ptr<Spool> spool_;
+    std::map<std::size_t, SpooledOutline> kept_;
+};
+
+namespace {
+
+std::vector<const FineRing*> rings_of(const FinePolygon& polygon) {
+    std::vector<const FineRing*> rings{&polygon.exterior};
+    for (const FineRing& ring : polygon.interiors)
+        rings.push_back(&ring);
+    return rings;
+}
+
+double twice_area(const FinePolygon& polygon) {
+    Int128 sum = 0;
+    for (const FineRing* ring : rings_of(polygon))
+        for (std::size_t i = 1; i + 1 < ring->size(); ++i)
+            sum += turn((*ring)[0], (*ring)[i], (*ring)[i + 1]);
+    return static_cast<double>(sum);
+}
+
+/// Edges of a polygon in an R-tree.
+class EdgeIndex {
+  public:
+    EdgeIndex(const FinePolygon& polygon, const CellShape& shape) : shape_(shape), tree_(boxes(polygon)) {}
+
+    /// Distance in cells from the nearest edge. Searches a growing box, because scanning all edges is rarely
+    /// necessary.
+    [[nodiscard]] double distance_to(FinePoint point) const;
+
+  private:
+    std::vector<Box> boxes(const FinePolygon& polygon) {
+        std::vector<Box> boxes;
+        for (const FineRing* ring : rings_of(polygon))
+            for (std::size_t i = 0; i < ring->size(); ++i) {
+                edges_.emplace_back((*ring)[i], (*ring)[i + 1 == ring->size() ? 0 : i + 1]);
+                Box& box = boxes.emplace_back();
+                for (const FinePoint& end : {edges_.back().first, edges_.back().second})
+                    box.add(Position{static_cast<double>(end.col), static_cast<double>(end.row)});
+            }
+        return boxes;
+    }
+
+    const CellShape& shape_;
+    std::vector<std::pair<FinePoint, FinePoint>> edges_;
+    BoxTree tree_;
+};
+
+double distance(Vec2 p, Vec2 a, Vec2 b) {
+    const double square = dot(b - a, b - a);
+    const double share = square > 0 ? std::clamp(dot(p - a, b - a) / square, 0.0, 1.0) : 0;
+    return length(p - (a + share * (b - a)));
+}
+
+double EdgeIndex::distance_to(FinePoint point) const {
+    const auto vec = [&](FinePoint p) { return shape_.from_fine(p, {}); };
+    constexpr double widest = 1e9;
+    double least = std::numeric_limits<double>::infinity();
+    double cells = 2;
+    while (cells < widest && least > cells) {
+        const double steps = cells * FinePoint::steps * shape_.longer_side();
+        const auto x = static_cast<double>(point.col);
+        const auto y = static_cast<double>(point.row);
+        tree_.query({x - steps, y - steps, x + steps, y + steps}, [&](std::size_t i) {
+            least = std::min(least, distance(vec(point), vec(edges_[i].first), vec(edges_[i].second)));
+        });
+        cells *= 4;
+    }
+    return least;
+}
+
+/// Largest distance between the corners of one polygon that the other lacks and the other's edges.
+double directed_distance(const FinePolygon& from, const FinePolygon& to, const CellShape& shape) {
+    std::set<FinePoint> known;
+    for (const FineRing* ring : rings_of(to))
+        known.insert(ring->begin(), ring->end());
+    const EdgeIndex edges(to, shape);
+    double most = 0;
+    for (const FineRing* corners : rings_of(from))
+        for (const FinePoint& corner : *corners)
+            if (!known.contains(corner))
+                most = std::max(most, edges.distance_to(corner));
+    return most;
+}
+
+}  // namespace
+
+void ReplacedOutlines::put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality) {
+    ByteWriter writer;
+    save(outline, writer);
+    kept_[place] = {append(*spool_, writer), quality};
+}
+
+const ReplacedOutlines::SpooledOutline* ReplacedOutlines::find(std::size_t place) const {
+    const auto found = kept_.find(place);
+    return found == kept_.end() ? nullptr : &found->second;
+}
+
+FinePolygon ReplacedOutlines::outline(const SpooledOutline& kept) const {
+    return load_outline(*spool_, kept.place);
+}
+
+double ReplacedOutlines::area_ratio(const FinePolygon& before, const FinePolygon& after) {
+    return twice_area(after) / twice_area(before);
+}
+
+double ReplacedOutlines::max_distance_cells(const FinePolygon& before, const FinePolygon& after,
+                                            const CellShape& shape) {
+    return std::max(directed_distance(before, after, shape), directed_distance(after, before, shape));
+}
+
 namespace {
 
 CellShape cell_shape(const Georeference& georeference, double x_stretch) {
@@ -27,21 +172,22 @@ WallOptions wall_options(const OutlineRules& rules, const Georeference& georefer
 
 }  // namespace
 
-Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeference) {
+OutlineMethod choose_outline_method(const OutlineRules& rules, const Georeference& georeference) {
     if (rules.walls != Walls::off)
-        return Drawing::regularized;
+        return OutlineMethod::regularized;
     if (rules.simplify > 0)
-        return Drawing::simplified;
-    return georeference.axis_parallel() && !rules.reprojected ? Drawing::traced : Drawing::noded;
+        return OutlineMethod::simplified;
+    return georeference.axis_parallel() && !rules.reprojected ? OutlineMethod::traced : OutlineMethod::noded;
 }
 
-OutlineReach outline_reach(const ContourList& contours, const OutlineRules& rules,
-                           const Georeference& georeference, double x_stretch, const StopRequest& stop) {
+OutlineDependencies outline_dependencies(const ContourList& contours, const OutlineRules& rules,
+                                         const Georeference& georeference, double x_stretch,
+                                         const StopToken& stop) {
     // Without walls, outlines affect each other only through shared corners.
-    const WallOptions walls = choose_drawing(rules, georeference) == Drawing::regularized
+    const WallOptions walls = choose_outline_method(rules, georeference) == OutlineMethod::regularized
                                   ? wall_options(rules, georeference, x_stretch)
                                   : WallOptions{Walls::off, 0, {{1, 0}, {0, 1}}};
-    OutlineReach reach{conflict_reach(walls), {}};
+    OutlineDependencies reach{conflict_distance(walls), {}};
     for (ClusterPlan& cluster : wall_clusters(contours, walls, stop))
         reach.groups.push_back(std::move(cluster.numbers));
     return reach;
@@ -51,16 +197,16 @@ struct Outliner::Impl {
     const ContourList& contours;
     std::optional<CornerIndex> corners;
     std::optional<ArcGraph> arcs;
-    std::optional<RegularOutlines> walls;
-    std::optional<ChangedOutlines> changed;
+    std::optional<RegularizedOutlines> walls;
+    std::optional<ReplacedOutlines> changed;
     std::unique_ptr<Spool> spool;  // moved into `changed` on first use
     CellShape shape;
 
     /// Even keys are outlines, odd keys are separate footprints.
-    [[nodiscard]] const ChangedOutlines::Kept* changed_at(std::size_t contour) const {
+    [[nodiscard]] const ReplacedOutlines::SpooledOutline* changed_at(std::size_t contour) const {
         return changed ? changed->find(2 * contour) : nullptr;
     }
-    [[nodiscard]] const ChangedOutlines::Kept* changed_footprint(std::size_t contour) const {
+    [[nodiscard]] const ReplacedOutlines::SpooledOutline* changed_footprint(std::size_t contour) const {
         return changed ? changed->find(2 * contour + 1) : nullptr;
     }
     void put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality) {
@@ -85,18 +231,18 @@ OutlineQuality quality_of(const WallQuality& quality) {
 
 }  // namespace
 
-Outliner::Outliner(const ContourList& contours, Drawing drawing, const OutlineRules& rules,
+Outliner::Outliner(const ContourList& contours, OutlineMethod method, const OutlineRules& rules,
                    const Georeference& georeference, double x_stretch, Context& context)
     : impl_(std::make_unique<Impl>(
           Impl{contours, {}, {}, {}, {}, context.make_spool(), cell_shape(georeference, x_stretch)})) {
-    if (drawing == Drawing::noded || drawing == Drawing::simplified)
+    if (method == OutlineMethod::noded || method == OutlineMethod::simplified)
         impl_->corners.emplace(fetch_all(contours));
     context.check_stop();
-    if (drawing == Drawing::simplified) {
+    if (method == OutlineMethod::simplified) {
         impl_->arcs = build_arc_graph(fetch_all(contours), context.threads->stop());
         simplify(impl_->arcs->arcs, rules.simplify, georeference, context.threads->stop());
     }
-    if (drawing == Drawing::regularized) {
+    if (method == OutlineMethod::regularized) {
         impl_->walls.emplace(contours, wall_options(rules, georeference, x_stretch), context.make_spool(),
                              *context.threads);
     }
@@ -109,8 +255,9 @@ Outliner::~Outliner() = default;
 OutlineQuality Outliner::changed_quality(OutlineQuality known, const FinePolygon& before,
                                          const FinePolygon& after) const {
     if (impl_->walls)
-        known.area_change = (1 + known.area_change) * ChangedOutlines::grown(before, after) - 1;
-    known.deviation_cells += impl_->walls ? ChangedOutlines::apart_cells(before, after, impl_->shape) : 0;
+        known.area_change = (1 + known.area_change) * ReplacedOutlines::area_ratio(before, after) - 1;
+    known.deviation_cells +=
+        impl_->walls ? ReplacedOutlines::max_distance_cells(before, after, impl_->shape) : 0;
     // A replaced outline is no longer traced, so it must be validated.
     if (known.status == OutlineStatus::traced)
         known.status = OutlineStatus::simplified;
@@ -160,7 +307,7 @@ FinePolygon Outliner::footprint(std::size_t contour) const {
 }
 
 /// Traces that do not touch cannot touch after simplification.
-std::vector<std::vector<std::uint32_t>> Outliner::groups(const StopRequest& stop) const {
+std::vector<std::vector<std::uint32_t>> Outliner::groups(const StopToken& stop) const {
     std::vector<std::vector<std::uint32_t>> groups;
     const auto add = [&](const std::vector<ClusterPlan>& clusters) {
         for (const ClusterPlan& cluster : clusters)

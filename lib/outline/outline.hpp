@@ -8,10 +8,10 @@
 #include "core/context.hpp"
 #include "core/georeference.hpp"
 #include "core/lattice.hpp"
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/records.hpp"
-#include "trace/contour_list.hpp"
+#include "trace/contour.hpp"
 
 namespace d2b {
 
@@ -25,7 +25,7 @@ struct OutlineRules {
 };
 
 /// Methods of drawing outlines from contours.
-enum class Drawing {
+enum class OutlineMethod {
     traced,  ///< only corners: exact if rows and columns run along the axes and corners are not transformed
     noded,   ///< includes corners of other outlines, so that shared edges stay shared
     simplified,  ///< simplified arcs, shared by neighbours
@@ -45,7 +45,7 @@ struct OutlineQuality {
 /// Draws the outlines of contours on the lattice. The work that needs all contours (noding, simplification,
 /// fitting walls) is done by the constructor, so that outlines can be fetched one at a time:
 ///
-///     const auto method = choose_drawing(rules, georeference);
+///     const auto method = choose_outline_method(rules, georeference);
 ///     const Outliner outliner(contours, method, rules, georeference, x_stretch, context);
 ///     for (std::size_t i = 0; i < contours.size(); ++i)
 ///         write(outliner.outline(i));
@@ -58,7 +58,7 @@ class Outliner {
     /// @param contours must outlive this
     /// @param x_stretch ratio of the ground lengths of one unit of x and one of y; needed for right angles
     /// @param context provides threads for fitting walls and a spool for the results
-    Outliner(const ContourList& contours, Drawing drawing, const OutlineRules& rules,
+    Outliner(const ContourList& contours, OutlineMethod method, const OutlineRules& rules,
              const Georeference& georeference, double x_stretch, Context& context);
     Outliner(Outliner&&) noexcept;
     Outliner& operator=(Outliner&&) noexcept;
@@ -80,7 +80,7 @@ class Outliner {
     [[nodiscard]] bool has_own_footprints() const;
     /// Divides contours into groups whose outlines do not touch other groups; outlines of level 0 may touch
     /// all of them. @return contours of each group, ascending; groups sorted by their first contours
-    [[nodiscard]] std::vector<std::vector<std::uint32_t>> groups(const StopRequest& stop) const;
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> groups(const StopToken& stop) const;
     /// Outline without simplification: the fallback for invalid polygons.
     [[nodiscard]] FinePolygon traced(std::size_t contour) const;
 
@@ -92,7 +92,7 @@ class Outliner {
 };
 
 /// Neighbourhood on which an outline depends.
-struct OutlineReach {
+struct OutlineDependencies {
     LatticePoint cells;  ///< rows and columns within which outlines may conflict
     /// Contours that may conflict and the contours on top of them, ascending; groups sorted by their first
     /// contours.
@@ -101,12 +101,13 @@ struct OutlineReach {
 /// Finds groups of contours whose outlines depend only on the contours of the group. Not valid for simplified
 /// outlines.
 /// @param x_stretch as for Outliner
-[[nodiscard]] OutlineReach outline_reach(const ContourList& contours, const OutlineRules& rules,
-                                         const Georeference& georeference, double x_stretch,
-                                         const StopRequest& stop);
+[[nodiscard]] OutlineDependencies outline_dependencies(const ContourList& contours, const OutlineRules& rules,
+                                                       const Georeference& georeference, double x_stretch,
+                                                       const StopToken& stop);
 
 /// Chooses the cheapest method that satisfies the rules, because noding is unnecessary on axis-parallel
 /// grids.
-[[nodiscard]] Drawing choose_drawing(const OutlineRules& rules, const Georeference& georeference);
+[[nodiscard]] OutlineMethod choose_outline_method(const OutlineRules& rules,
+                                                  const Georeference& georeference);
 
 }  // namespace d2b

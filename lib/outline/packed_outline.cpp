@@ -6,9 +6,9 @@ namespace d2b {
 namespace {
 
 /// Writes variable-length integers: zigzag encoding in groups of seven bits (as in Protocol Buffers).
-class NumberWriter {
+class VarintWriter {
   public:
-    explicit NumberWriter(ByteWriter& writer) : writer_(writer) {}
+    explicit VarintWriter(ByteWriter& writer) : writer_(writer) {}
     void put(std::int64_t value) {
         auto rest = (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
         for (; rest >= 0x80; rest >>= 7)
@@ -20,9 +20,9 @@ class NumberWriter {
     ByteWriter& writer_;
 };
 
-class NumberReader {
+class VarintReader {
   public:
-    explicit NumberReader(ByteReader& reader) : reader_(reader) {}
+    explicit VarintReader(ByteReader& reader) : reader_(reader) {}
     std::int64_t take() {
         std::uint64_t value = 0;
         unsigned shift = 0;
@@ -32,7 +32,7 @@ class NumberReader {
         value |= static_cast<std::uint64_t>(byte) << shift;
         return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
     }
-    std::uint32_t take_small() { return static_cast<std::uint32_t>(take()); }
+    std::uint32_t take_uint32() { return static_cast<std::uint32_t>(take()); }
 
   private:
     ByteReader& reader_;
@@ -41,7 +41,7 @@ class NumberReader {
 }  // namespace
 
 void save(const FinePolygon& polygon, ByteWriter& bytes) {
-    NumberWriter writer(bytes);
+    VarintWriter writer(bytes);
     FinePoint at;
     const auto put = [&](const FineRing& ring) {
         writer.put(static_cast<std::int64_t>(ring.size()));
@@ -65,10 +65,10 @@ void save(const FinePolygon& polygon, ByteWriter& bytes) {
 
 FinePolygon load_outline(const Spool& spool, SpoolEntry entry) {
     ByteReader bytes(spool, entry);
-    NumberReader reader(bytes);
+    VarintReader reader(bytes);
     FinePoint at;
     const auto take = [&](FineRing& ring) {
-        ring.resize(reader.take_small());
+        ring.resize(reader.take_uint32());
         for (FinePoint& p : ring) {
             at.row += reader.take();
             at.col += reader.take();
@@ -76,13 +76,13 @@ FinePolygon load_outline(const Spool& spool, SpoolEntry entry) {
         }
     };
     FinePolygon polygon;
-    polygon.interiors.resize(reader.take_small());
+    polygon.interiors.resize(reader.take_uint32());
     take(polygon.exterior);
     for (FineRing& ring : polygon.interiors)
         take(ring);
-    polygon.arcs.resize(reader.take_small());
+    polygon.arcs.resize(reader.take_uint32());
     for (CircularArc& span : polygon.arcs)
-        span = {reader.take_small(), reader.take_small(), reader.take_small()};
+        span = {reader.take_uint32(), reader.take_uint32(), reader.take_uint32()};
     return polygon;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/byte_record.hpp"
+#include "core/byte_stream.hpp"
 #include "core/lattice.hpp"
 
 namespace d2b {

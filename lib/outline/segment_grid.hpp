@@ -42,7 +42,7 @@ class SegmentGrid {
         });
     }
     template <typename Visit>
-    void in_bucket(std::int64_t row, std::int64_t col, const Visit& visit) const {
+    void visit_bucket(std::int64_t row, std::int64_t col, const Visit& visit) const {
         for (std::uint32_t i = heads_[slot(row, col)]; i != none; i = entries_[i].next)
             if (entries_[i].version == versions_[entries_[i].edge.arc])
                 visit(entries_[i].edge);
@@ -55,7 +55,7 @@ class SegmentGrid {
         return std::clamp((col - low_.col) >> shift_, std::int64_t{0}, cols_ - 1);
     }
     /// First coordinate of a column of buckets.
-    [[nodiscard]] std::int64_t first_of(std::int64_t col) const { return low_.col + (col << shift_); }
+    [[nodiscard]] std::int64_t bucket_start(std::int64_t col) const { return low_.col + (col << shift_); }
 
   private:
     static constexpr std::uint32_t none = 0xffffffff;

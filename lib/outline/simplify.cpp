@@ -4,20 +4,88 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <queue>
 #include <set>
 #include <tuple>
+#include <unordered_map>
+#include <vector>
 
-#include "outline/vertex_grid.hpp"
+#include "core/lattice.hpp"
 
 namespace d2b {
+
+/// Uniform grid of points with buckets of 16 x 16, for finding points in triangles.
+class VertexGrid {
+  public:
+    void add(LatticePoint point) {
+        buckets_[bucket(point.row >> shift, point.col >> shift)].push_back(point);
+    }
+    /// Removes one of the points equal to this.
+    void remove(LatticePoint point);
+    /// Returns true if the closed triangle contains a point other than its corners.
+    [[nodiscard]] bool any_in_triangle(LatticePoint a, LatticePoint b, LatticePoint c) const;
+
+  private:
+    static constexpr int shift = 4;
+    static std::uint64_t bucket(std::int32_t row, std::int32_t col) {
+        return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(row)) << 32) |
+               static_cast<std::uint32_t>(col);
+    }
+    std::unordered_map<std::uint64_t, std::vector<LatticePoint>> buckets_;
+};
+
+namespace {
+
+/// Twice the signed area of a triangle; exact because rows and columns differ by less than 2^31.
+std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
+    const auto rows_b = static_cast<std::int64_t>(b.row) - a.row;
+    const auto cols_b = static_cast<std::int64_t>(b.col) - a.col;
+    const auto rows_c = static_cast<std::int64_t>(c.row) - a.row;
+    const auto cols_c = static_cast<std::int64_t>(c.col) - a.col;
+    return cols_b * rows_c - rows_b * cols_c;
+}
+
+/// Returns true for points in the closed triangle; a degenerate one is its longest side.
+bool inside(LatticePoint p, LatticePoint a, LatticePoint b, LatticePoint c) {
+    const std::int64_t ab = turn(a, b, p);
+    const std::int64_t bc = turn(b, c, p);
+    const std::int64_t ca = turn(c, a, p);
+    return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+}
+
+}  // namespace
+
+void VertexGrid::remove(LatticePoint point) {
+    auto& points = buckets_[bucket(point.row >> shift, point.col >> shift)];
+    const auto found = std::find(points.begin(), points.end(), point);
+    *found = points.back();
+    points.pop_back();
+}
+
+bool VertexGrid::any_in_triangle(LatticePoint a, LatticePoint b, LatticePoint c) const {
+    const LatticePoint low{std::min({a.row, b.row, c.row}), std::min({a.col, b.col, c.col})};
+    const LatticePoint high{std::max({a.row, b.row, c.row}), std::max({a.col, b.col, c.col})};
+    for (std::int32_t row = low.row >> shift; row <= high.row >> shift; ++row)
+        for (std::int32_t col = low.col >> shift; col <= high.col >> shift; ++col) {
+            const auto found = buckets_.find(bucket(row, col));
+            if (found == buckets_.end())
+                continue;
+            for (const LatticePoint p : found->second)
+                if (p != a && p != b && p != c && p.row >= low.row && p.col >= low.col && p.col <= high.col &&
+                    p.row <= high.row && inside(p, a, b, c))
+                    return true;
+        }
+    return false;
+}
+
 namespace {
 
 /// Simplifies all arcs together.
-class Straightener {
+class ArcSimplifier {
   public:
-    Straightener(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
-                 const StopRequest& stop);
+    ArcSimplifier(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
+                  const StopToken& stop);
     void run();
     [[nodiscard]] Arc result(std::size_t arc) const;
 
@@ -36,13 +104,13 @@ class Straightener {
         return {std::min(a, b), std::max(a, b)};
     }
     [[nodiscard]] double deviation(std::size_t from, std::size_t to) const;
-    [[nodiscard]] bool free_to_go(std::size_t vertex) const;
-    void consider(std::size_t vertex);
+    [[nodiscard]] bool is_removable(std::size_t vertex) const;
+    void try_enqueue(std::size_t vertex);
     void remove(std::size_t vertex);
 
     const Georeference& georeference_;
     double tolerance_;
-    const StopRequest& stop_;
+    const StopToken& stop_;
     std::vector<Vertex> vertices_;    // all arcs, concatenated
     std::vector<std::size_t> first_;  // per arc, and one past the last
     VertexGrid grid_;
@@ -51,8 +119,8 @@ class Straightener {
     std::vector<std::size_t> blocked_;
 };
 
-Straightener::Straightener(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
-                           const StopRequest& stop)
+ArcSimplifier::ArcSimplifier(const std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
+                             const StopToken& stop)
     : georeference_(georeference), tolerance_(tolerance), stop_(stop) {
     std::set<LatticePoint> ends;  // junctions are shared by arcs but inserted into the grid once
     for (const Arc& arc : arcs) {
@@ -71,7 +139,7 @@ Straightener::Straightener(const std::vector<Arc>& arcs, double tolerance, const
 }
 
 /// Largest distance between the original points between two vertices and the edge joining them.
-double Straightener::deviation(std::size_t from, std::size_t to) const {
+double ArcSimplifier::deviation(std::size_t from, std::size_t to) const {
     const LatticePoint origin = vertices_[from].at;
     const auto offset = [&](LatticePoint p) {
         return georeference_.step(p.row - origin.row, p.col - origin.col);
@@ -90,14 +158,14 @@ double Straightener::deviation(std::size_t from, std::size_t to) const {
     return largest;
 }
 
-bool Straightener::free_to_go(std::size_t vertex) const {
+bool ArcSimplifier::is_removable(std::size_t vertex) const {
     const Vertex& v = vertices_[vertex];
     const LatticePoint a = vertices_[v.previous].at;
     const LatticePoint c = vertices_[v.next].at;
-    return a != c && !edges_.contains(edge(a, c)) && !grid_.any_in(a, v.at, c);
+    return a != c && !edges_.contains(edge(a, c)) && !grid_.any_in_triangle(a, v.at, c);
 }
 
-void Straightener::consider(std::size_t vertex) {
+void ArcSimplifier::try_enqueue(std::size_t vertex) {
     const Vertex& v = vertices_[vertex];
     if (v.fixed || v.removed)
         return;
@@ -107,7 +175,7 @@ void Straightener::consider(std::size_t vertex) {
         queue_.emplace(moved, v.at, vertex, v.previous, v.next);
 }
 
-void Straightener::remove(std::size_t vertex) {
+void ArcSimplifier::remove(std::size_t vertex) {
     Vertex& v = vertices_[vertex];
     const LatticePoint a = vertices_[v.previous].at;
     const LatticePoint c = vertices_[v.next].at;
@@ -118,13 +186,13 @@ void Straightener::remove(std::size_t vertex) {
     v.removed = true;
     vertices_[v.previous].next = v.next;
     vertices_[v.next].previous = v.previous;
-    consider(v.previous);
-    consider(v.next);
+    try_enqueue(v.previous);
+    try_enqueue(v.next);
 }
 
-void Straightener::run() {
+void ArcSimplifier::run() {
     for (std::size_t i = 0; i < vertices_.size(); ++i)
-        consider(i);
+        try_enqueue(i);
     bool any_removed = true;
     while (any_removed) {
         any_removed = false;
@@ -135,7 +203,7 @@ void Straightener::run() {
             const Vertex& v = vertices_[vertex];
             if (v.removed || v.previous != previous || v.next != next)
                 continue;  // outdated entry: its neighbours have changed, so it was queued again
-            if (!free_to_go(vertex)) {
+            if (!is_removable(vertex)) {
                 blocked_.push_back(vertex);
                 continue;
             }
@@ -146,11 +214,11 @@ void Straightener::run() {
         std::vector<std::size_t> again;
         std::swap(again, blocked_);
         for (const std::size_t vertex : again)
-            consider(vertex);
+            try_enqueue(vertex);
     }
 }
 
-Arc Straightener::result(std::size_t arc) const {
+Arc ArcSimplifier::result(std::size_t arc) const {
     Arc points;
     for (std::size_t i = first_[arc]; i < first_[arc + 1]; ++i)
         if (!vertices_[i].removed)
@@ -161,11 +229,11 @@ Arc Straightener::result(std::size_t arc) const {
 }  // namespace
 
 void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
-              const StopRequest& stop) {
-    Straightener straightener(arcs, tolerance, georeference, stop);
-    straightener.run();
+              const StopToken& stop) {
+    ArcSimplifier simplifier(arcs, tolerance, georeference, stop);
+    simplifier.run();
     for (std::size_t i = 0; i < arcs.size(); ++i)
-        arcs[i] = straightener.result(i);
+        arcs[i] = simplifier.result(i);
 }
 
 }  // namespace d2b

@@ -18,6 +18,6 @@ namespace d2b {
 /// new points are created.
 /// @param tolerance in units of the CRS, positive @throws Cancelled
 void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
-              const StopRequest& stop = {});
+              const StopToken& stop = {});
 
 }  // namespace d2b

@@ -1,18 +1,55 @@
 #include "dem2buildings/extract_file.hpp"
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
+#include "dem2buildings/sinks.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/preview.hpp"
-#include "pipeline/raster_tee.hpp"
 #include "pipeline/report_run.hpp"
-#include "read/source_advice.hpp"
+#include "read/source_files.hpp"
 
 namespace d2b {
+
+/// Forwards a raster to two sinks, either of which may be nullptr.
+class RasterTee final : public RasterSink {
+  public:
+    RasterTee(RasterSink* one, RasterSink* other) : one_(one), other_(other) {}
+
+    /// Returns the sink to write to; nullptr if neither sink exists.
+    [[nodiscard]] RasterSink* sink() {
+        return one_ != nullptr && other_ != nullptr ? this : one_ != nullptr ? one_ : other_;
+    }
+    void write(const Window& part, std::span<const float> values) override {
+        one_->write(part, values);
+        other_->write(part, values);
+    }
+    void finish() override {
+        one_->finish();
+        other_->finish();
+    }
+    void prepare(CommitList& commit) override {
+        one_->prepare(commit);
+        other_->prepare(commit);
+    }
+    [[nodiscard]] std::vector<std::string> take_warnings() override {
+        std::vector<std::string> warnings = one_->take_warnings();
+        for (std::string& warning : other_->take_warnings())
+            warnings.push_back(std::move(warning));
+        return warnings;
+    }
+
+  private:
+    RasterSink* one_;
+    RasterSink* other_;
+};
+
 namespace {
 
 /// If the file names were given in the wrong order, the destination is the raster and the source cannot be
@@ -38,19 +75,19 @@ std::vector<SurfaceSink*> pointers(const std::vector<std::unique_ptr<SurfaceSink
 
 }  // namespace
 
-Inputs open_inputs(const Options& options, const Callbacks& callbacks, const SideArrays& arrays) {
+Inputs open_inputs(const Options& options, const Callbacks& callbacks, const AuxiliaryArrays& arrays) {
     Inputs inputs;
     inputs.dem = open_source(options, callbacks);
-    inputs.side = open_side_sources(options, inputs.dem->info(), callbacks, arrays);
+    inputs.side = open_auxiliary_sources(options, inputs.dem->info(), callbacks, arrays);
     return inputs;
 }
 
-Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& heard) {
+Callbacks recording_warnings(const Callbacks& callbacks, std::vector<std::string>& recorded) {
     Callbacks all = callbacks;
-    all.on_warning = [&heard, tell = callbacks.on_warning](const std::string& text) {
-        if (std::ranges::find(heard, text) != heard.end())
+    all.on_warning = [&recorded, tell = callbacks.on_warning](const std::string& text) {
+        if (std::ranges::find(recorded, text) != recorded.end())
             return;
-        heard.push_back(text);
+        recorded.push_back(text);
         if (tell)
             tell(text);
     };
@@ -58,12 +95,12 @@ Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& hear
 }
 
 RunReport extract_file(const Options& options, const Callbacks& callbacks,
-                       const ReportReader<RunReport>& reader, const SideArrays& arrays) {
+                       const ReportReader<RunReport>& reader, const AuxiliaryArrays& arrays) {
     std::vector<std::string> warnings;
-    const Callbacks heard = remembering(callbacks, warnings);
-    const Inputs inputs = open_inputs(options, heard, arrays);
-    const auto sink = open_sink(options.write, heard);
-    const SideSinks side = open_side_sinks(options, inputs.dem->info());
+    const Callbacks recorded = recording_warnings(callbacks, warnings);
+    const Inputs inputs = open_inputs(options, recorded, arrays);
+    const auto sink = open_sink(options.write, recorded);
+    const AuxiliarySinks side = open_auxiliary_sinks(options, inputs.dem->info());
     Preview preview(options, *sink, inputs.dem->info());
     // The page shows buildings on the terrain, or on the lowest elevations if there is no terrain because the
     // run does not detect buildings.
@@ -73,14 +110,14 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks,
     const Sinks sinks{preview.features(), ground.sink(),     side.height.get(),
                       side.canopy.get(),  elevations.sink(), pointers(side.surfaces)};
     CommitList commit;
-    RunReport report = prepare_run(options, inputs.sources(), sinks, commit, heard);
+    RunReport report = prepare_run(options, inputs.sources(), sinks, commit, recorded);
     preview.prepare(commit);
     report.warnings = warnings;
     if (reader.prepare)
         reader.prepare(report);
     commit.publish([&] {
-        std::ranges::for_each(take_warnings(sinks), heard.on_warning);
-        std::ranges::for_each(preview.take_warnings(), heard.on_warning);
+        std::ranges::for_each(take_warnings(sinks), recorded.on_warning);
+        std::ranges::for_each(preview.take_warnings(), recorded.on_warning);
         report.warnings = warnings;
         if (reader.show)
             reader.show(report);

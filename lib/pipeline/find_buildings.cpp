@@ -1,17 +1,258 @@
 #include "pipeline/find_buildings.hpp"
 
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <mutex>
 #include <utility>
+#include <vector>
 
-#include "core/progress_span.hpp"
-#include "core/stage_clock.hpp"
-#include "detect/merge_units.hpp"
-#include "detect/unit_seams.hpp"
+#include "core/context.hpp"
+#include "core/grid.hpp"
+#include "dem2buildings/run.hpp"
+#include "detect/detection.hpp"
+#include "detect/ground_level.hpp"
+#include "detect/scene.hpp"
+#include "detect/units.hpp"
+#include "ground/ground.hpp"
 
 namespace d2b {
+
+/// Writes the requested rasters of a unit: terrain, heights above it, and canopy heights. Canopy is
+/// everything higher than `min_height` metres that is not a building. Rows are computed while writing.
+/// @param unit its own cells are written @param scene covers the unit's extent @throws OutputError
+void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
+                         double min_height, const Unit& unit);
+
 namespace {
 
-void put_into(FoundBuildings& found, UnitMerger::Merged&& merged, double metres) {
+MetreGrid read_surface(ElevationReader& reader, const Window& seen, double metres, Executor& threads) {
+    MetreGrid surface = MetreGrid::unset(seen.rows, seen.cols, threads);
+    reader.for_part(seen, [&](const ElevationBand& band) {
+        std::ranges::transform(band.elevations, surface.row(band.shape.first_row - seen.row).data(),
+                               [&](double z) { return static_cast<float>(z * metres); });
+    });
+    return surface;
+}
+
+}  // namespace
+
+UnitSurface::UnitSurface(ElevationReader& reader, const Window& seen, double metres, Executor& threads)
+    : reader_(reader) {
+    if (metres == 1)
+        elevations_ = reader.lend(seen);
+    is_borrowed_ = elevations_.size() > 0;
+    if (!is_borrowed_)
+        elevations_ = read_surface(reader, seen, metres, threads);
+}
+
+UnitSurface::~UnitSurface() {
+    if (!is_borrowed_)
+        return;
+    for (const MaskedCell& taken : masked_cells_)
+        elevations_.values[taken.cell] = taken.elevation;
+    reader_.take_back(std::move(elevations_));
+}
+
+void UnitSurface::mask_flagged(const Grid<std::uint8_t>& flags, std::uint8_t flag, Executor& threads) {
+    constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+    std::mutex mutex;
+    for_cells(threads, flags, [&](std::size_t begin, std::size_t end) {
+        std::vector<MaskedCell> here;
+        for (std::size_t i = begin; i < end; ++i)
+            if ((flags.values[i] & flag) != 0)
+                here.push_back({i, std::exchange(elevations_.values[i], unknown)});
+        const std::lock_guard lock(mutex);
+        masked_cells_.insert(masked_cells_.end(), here.begin(), here.end());
+    });
+}
+
+namespace {
+
+constexpr std::int32_t rows_per_write = 256;
+
+/// Writes value(i) for each of the unit's own cells, i being the index in a grid of the unit's extent.
+template <typename Value>
+void write_values(RasterSink& sink, const Unit& unit, const Value& value) {
+    std::vector<float> values;
+    for (std::int32_t row = unit.own.row; row < unit.own.end_row(); row += rows_per_write) {
+        const Window part{row, unit.own.col, std::min(rows_per_write, unit.own.end_row() - row),
+                          unit.own.cols};
+        values.clear();
+        for (std::int32_t r = part.row; r < part.end_row(); ++r) {
+            const auto first = static_cast<std::size_t>(std::int64_t{r - unit.seen.row} * unit.seen.cols +
+                                                        (part.col - unit.seen.col));
+            for (std::size_t i = first; i < first + static_cast<std::size_t>(part.cols); ++i)
+                values.push_back(value(i));
+        }
+        sink.write(part, values);
+    }
+}
+
+/// Heights above the ground. The canopy height of a cell without vegetation is 0.
+class Heights {
+  public:
+    Heights(const Scene& scene, const Detection& detection, double min_height)
+        : scene_(scene), detection_(detection), least_(static_cast<float>(min_height)) {}
+
+    [[nodiscard]] float height(std::size_t i) const { return scene_.height(i); }
+    [[nodiscard]] float canopy(std::size_t i) const {
+        const float height = scene_.height(i);
+        const bool building = detection_.is_building(detection_.labels.values[i]);
+        return !std::isnan(height) && (building || height <= least_) ? 0 : height;
+    }
+
+  private:
+    const Scene& scene_;
+    const Detection& detection_;
+    float least_;
+};
+
+}  // namespace
+
+void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
+                         double min_height, const Unit& unit) {
+    const Heights heights(scene, detection, min_height);
+    if (sinks.ground != nullptr)
+        write_values(*sinks.ground, unit, [&](std::size_t i) { return scene.terrain.values[i]; });
+    if (sinks.height != nullptr)
+        write_values(*sinks.height, unit, [&](std::size_t i) { return heights.height(i); });
+    if (sinks.canopy != nullptr)
+        write_values(*sinks.canopy, unit, [&](std::size_t i) { return heights.canopy(i); });
+}
+
+namespace {
+
+Executor& threads_of(const UnitSearch& search) {
+    return *search.context.threads;
+}
+
+/// Reads or estimates the terrain. Cells that the estimate finds far below the ground become NaN in the
+/// surface.
+MetreGrid terrain_of(const UnitSearch& search, const Window& seen, UnitSurface& unit_surface) {
+    MetreGrid& surface = unit_surface.elevations();
+    if (search.plan.ground == GroundMode::none)
+        return MetreGrid(surface.rows, surface.cols, 0);
+    if (search.plan.ground == GroundMode::given)
+        return read_grid(*search.sources.terrain, seen, search.frame.metres, search.context);
+    const StageClock clock(search.context.report, Stage::ground);
+    Terrain terrain = estimate_ground(surface, search.frame.cell, search.plan.asked.ground, search.context,
+                                      {seen.row, seen.col});
+    // Cells far below the ground are measurement errors, neither building nor ground.
+    unit_surface.mask_flagged(terrain.flags, low_outlier, threads_of(search));
+    return std::move(terrain.elevation);
+}
+
+/// Clamps a given terrain to the surface, because detection expects heights that are not negative.
+void keep_below(const UnitSearch& search, const MetreGrid& surface, MetreGrid& terrain) {
+    if (search.plan.ground != GroundMode::given)
+        return;
+    for_cells(threads_of(search), terrain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (terrain.values[i] > surface.values[i])
+                terrain.values[i] = surface.values[i];
+    });
+}
+
+/// Returns the window of a unit's own cells within its extent.
+Window core_in_extent(const Unit& unit) {
+    return {unit.own.row - unit.seen.row, unit.own.col - unit.seen.col, unit.own.rows, unit.own.cols};
+}
+
+std::vector<SeenObject> seen_objects(const Detection& detection, const std::vector<double>& ground,
+                                     const Window& own, Executor& threads) {
+    std::vector<SeenObject> seen;
+    for (std::size_t i = 0; i < detection.objects.size(); ++i)
+        seen.push_back({detection.objects[i], i < detection.buildings, ground[i + 1], 0});
+    for_row_bands(threads, own.rows, detection.labels.cols, [&](RowBand band) {
+        for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
+            for_equal_runs(detection.labels.row(r).subspan(static_cast<std::size_t>(own.col),
+                                                           static_cast<std::size_t>(own.cols)),
+                           [&](std::int32_t begin, std::int32_t end, Label label) {
+                               std::atomic_ref(seen[label - 1].own_cells)
+                                   .fetch_add(end - begin, std::memory_order_relaxed);
+                           });
+    });
+    return seen;
+}
+
+/// Counts rejected or cut-off objects whose first cell belongs to the unit, so that each is counted once.
+void count_rejected(const RejectedObjects& rejected, const Window& own, RunReport& report) {
+    const auto is_own = [&](const FirstCell& cell) {
+        return cell.row >= own.row && cell.row < own.end_row() && cell.col >= own.col &&
+               cell.col < own.end_col();
+    };
+    report.count(Reason::building_small, std::ranges::count_if(rejected.small, is_own));
+    report.count(Reason::building_low, std::ranges::count_if(rejected.low, is_own));
+    report.count(Reason::part_merged, std::ranges::count_if(rejected.parts, is_own));
+    for (const CutCrown& crown : rejected.crowns)
+        if (is_own(crown.first)) {
+            report.count(Reason::crown_cut);
+            report.count(Reason::crown_cells, crown.cells);
+        }
+}
+
+}  // namespace
+
+FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
+    const Options& options = search.plan.asked;
+    const Sources& sources = search.sources;
+    const UnitFrame& frame = search.frame;
+    Context& context = search.context;
+    Executor& threads = threads_of(search);
+    const Window own = core_in_extent(unit);
+    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}, {}, {}, {}};
+    UnitSurface unit_surface(search.reader, unit.seen, frame.metres, threads);
+    const MetreGrid& surface = unit_surface.elevations();
+    if (search.plan.ground != GroundMode::given)
+        add_islands(surface, frame.cell, own, search.plan.building_m2, options.ground.max_building_width,
+                    found.islands, threads);
+    MetreGrid terrain = terrain_of(search, unit.seen, unit_surface);
+    add_fit(surface, terrain, own, found.fit, threads);
+    add_slope(terrain, frame.cell, unit.seen.row - frame.window.row, own, found.slope, threads);
+    found.sides.terrain = search.plan.ground != GroundMode::given || found.fit.cells() > 0;
+    keep_below(search, surface, terrain);
+    Mask allowed;
+    MetreGrid ndvi;
+    Scene scene{surface, terrain, frame.cell};
+    if (sources.mask != nullptr) {
+        allowed = read_mask(*sources.mask, unit.seen, context);
+        scene.allowed = &allowed;
+    }
+    found.sides.mask = sources.mask == nullptr || has_value_on_surface(surface, allowed, own);
+    if (sources.ndvi != nullptr) {
+        ndvi = read_grid(*sources.ndvi, unit.seen, 1, context);
+        scene.greenness = &ndvi;
+    }
+    ParcelGrid parcels;
+    if (sources.parcels != nullptr) {
+        parcels = ParcelGrid(surface.rows, surface.cols);
+        sources.parcels->read(unit.seen, parcels.values);
+        scene.parcels = &parcels;
+    }
+    found.sides.ndvi = sources.ndvi == nullptr || has_value_on_surface(surface, ndvi, own);
+    Detection detection = [&] {
+        const StageClock clock(context.report, Stage::detect);
+        return detect_buildings(scene, options.detect, search.plan.building_m2, context);
+    }();
+    if (scene.parcels != nullptr)
+        add_fit(scene, detection, own, found.parcels, threads);
+    add_sampling(scene, detection, options.detect.min_height, own, found.sampling, threads);
+    count_rejected(detection.rejected, own, context.report);
+    write_scene_rasters(search.sinks, scene, detection, options.detect.min_height, unit);
+    const StageClock clock(context.report, Stage::attributes);
+    const std::vector<double> ground =
+        ground_levels(terrain, detection.labels, static_cast<Label>(detection.objects.size()), threads);
+    found.objects = seen_objects(detection, ground, own, threads);
+    found.labels = std::move(detection.labels);
+    return found;
+}
+
+namespace {
+
+void store_merged(FoundBuildings& found, UnitMerger::Merged&& merged, double metres) {
     found.buildings = merged.buildings;
     for (const SeenObject& seen : merged.objects)
         found.add(seen.ground / metres, seen.object);
@@ -19,9 +260,9 @@ void put_into(FoundBuildings& found, UnitMerger::Merged&& merged, double metres)
 }
 
 /// Accumulates the results of units, which arrive row by row.
-class UnitSum {
+class UnitCollector {
   public:
-    UnitSum(const UnitSearch& search, std::int32_t unit_cols, FoundBuildings& found)
+    UnitCollector(const UnitSearch& search, std::int32_t unit_cols, FoundBuildings& found)
         : search_(search), found_(found), seams_(unit_cols) {}
 
     /// @param col column of the unit in its row
@@ -41,8 +282,10 @@ class UnitSum {
         found_.labels.append(unit, here.labels, threads, more);
     }
     void finish(const UnitGrid& units) {
-        put_into(found_, join_units(merger_, search_.plan, units, search_.frame.cell, search_.context.report),
-                 search_.frame.metres);
+        store_merged(
+            found_,
+            merge_found_units(merger_, search_.plan, units, search_.frame.cell, search_.context.report),
+            search_.frame.metres);
     }
 
   private:
@@ -55,7 +298,7 @@ class UnitSum {
 }  // namespace
 
 UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell, const UnitSize& size) {
-    return {window, cell, widths_around * plan.asked.ground.max_building_width, size};
+    return {window, cell, halo_widths * plan.asked.ground.max_building_width, size};
 }
 
 FoundBuildings::FoundBuildings() {
@@ -66,16 +309,16 @@ FoundBuildings::FoundBuildings() {
 void FoundBuildings::add(double elevation, const DetectedObject& object) {
     ground.push_back(elevation);
     footprints.push_back(
-        {elevation, object.confidence, doubt_name(object.doubt), object.parcel, object.whole});
+        {elevation, object.confidence, counter_evidence_name(object.doubt), object.parcel, object.whole});
 }
 
-std::int64_t least_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell) {
-    return units.count() > 1 ? cells_for(plan.building_m2, cell) : 1;
+std::int64_t min_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell) {
+    return units.count() > 1 ? cells_covering(plan.building_m2, cell) : 1;
 }
 
-UnitMerger::Merged join_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,
-                              const CellSize& cell, RunReport& report) {
-    UnitMerger::Merged merged = merger.finish(least_cells(plan, units, cell));
+UnitMerger::Merged merge_found_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,
+                                     const CellSize& cell, RunReport& report) {
+    UnitMerger::Merged merged = merger.finish(min_cells(plan, units, cell));
     report.count(Reason::building_doubtful,
                  static_cast<std::int64_t>(merged.objects.size()) - merged.buildings);
     if (plan.asked.write.doubtful)
@@ -95,7 +338,7 @@ FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size) {
     found.labels = LabelRows(context.make_spool(), frame.window);
     found.fit = GroundFit(plan.asked.detect.min_height);
     found.sides = {false, false, false};
-    UnitSum sum(search, units.cols(), found);
+    UnitCollector sum(search, units.cols(), found);
     const auto all = static_cast<double>(frame.window.points());
     double done = 0;  // points
     for (std::int32_t row = 0; row < units.rows(); ++row)

@@ -1,13 +1,86 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "attributes/records.hpp"
-#include "detect/label_rows.hpp"
-#include "detect/unit_grid.hpp"
-#include "pipeline/find_in_unit.hpp"
+#include "attributes/record_builder.hpp"
+#include "core/context.hpp"
+#include "core/executor.hpp"
+#include "core/grid.hpp"
+#include "dem2buildings/run.hpp"
+#include "detect/units.hpp"
+#include "diagnose/coverage.hpp"
+#include "diagnose/ground_fit.hpp"
+#include "diagnose/parcel_fit.hpp"
+#include "diagnose/surface_sampling.hpp"
+#include "elevations/elevation_reader.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
+
+/// Elevations of a part of the window in metres; NaN if there is none.
+/// Borrows the reader's grid if that holds all elevations in this form, because this saves a copy and a pass
+/// over it. The destructor restores and returns it.
+class UnitSurface {
+  public:
+    /// @param metres per vertical unit @throws InputError, Cancelled
+    UnitSurface(ElevationReader& reader, const Window& seen, double metres, Executor& threads);
+    UnitSurface(const UnitSurface&) = delete;
+    UnitSurface& operator=(const UnitSurface&) = delete;
+    ~UnitSurface();
+
+    [[nodiscard]] const MetreGrid& elevations() const { return elevations_; }
+    /// Mutable access for callers that undo their changes.
+    [[nodiscard]] MetreGrid& elevations() { return elevations_; }
+    /// Sets flagged cells to NaN until destruction. @param flags per cell
+    void mask_flagged(const Grid<std::uint8_t>& flags, std::uint8_t flag, Executor& threads);
+
+  private:
+    struct MaskedCell {
+        std::size_t cell;
+        float elevation;
+    };
+
+    ElevationReader& reader_;
+    MetreGrid elevations_;
+    bool is_borrowed_ = false;
+    std::vector<MaskedCell> masked_cells_;
+};
+
+/// Values shared by all units of a window, so that no result depends on the division into units.
+struct UnitFrame {
+    Window window;
+    CellSize cell;      ///< at the centre of the window
+    double metres = 1;  ///< metres per vertical unit
+};
+
+/// Inputs and outputs of the search for ground and buildings.
+struct UnitSearch {
+    const RunPlan& plan;
+    const Sources& sources;
+    const Sinks& sinks;
+    ElevationReader& reader;
+    UnitFrame frame;
+    Context& context;
+};
+
+/// Detection result of one unit.
+struct FoundInUnit {
+    Grid<Label> labels;               ///< labels of the unit's extent
+    std::vector<SeenObject> objects;  ///< by label - 1
+    GroundFit fit;                    ///< this and the following statistics cover the unit's own cells only
+    GroundSlope slope;
+    AuxiliaryCoverage sides;
+    ParcelFit parcels;
+    SurfaceSampling sampling;
+    ValidIslands islands;
+};
+
+/// Estimates or reads the terrain, detects buildings above it, and writes the requested rasters. The result
+/// is a pure function of the cells in the unit's extent and of the plan and frame of the search.
+/// @throws InputError, OutputError, Cancelled
+[[nodiscard]] FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit);
 
 /// Result of ground estimation and building detection over a DEM.
 struct FoundBuildings {
@@ -21,7 +94,7 @@ struct FoundBuildings {
     std::vector<double> ground;         ///< ground elevations in the vertical unit, by label
     GroundFit fit{0};   ///< surface against ground, before the ground was clamped to the surface
     GroundSlope slope;  ///< slope of the ground, sampled in some rows
-    SidesKnown sides;
+    AuxiliaryCoverage sides;
     ParcelFit parcels;
     SurfaceSampling sampling;
     ValidIslands islands;
@@ -33,18 +106,19 @@ struct FoundBuildings {
 
 /// Halo of a unit in building widths, chosen because both units at a seam must see a building there whole,
 /// together with the ground around it.
-inline constexpr double widths_around = 5;
+inline constexpr double halo_widths = 5;
 /// Divides a window into units.
 [[nodiscard]] UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell,
                                  const UnitSize& size = {});
 
 /// Returns the minimum number of own cells of an object. Smaller ones are slivers on the far side of a seam.
-[[nodiscard]] std::int64_t least_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell);
+[[nodiscard]] std::int64_t min_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell);
 
 /// Finishes merging once all units have been added. Low-confidence candidates are counted, and removed unless
 /// they are to be written.
-[[nodiscard]] UnitMerger::Merged join_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,
-                                            const CellSize& cell, RunReport& report);
+[[nodiscard]] UnitMerger::Merged merge_found_units(UnitMerger& merger, const RunPlan& plan,
+                                                   const UnitGrid& units, const CellSize& cell,
+                                                   RunReport& report);
 
 /// Detects buildings in a window and merges objects that cross seams. Units are processed one after the other
 /// because that bounds memory.

@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "core/georeference.hpp"
-#include "core/square_area.hpp"
 #include "dem2buildings/error.hpp"
-#include "options/side_files.hpp"
+#include "options/run_plan.hpp"
 #include "preview/map_page.hpp"
 
 namespace d2b {
@@ -26,7 +25,7 @@ CellSize cell_of(const DemInfo& dem, const Crs& crs) {
 }
 
 /// Describes the options that shape a stack.
-std::string tried(const Options& options) {
+std::string parameters_text(const Options& options) {
     std::string text = "lod " + std::to_string(options.levels.lod);
     if (!options.levels.fixed.empty() || options.levels.interval)
         text = "given levels";
@@ -35,15 +34,15 @@ std::string tried(const Options& options) {
 
 }  // namespace
 
-MapGround ground_of(const Options& options, const DemInfo& dem) {
+MapArea map_area_of(const Options& options, const DemInfo& dem) {
     const Crs crs(options.read.crs.empty() ? dem.crs_wkt : options.read.crs);
     return {dem, crs, cell_of(dem, crs)};
 }
 
-RasterTarget picture_target(const Options& options) {
+FileTarget picture_target(const Options& options) {
     const WriteOptions& write = options.write;
-    RasterTarget target{write.preview, write.overwrite, {options.read.source}, RasterFormat::picture};
-    std::vector<std::string> others = side_files_of(write);
+    FileTarget target{write.preview, write.overwrite, {options.read.source}, FileKind::picture};
+    std::vector<std::string> others = auxiliary_file_names(write);
     others.insert(others.end(), {write.destination, options.ground.terrain, options.detect.mask,
                                  options.detect.ndvi, options.detect.split_by});
     for (const std::string& name : others)
@@ -57,10 +56,10 @@ Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& d
         return;
     file_ = open_picture(picture_target(options));
     const int longest = options.write.preview_size;
-    const MapGround ground = ground_of(options, dem);
+    const MapArea ground = map_area_of(options, dem);
     const PictureFormat format = file_->format();
-    sink_.emplace(features, MapFrame(ground, map_on_page(ground, longest)), format,
-                  [this, format, longest, text = tried(options)](const MapPicture& map) {
+    sink_.emplace(features, MapFrame(ground, map_size_on_page(ground, longest)), format,
+                  [this, format, longest, text = parameters_text(options)](const MapPicture& map) {
                       file_->write(draw_map_page(map, text, format, longest));
                   });
 }

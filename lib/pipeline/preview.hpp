@@ -9,7 +9,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "preview/preview_sink.hpp"
-#include "write/picture_file.hpp"
+#include "write/raster/picture_file.hpp"
 
 namespace d2b {
 
@@ -36,8 +36,8 @@ class Preview {
 };
 
 /// Returns the destination of the picture.
-[[nodiscard]] RasterTarget picture_target(const Options& options);
+[[nodiscard]] FileTarget picture_target(const Options& options);
 /// Returns the grid and CRS that the picture shows. @throws OptionError
-[[nodiscard]] MapGround ground_of(const Options& options, const DemInfo& dem);
+[[nodiscard]] MapArea map_area_of(const Options& options, const DemInfo& dem);
 
 }  // namespace d2b

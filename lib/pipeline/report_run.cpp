@@ -4,12 +4,38 @@
 #include <string>
 #include <utility>
 
-#include "core/stage_clock.hpp"
-#include "diagnose/empty_result.hpp"
+#include "core/context.hpp"
 #include "diagnose/search_warnings.hpp"
-#include "diagnose/warn_of.hpp"
+#include "diagnose/warnings.hpp"
 
 namespace d2b {
+
+StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader) {
+    StackError error;
+    reader.for_each(
+        [&](const ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::attributes);
+            return stack.error(band, fixed);
+        },
+        [&](const ElevationBand&, const StackError& of_band) { error.merge(of_band); });
+    return error;
+}
+
+std::vector<StackError> measure_cuts(const DrawnStack& stack, std::int32_t levels, const FixedPoint& fixed,
+                                     ElevationReader& reader) {
+    std::vector<StackError> errors(static_cast<std::size_t>(levels));
+    reader.for_each(
+        [&](const ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::attributes);
+            return stack.errors_by_level(band, fixed, levels);
+        },
+        [&](const ElevationBand&, const std::vector<StackError>& of_band) {
+            for (std::size_t i = 0; i < errors.size(); ++i)
+                errors[i].merge(of_band[i]);
+        });
+    return errors;
+}
+
 namespace {
 
 constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
@@ -63,17 +89,17 @@ double share_outside(const DemSource* terrain) {
 }
 
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
-                    const SearchFacts* facts, Context& context) {
-    warn_of(empty_result(plan, buildings, setup.dem, context.report), context);
+                    const SearchStatistics* facts, Context& context) {
+    warn_unless_empty(explain_empty_result(plan, buildings, setup.dem, context.report), context);
     if (facts != nullptr && setup.plan.asked.detect.is_split_by())
         context.report.parcels = parcel_report(facts->parcels, setup.cell);
     if (facts != nullptr)
         context.report.sampling = sampling_report(facts->sampling, context.report.units.vertical_metres);
     if (facts != nullptr)
-        warn_of_search({setup.dem, setup.plan, context.report, facts->fit, facts->sides, setup.cell,
-                        setup.crs.kind() != Crs::Kind::none, facts->slope, context.report.parcels,
-                        context.report.sampling, facts->islands, facts->terrain_outside},
-                       buildings > 0, context);
+        warn_about_search({setup.dem, setup.plan, context.report, facts->fit, facts->sides, setup.cell,
+                           setup.crs.kind() != Crs::Kind::none, facts->slope, context.report.parcels,
+                           context.report.sampling, facts->islands, facts->terrain_outside},
+                          buildings > 0, context);
 }
 
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {

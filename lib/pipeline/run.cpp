@@ -1,32 +1,37 @@
-#include "dem2buildings/run.hpp"
+#include "pipeline/run.hpp"
 
 #include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "core/progress_span.hpp"
-#include "core/stage_clock.hpp"
-#include "diagnose/strange_values.hpp"
+#include "core/context.hpp"
+#include "core/crs.hpp"
+#include "dem2buildings/run.hpp"
+#include "dem2buildings/version.hpp"
+#include "diagnose/suspicious_values.hpp"
 #include "elevations/elevation_reader.hpp"
-#include "elevations/sift_rules.hpp"
+#include "elevations/filter_invalid.hpp"
 #include "features/contour_drawer.hpp"
 #include "features/flow_outlines.hpp"
 #include "features/problem_layer.hpp"
-#include "features/target_frame.hpp"
+#include "features/reprojection.hpp"
 #include "features/write_features.hpp"
 #include "features/write_surfaces.hpp"
-#include "pipeline/feature_input.hpp"
+#include "geometry/geos.hpp"
 #include "pipeline/find_buildings.hpp"
-#include "pipeline/measure_stack.hpp"
-#include "pipeline/plan_tiers.hpp"
 #include "pipeline/report_run.hpp"
-#include "pipeline/run_in_units.hpp"
 #include "pipeline/run_setup.hpp"
-#include "pipeline/set_up_surfaces.hpp"
 #include "pipeline/trace_contours.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b {
+
+std::string library_versions() {
+    return "GDAL " + gdal_version() + ", GEOS " + geos_version() + ", PROJ " + proj_version() +
+           ", GeographicLib " + geographiclib_version();
+}
+
 namespace {
 
 /// Progress of a run at the end of each of its parts, as a share of 1.
@@ -36,15 +41,15 @@ struct Milestones {
     double traced;
     double drawn;
 };
-constexpr Milestones of_buildings{0.1, 0.55, 0.7, 0.97};
-constexpr Milestones of_thesis{0.3, 0.3, 0.6, 0.97};
+constexpr Milestones building_milestones{0.1, 0.55, 0.7, 0.97};
+constexpr Milestones thesis_milestones{0.3, 0.3, 0.6, 0.97};
 const Milestones& milestones(const RunPlan& plan) {
-    return plan.detects_buildings() ? of_buildings : of_thesis;
+    return plan.detects_buildings() ? building_milestones : thesis_milestones;
 }
 
 /// Runs `work` with its progress mapped to [begin, end] and returns its result.
 template <typename Work>
-auto within(Context& context, double begin, double end, const Work& work) {
+auto with_progress(Context& context, double begin, double end, const Work& work) {
     const ProgressSpan span(context, begin, end);
     return work();
 }
@@ -55,8 +60,8 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& 
     const Options& options = setup.plan.asked;
     const DemInfo& info = setup.dem;
     // The thesis preset does not filter elevations.
-    SiftRules rules =
-        sift_rules(options.read, detects_buildings(options), info, context.report.units.vertical_metres);
+    ValidityRules rules =
+        validity_rules(options.read, detects_buildings(options), info, context.report.units.vertical_metres);
     const auto survey_all = [&] {
         return reader.survey(rules, [&](const ElevationBand& band) {
             context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - info.window.row) /
@@ -64,14 +69,14 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& 
         });
     };
     ElevationSurvey survey = survey_all();
-    const UndeclaredValues undeclared =
+    const UndeclaredNodata undeclared =
         undeclared_values(source, options, rules, setup.cell_m(), &survey.border, context);
     if (!undeclared.taken.empty()) {
         rules.undeclared = undeclared.values();
         survey = survey_all();
     }
-    report_strange_values(survey.strange, survey.statistics.moments.n, undeclared, info, options.read,
-                          context);
+    report_suspicious_values(survey.suspicious, survey.statistics.moments.n, undeclared, info, options.read,
+                             context);
     return survey.statistics;
 }
 
@@ -87,13 +92,13 @@ void write_elevations(ElevationReader& reader, std::int32_t first_col, RasterSin
 }
 
 /// Sizes of the pieces into which a run divides its window.
-struct RunSize {
+struct PieceSizes {
     const BandSize& bands;
     const UnitSize& units;
 };
 
 /// Results of the stages before tracing.
-struct Searched {
+struct SearchResult {
     ElevationStatistics statistics;
     Tiers tiers;
     std::optional<FoundBuildings> found;
@@ -101,30 +106,30 @@ struct Searched {
 
 /// Runs all stages from the elevations to the levels of buildings. @param lattice null if no surface is asked
 /// for
-Searched search_levels(ElevationReader& reader, const RunSetup& setup, const Sources& sources,
-                       const Sinks& sinks, const UnitSize& size, SurfaceLattice* lattice, Context& context) {
+SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const Sources& sources,
+                           const Sinks& sinks, const UnitSize& size, SurfaceLattice* lattice,
+                           Context& context) {
     const RunPlan& decided = setup.plan;
     const Window& window = setup.dem.window;
     const Milestones& at = milestones(decided);
     const double metres = context.report.units.vertical_metres;
-    Searched searched;
-    searched.statistics =
-        within(context, 0, at.read, [&] { return collect_statistics(reader, setup, sources.dem, context); });
+    SearchResult result;
+    result.statistics = with_progress(
+        context, 0, at.read, [&] { return collect_statistics(reader, setup, sources.dem, context); });
     pass_warnings(sources, sinks, context);
     if (lattice != nullptr)
-        set_heights(*lattice, searched.statistics.range(), sinks);
+        set_heights(*lattice, result.statistics.range(), sinks);
     if (sinks.elevations != nullptr)
         write_elevations(reader, window.col, *sinks.elevations, metres);
-    searched.tiers.plan =
-        plan_global_levels(searched.statistics, decided.asked.levels, decided.levels, context);
+    result.tiers.plan = plan_global_levels(result.statistics, decided.asked.levels, decided.levels, context);
     if (!decided.detects_buildings())
-        return searched;
-    searched.found = within(context, at.read, at.found, [&] {
+        return result;
+    result.found = with_progress(context, at.read, at.found, [&] {
         return find_buildings({decided, sources, sinks, reader, {window, setup.cell, metres}, context}, size);
     });
-    searched.tiers = plan_tiers(reader, *searched.found, window, setup, searched.statistics.fixed_point(),
-                                searched.tiers.plan, context);
-    return searched;
+    result.tiers = plan_tiers(reader, *result.found, window, setup, result.statistics.fixed_point(),
+                              result.tiers.plan, context);
+    return result;
 }
 
 /// Adjusts outlines to be flow-ready if asked for. @return the changes and remaining problems
@@ -142,26 +147,27 @@ std::vector<FlowProblem> make_flow_ready(const StoredContours& contours, Outline
 }
 
 /// Inputs of the outputs other than features.
-struct Beside {
+struct FurtherOutputs {
     const std::vector<FlowProblem>& flow;
     const SurfaceLattice* lattice;  ///< null if no surface is asked for
 };
 
 /// Draws the contours and writes them to the sinks.
-void write_result(const FeatureInput& input, const RecordMaker& records, const RunSetup& setup,
-                  const Sinks& sinks, const Beside& beside, Context& context) {
+void write_result(const FeatureInput& input, const RecordBuilder& records, const RunSetup& setup,
+                  const Sinks& sinks, const FurtherOutputs& further, Context& context) {
     const Milestones& at = milestones(setup.plan);
-    const SurfaceLattice* const lattice = beside.lattice;
+    const SurfaceLattice* const lattice = further.lattice;
     const double written = lattice != nullptr ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
-    within(context, at.traced, written, [&] { write_features(input, records, sinks.features, context); });
-    ProblemLayer problems(setup.layers.places.problems);
+    with_progress(context, at.traced, written,
+                  [&] { write_features(input, records, sinks.features, context); });
+    ProblemLayer problems(setup.layers.indices.problems);
     const WriteOptions& write = setup.plan.asked.write;
     if (write.problems)
-        problems.note(placed_problems(beside.flow, input, sinks.features.first_id()));
+        problems.note(placed_problems(further.flow, input, sinks.features.first_id()));
     if (lattice != nullptr)
-        within(context, written, at.drawn, [&] {
-            write_surfaces({input, records, *input.kept, *lattice, setup.plan.surface_of, write.surface_roof,
-                            write.problems ? &problems : nullptr},
+        with_progress(context, written, at.drawn, [&] {
+            write_surfaces({input, records, *input.building_records, *lattice, setup.plan.surface_of,
+                            write.surface_roof, write.problems ? &problems : nullptr},
                            surface_meta(setup.plan, *lattice, setup.written(), context.report.units),
                            sinks.surfaces, context);
         });
@@ -175,7 +181,7 @@ void write_result(const FeatureInput& input, const RecordMaker& records, const R
 ///                -> trace_contours -> draw_outlines -> write_result
 ///
 /// Stages between the survey and tracing are skipped if the plan does not detect buildings (-preset thesis).
-void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const RunSize& size,
+void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const PieceSizes& size,
                 CommitList& commit, Context& context) {
     const DemInfo& info = sources.dem.info();
     const RunSetup setup = set_up_run(asked, info, sinks.features, context);
@@ -189,39 +195,39 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
         search_levels(reader, setup, sources, sinks, size.units, lattice ? &*lattice : nullptr, context);
     const LevelPlan& plan = tiers.plan;
     const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    const TierImage image{plan, found ? &*found : nullptr, tiers.clean ? &*tiers.clean : nullptr};
-    const auto contours = within(context, milestones(decided).found, milestones(decided).traced, [&] {
+    const LevelImage image{plan, found ? &*found : nullptr, tiers.clean ? &*tiers.clean : nullptr};
+    const auto contours = with_progress(context, milestones(decided).found, milestones(decided).traced, [&] {
         return trace_contours(reader, frame, image, decided, setup.area, metres, context);
     });
 
     pass_warnings(sources, sinks, context);
     const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
-    const RecordMaker records(
+    const RecordBuilder records(
         *contours, {plan, frame.fixed, footprints, metres, lattice_frame(info.window, decided.trace)});
     report_levels(plan, plan.level_count(), report);
     const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
-    std::optional<SearchFacts> facts;
+    std::optional<SearchStatistics> facts;
     if (found)
-        facts = SearchFacts{found->fit,
-                            found->slope,
-                            found->sides,
-                            found->parcels,
-                            found->sampling,
-                            found->islands,
-                            share_outside(sources.terrain)};
+        facts = SearchStatistics{found->fit,
+                                 found->slope,
+                                 found->sides,
+                                 found->parcels,
+                                 found->sampling,
+                                 found->islands,
+                                 share_outside(sources.terrain)};
     warn_of_result(setup, plan, buildings_up_to(last_building, *contours), facts ? &*facts : nullptr,
                    context);
     Outliner outliner = draw_outlines(*contours, setup, context);
     const std::vector<FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
-    std::optional<BuildingRecords> kept;
+    std::optional<BuildingRecords> building_records;
     if (lattice)
-        kept.emplace(context.make_spool());
+        building_records.emplace(context.make_spool());
     FeatureInput input = feature_input(
         setup, {*contours, outliner, last_building, frame.fixed, sources.parcels}, report,
         [&](const DrawnStack& stack) { return measure_stack(stack, frame.fixed, reader); },
-        kept ? &*kept : nullptr);
+        building_records ? &*building_records : nullptr);
     if (has_tiers(sinks))
-        input.compare_cuts = [&](const DrawnStack& stack, std::int32_t levels) {
+        input.stack_errors_by_level = [&](const DrawnStack& stack, std::int32_t levels) {
             return measure_cuts(stack, levels, frame.fixed, reader);
         };
     write_result(input, records, setup, sinks, {flow, lattice ? &*lattice : nullptr}, context);
@@ -229,7 +235,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
 }
 
 /// Runs all stages and issues the pending warnings, even if a stage throws.
-void run_to_commit(const Options& asked, const Sources& sources, const Sinks& sinks, const RunSize& size,
+void run_to_commit(const Options& asked, const Sources& sources, const Sinks& sinks, const PieceSizes& size,
                    CommitList& commit, Context& context) {
     try {
         run_stages(asked, sources, sinks, size, commit, context);

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include "core/context.hpp"
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
-#include "core/square_area.hpp"
+#include "core/statistics.hpp"
+#include "dem2buildings/report.hpp"
 #include "dem2buildings/run.hpp"
-#include "features/layer_specs.hpp"
+#include "features/surface_lattice.hpp"
+#include "features/write_features.hpp"
 #include "options/run_plan.hpp"
 
 namespace d2b {
@@ -32,5 +37,42 @@ struct RunSetup {
 /// @throws OptionError, InputError, OutputError
 [[nodiscard]] RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
                                   Context& context);
+
+/// Contours and outlines to be drawn, with the values that their features need.
+struct DrawingInput {
+    const StoredContours& contours;
+    const Outliner& outliner;
+    Label buildings;  ///< labels above are low-confidence candidates
+    FixedPoint fixed;
+    ParcelSource* parcels = nullptr;
+};
+
+/// Collects the input of write_features(). @param setup must outlive the result, as must the referenced
+/// contours
+/// @param stack_error, building_records see FeatureInput
+[[nodiscard]] FeatureInput feature_input(const RunSetup& setup, const DrawingInput& drawing,
+                                         const RunReport& report,
+                                         std::function<StackError(const DrawnStack&)> stack_error,
+                                         BuildingRecords* building_records = nullptr);
+
+/// Groups of contours whose outlines depend on each other, and the reach of that dependence in cells.
+[[nodiscard]] OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunSetup& setup,
+                                                          Context& context);
+
+/// Draws the outlines of the contours of a run.
+[[nodiscard]] Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context);
+
+/// Creates the lattice of the run's surfaces and asks the sinks whether they can hold it. @return nullopt if
+/// there are none
+/// @throws OptionError, OutputError
+[[nodiscard]] std::optional<SurfaceLattice> set_up_surfaces(const RunSetup& setup, const Sinks& sinks,
+                                                            const UnitReport& units);
+
+/// True if a sink takes the tiers of stacks.
+[[nodiscard]] bool has_tiers(const Sinks& sinks);
+
+/// Passes on the elevation range as soon as it is known. @param range in the vertical unit @throws
+/// OptionError
+void set_heights(SurfaceLattice& lattice, const ElevationRange& range, const Sinks& sinks);
 
 }  // namespace d2b

@@ -7,11 +7,50 @@
 #include <utility>
 #include <vector>
 
-#include "core/stage_clock.hpp"
-#include "detect/one_label.hpp"
-#include "levels/quantise.hpp"
+#include "core/context.hpp"
+#include "detect/detection.hpp"
+#include "levels/building_levels.hpp"
+#include "levels/clean_tiers.hpp"
+#include "levels/level_plan.hpp"
 
 namespace d2b {
+namespace {
+
+/// Collects the elevation statistics from which each building's thresholds are derived.
+void add_statistics(ElevationReader& reader, const FoundBuildings& found, BuildingStatistics& buildings,
+                    Context& context) {
+    reader.for_each(
+        [&](const ElevationBand& band, Tally& tally) {
+            const StageClock clock(tally, Stage::levels);
+            return constant_runs(band, found.band(band.shape));
+        },
+        [&](const ElevationBand&, const std::vector<ConstantRun>& cells) {
+            const StageClock clock(context.report, Stage::levels);
+            buildings.add(cells);
+        });
+}
+
+}  // namespace
+
+Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Window& window,
+                 const RunSetup& setup, const FixedPoint& fixed, const LevelPlan& global, Context& context) {
+    const RunPlan& decided = setup.plan;
+    const double metres = context.report.units.vertical_metres;
+    const RegionOptions regions = region_options(decided.detail, setup.cell, metres);
+    Tiers tiers;
+    BuildingStatistics statistics(found.count(), fixed, decided.levels == LevelSource::natural ? metres : 0);
+    if (decided.detail > 0)
+        tiers.clean.emplace(clean_tiers(
+            reader, found.labels, found.count(), regions, window,
+            [&](Label label, const BuildingCells& cells) { statistics.add(constant_runs(cells, label)); },
+            context));
+    else
+        add_statistics(reader, found, statistics, context);
+    tiers.plan = plan_building_levels(statistics, found.ground, global, decided.asked.levels, decided.levels,
+                                      metres, regions.price);
+    return tiers;
+}
+
 namespace {
 
 LabelBand labels_of(const ElevationBand& band, const BandTracing& tracing) {
@@ -48,8 +87,8 @@ PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevatio
 /// Splits bands into runs on all threads. Each band repeats the rows above it that it depends on.
 /// @param work processes the lines on the same thread @param use receives its results on the calling thread
 template <typename Count, typename Work, typename Use>
-void take_apart_as(ElevationReader& reader, const BandTracing& tracing, const Work& work, const Use& use) {
-    reader.for_each_below(
+void split_bands_as(ElevationReader& reader, const BandTracing& tracing, const Work& work, const Use& use) {
+    reader.for_each_with_halo(
         rows_above(tracing.mode),
         [&](ElevationBand above, const ElevationBand& elevations, Tally& tally) {
             PointRows<Count> before;
@@ -61,25 +100,26 @@ void take_apart_as(ElevationReader& reader, const BandTracing& tracing, const Wo
                 band = point_rows<Count>(borrowed, tracing);
             }
             const StageClock clock(tally, Stage::trace);
-            return work(take_apart(tracing.frame, tracing.mode, before, band, tracing.summed), tally);
+            return work(split_into_runs(tracing.frame, tracing.mode, before, band, tracing.summed), tally);
         },
         use);
 }
 
 template <typename Work, typename Use>
-void take_apart_by_counts(ElevationReader& reader, const BandTracing& tracing, const Work& work,
-                          const Use& use) {
+void split_bands_by_count_type(ElevationReader& reader, const BandTracing& tracing, const Work& work,
+                               const Use& use) {
     if (tracing.image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
-        take_apart_as<std::uint8_t>(reader, tracing, work, use);
+        split_bands_as<std::uint8_t>(reader, tracing, work, use);
     else
-        take_apart_as<std::uint16_t>(reader, tracing, work, use);
+        split_bands_as<std::uint16_t>(reader, tracing, work, use);
 }
 
 /// Traces all bands. The tracer's memory is released at the end.
-void trace_into(ContourStore& store, ElevationReader& reader, const BandTracing& tracing, Context& context) {
+void trace_into(ContourArchive& store, ElevationReader& reader, const BandTracing& tracing,
+                Context& context) {
     const Window& window = tracing.frame.window;
     Tracer tracer(tracing.frame, tracing.mode, store);
-    take_apart_by_counts(
+    split_bands_by_count_type(
         reader, tracing,
         [&](std::vector<TraceLine>&& lines, Tally& tally) {
             return trace_band(tracing.frame, tracing.mode, std::move(lines), store, tally);
@@ -96,14 +136,14 @@ void trace_into(ContourStore& store, ElevationReader& reader, const BandTracing&
 
 }  // namespace
 
-void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const UseLines& use) {
-    take_apart_by_counts(
+void split_bands_into_runs(ElevationReader& reader, const BandTracing& tracing, const UseLines& use) {
+    split_bands_by_count_type(
         reader, tracing, [](std::vector<TraceLine>&& lines, Tally&) { return std::move(lines); },
         [&](const ElevationBand& band, std::vector<TraceLine> lines) { use(band.shape, std::move(lines)); });
 }
 
-ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunPlan& plan,
-                           const SquareArea& area, double metres, Context& context) {
+ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunPlan& plan,
+                             const SquareArea& area, double metres, Context& context) {
     const NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2, plan.detects_buildings()};
     // Detected footprints do not stand on other contours.
     HeightRules heights;
@@ -115,21 +155,21 @@ ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found,
 }
 
 TracedBand trace_band(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
-                      const ContourStore& store, Tally& tally) {
+                      const ContourArchive& store, Tally& tally) {
     TracedBand band;
-    ContourPile pile = store.pile(band.contours, tally);
-    band.linked = Tracer::link(frame, mode, std::move(lines), pile);
+    ContourWriter batch_writer = store.batch_writer(band.contours, tally);
+    band.linked = Tracer::link(frame, mode, std::move(lines), batch_writer);
     return band;
 }
 
-void join_band(TracedBand&& band, Tracer& tracer, ContourStore& store) {
+void join_band(TracedBand&& band, Tracer& tracer, ContourArchive& store) {
     tracer.join(std::move(band.linked), store.add(std::move(band.contours)));
 }
 
 std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                               const TierImage& image, const RunPlan& plan,
+                                               const LevelImage& image, const RunPlan& plan,
                                                const SquareArea& area, double metres, Context& context) {
-    ContourStore store = contour_store(frame, image.found, plan, area, metres, context);
+    ContourArchive store = contour_store(frame, image.found, plan, area, metres, context);
     trace_into(store, reader, {frame, image, plan.trace}, context);
     const StageClock clock(context.report, Stage::filter);
     return store.finish();

@@ -2,19 +2,38 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "core/context.hpp"
+#include "core/statistics.hpp"
 #include "elevations/elevation_reader.hpp"
-#include "filter/contour_store.hpp"
-#include "levels/clean_rows.hpp"
+#include "filter/contour_archive.hpp"
+#include "levels/clean_tiers.hpp"
+#include "levels/level_plan.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
+#include "pipeline/run_setup.hpp"
 #include "trace/tracer.hpp"
 
 namespace d2b {
 
+/// Levels of the buildings' points.
+struct Tiers {
+    LevelPlan plan;
+    std::optional<CleanRows> clean;  ///< simplified elevations of the points; empty if detail is 0
+};
+
+/// Derives the levels of each building from its elevations, simplified first if detail is asked for.
+/// @param found in the reader's window, which may be a part of the run's @param fixed covers all elevations
+/// of the run
+/// @param global levels of the whole DEM @throws OptionError, InputError, OutputError, Cancelled
+[[nodiscard]] Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Window& window,
+                               const RunSetup& setup, const FixedPoint& fixed, const LevelPlan& global,
+                               Context& context);
+
 /// Level of each point of a DEM.
-struct TierImage {
+struct LevelImage {
     const LevelPlan& plan;
     const FoundBuildings* found;  ///< buildings that the labels refer to; null if all points bear one label
     const CleanRows* clean;       ///< simplified elevations of the buildings' points; null to use their own
@@ -23,38 +42,38 @@ struct TierImage {
 /// Parameters for splitting bands into runs.
 struct BandTracing {
     const TraceFrame& frame;
-    const TierImage& image;
+    const LevelImage& image;
     TraceMode mode;
-    ColSpan summed = {};  ///< see take_apart()
+    ColRange summed = {};  ///< see split_into_runs()
 };
 using UseLines = std::function<void(const BandShape& band, std::vector<TraceLine>&& lines)>;
 
 /// Splits all bands into runs on all threads and passes the lines to `use` in order, on the calling thread.
 /// @throws InputError, and any exception of `use`
-void take_bands_apart(ElevationReader& reader, const BandTracing& tracing, const UseLines& use);
+void split_bands_into_runs(ElevationReader& reader, const BandTracing& tracing, const UseLines& use);
 
 /// Creates the store of finished contours. @param found null if all points bear one label @param metres per
 /// vertical unit
-[[nodiscard]] ContourStore contour_store(const TraceFrame& frame, const FoundBuildings* found,
-                                         const RunPlan& plan, const SquareArea& area, double metres,
-                                         Context& context);
+[[nodiscard]] ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* found,
+                                           const RunPlan& plan, const SquareArea& area, double metres,
+                                           Context& context);
 
 /// Band traced as far as possible without the bands above it.
 struct TracedBand {
-    PiledContours contours;  ///< contours that lie entirely in the band
+    ContourBatch contours;  ///< contours that lie entirely in the band
     LinkedBand linked;
 };
 /// Thread-safe. @param lines of the band @param tally counts dropped contours
 [[nodiscard]] TracedBand trace_band(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
-                                    const ContourStore& store, Tally& tally);
+                                    const ContourArchive& store, Tally& tally);
 /// Joins bands in order, from the first row to the last. @param tracer its sink is the store
-void join_band(TracedBand&& band, Tracer& tracer, ContourStore& store);
+void join_band(TracedBand&& band, Tracer& tracer, ContourArchive& store);
 
 /// Traces and filters the contours of all levels in one pass over the DEM.
 /// @param metres per vertical unit
 /// @throws InputError, Cancelled, and spool errors
 [[nodiscard]] std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                                             const TierImage& image, const RunPlan& plan,
+                                                             const LevelImage& image, const RunPlan& plan,
                                                              const SquareArea& area, double metres,
                                                              Context& context);
 

@@ -13,9 +13,9 @@ namespace d2b {
 namespace {
 
 /// Source read into memory as a whole.
-class KeptSource final : public DemSource {
+class CachedSource final : public DemSource {
   public:
-    explicit KeptSource(DemSource& source) : source_(source), info_(source.info()) {
+    explicit CachedSource(DemSource& source) : source_(source), info_(source.info()) {
         constexpr std::int32_t least_rows = 64;
         const Window& window = info_.window;
         values_.resize(cells(window.rows));
@@ -47,32 +47,32 @@ class KeptSource final : public DemSource {
     std::vector<double> values_;
 };
 
-class NoFeatures final : public FeatureSink {
+class NullFeatureSink final : public FeatureSink {
   public:
     void begin(std::span<const LayerSpec> /*layers*/, const Provenance& /*provenance*/) override {}
     void add(std::size_t /*layer*/, const Feature& /*feature*/) override {}
     void finish() override {}
 };
 
-using Kept = std::optional<KeptSource>;
-void keep(DemSource* source, Kept& kept) {
+using OptionalSource = std::optional<CachedSource>;
+void cache(DemSource* source, OptionalSource& cached) {
     if (source != nullptr)
-        kept.emplace(*source);
+        cached.emplace(*source);
 }
-DemSource* get(Kept& kept) {
-    return kept ? &*kept : nullptr;
+DemSource* get(OptionalSource& cached) {
+    return cached ? &*cached : nullptr;
 }
 
 template <typename T>
-std::vector<T> or_else(const std::vector<T>& values, T standard) {
+std::vector<T> values_or(const std::vector<T>& values, T standard) {
     return values.empty() ? std::vector{standard} : values;
 }
 
 std::vector<TrialValues> combinations(const SweepPlan& plan, const Options& options) {
     std::vector<TrialValues> all;
-    for (const int lod : or_else(plan.lods, options.levels.lod))
-        for (const double detail : or_else(plan.details, detail_of(options)))
-            for (const int noise_factor : or_else(plan.noise_factors, options.filter.noise_factor))
+    for (const int lod : values_or(plan.lods, options.levels.lod))
+        for (const double detail : values_or(plan.details, detail_of(options)))
+            for (const int noise_factor : values_or(plan.noise_factors, options.filter.noise_factor))
                 all.push_back({lod, noise_factor, detail});
     return all;
 }
@@ -81,13 +81,13 @@ std::vector<TrialValues> combinations(const SweepPlan& plan, const Options& opti
 
 std::vector<Trial> run_trials(const Options& options, const Sources& sources, const SweepPlan& plan,
                               const MakeView& make_view, const Callbacks& callbacks) {
-    KeptSource dem(sources.dem);
-    Kept terrain;
-    Kept mask;
-    Kept ndvi;
-    keep(sources.terrain, terrain);
-    keep(sources.mask, mask);
-    keep(sources.ndvi, ndvi);
+    CachedSource dem(sources.dem);
+    OptionalSource terrain;
+    OptionalSource mask;
+    OptionalSource ndvi;
+    cache(sources.terrain, terrain);
+    cache(sources.mask, mask);
+    cache(sources.ndvi, ndvi);
     const std::vector<TrialValues> all = combinations(plan, options);
     std::vector<Trial> trials;
     std::set<std::string> warned;
@@ -106,7 +106,7 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
             return !callbacks.on_progress || callbacks.on_progress((static_cast<double>(done) + share) /
                                                                    static_cast<double>(all.size()));
         };
-        NoFeatures nothing;
+        NullFeatureSink nothing;
         const std::unique_ptr<TrialView> view = make_view ? make_view(nothing, values) : nullptr;
         Sinks sinks{view ? view->features() : nothing};
         sinks.elevations = view ? &view->elevations() : nullptr;

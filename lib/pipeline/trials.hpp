@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dem2buildings/run.hpp"
-#include "options/sweep_plan.hpp"
+#include "options/option_values.hpp"
 
 namespace d2b {
 

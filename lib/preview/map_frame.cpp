@@ -1,22 +1,42 @@
 #include "preview/map_frame.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 namespace d2b {
 
-MapFrame::MapFrame(MapGround ground, PixelSize size) : ground_(std::move(ground)), size_(size) {}
-
-double MapFrame::metres_per_pixel() const {
-    return ground_.cell.across * ground_.dem.window.cols / size_.width;
+std::optional<PictureFormat> picture_format_of(const std::string& name) {
+    std::string extension = std::filesystem::path(name).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".png")
+        return PictureFormat::png;
+    if (extension == ".svg")
+        return PictureFormat::svg;
+    if (extension == ".pdf")
+        return PictureFormat::pdf;
+    return std::nullopt;
 }
 
-Spot MapFrame::spot(Position position) const {
+bool begins_a_picture(const std::string& beginning) {
+    return beginning.starts_with("\x89PNG\r\n") || beginning.starts_with("%PDF-") ||
+           beginning.find("<svg") != std::string::npos;
+}
+
+MapFrame::MapFrame(MapArea area, PixelSize size) : area_(std::move(area)), size_(size) {}
+
+double MapFrame::metres_per_pixel() const {
+    return area_.cell.across * area_.dem.window.cols / size_.width;
+}
+
+PixelPoint MapFrame::pixel(Position position) const {
     // Clamps far points, because Cairo's fixed-point coordinates have only 24 integer bits.
     constexpr double far = 1e6;
-    const AffineTransform& g = ground_.dem.transform;
-    const Window& window = ground_.dem.window;
+    const AffineTransform& g = area_.dem.transform;
+    const Window& window = area_.dem.window;
     const double dx = position.x - g[0];
     const double dy = position.y - g[3];
     const double determinant = g[1] * g[5] - g[2] * g[4];
@@ -28,25 +48,25 @@ Spot MapFrame::spot(Position position) const {
             std::clamp(bottom_up() ? size_.height - y : y, -far, far)};
 }
 
-std::optional<Spot> MapFrame::north() const {
-    const Crs::Kind kind = ground_.crs.kind();
+std::optional<PixelPoint> MapFrame::north() const {
+    const Crs::Kind kind = area_.crs.kind();
     if (kind != Crs::Kind::projected && kind != Crs::Kind::geographic)
         return std::nullopt;
-    const AffineTransform& g = ground_.dem.transform;
+    const AffineTransform& g = area_.dem.transform;
     const double determinant = g[1] * g[5] - g[2] * g[4];
     // Columns and rows of a step along y, in metres.
-    const double across = -g[2] / determinant * ground_.cell.across * (right_to_left() ? -1 : 1);
-    const double down = g[1] / determinant * ground_.cell.down * (bottom_up() ? -1 : 1);
+    const double across = -g[2] / determinant * area_.cell.across * (right_to_left() ? -1 : 1);
+    const double down = g[1] / determinant * area_.cell.down * (bottom_up() ? -1 : 1);
     const double length = std::hypot(across, down);
-    return Spot{across / length, down / length};
+    return PixelPoint{across / length, down / length};
 }
 
-int whole_pixels(double length) {
+int round_to_pixels(double length) {
     return std::max(1, static_cast<int>(std::lround(length)));
 }
 
-double aspect_of(const MapGround& ground) {
-    return ground.cell.across * ground.dem.window.cols / (ground.cell.down * ground.dem.window.rows);
+double aspect_ratio(const MapArea& area) {
+    return area.cell.across * area.dem.window.cols / (area.cell.down * area.dem.window.rows);
 }
 
 }  // namespace d2b

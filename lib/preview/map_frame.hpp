@@ -1,6 +1,11 @@
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <string>
 
 #include "core/crs.hpp"
 #include "core/grid.hpp"
@@ -9,8 +14,37 @@
 
 namespace d2b {
 
+enum class PictureFormat { png, svg, pdf };
+
+/// Returns the format for the extension of a file name; not case-sensitive.
+[[nodiscard]] std::optional<PictureFormat> picture_format_of(const std::string& name);
+
+/// True if a file with this beginning is a picture in one of these formats.
+[[nodiscard]] bool begins_a_picture(const std::string& beginning);
+
+/// RGB, 8 bits per channel.
+using Colour = std::array<std::uint8_t, 3>;
+
+/// Blends two colours. @param opacity of the upper one
+[[nodiscard]] inline Colour blend(Colour lower, Colour upper, double opacity) {
+    Colour seen{};
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        seen[i] = static_cast<std::uint8_t>(std::lround(lower[i] * (1 - opacity) + upper[i] * opacity));
+    return seen;
+}
+
+inline constexpr Colour paper{255, 255, 255};
+inline constexpr Colour ink{35, 35, 35};
+inline constexpr Colour faint_ink{95, 95, 95};
+/// Colour of outlines and frames.
+inline constexpr Colour outline_colour{70, 45, 35};
+/// Colour of level ground in the relief.
+inline constexpr Colour level_ground{222, 222, 222};
+/// Opacity of footprints over the relief.
+inline constexpr double footprint_opacity = 0.82;
+
 /// Point in pixels from the upper left corner of a map or page, y pointing down.
-struct Spot {
+struct PixelPoint {
     double x = 0;
     double y = 0;
 };
@@ -22,7 +56,7 @@ struct PixelSize {
 };
 
 /// Area shown by a picture.
-struct MapGround {
+struct MapArea {
     DemInfo dem;
     Crs crs;        ///< CRS of the DEM
     CellSize cell;  ///< metres, or units of the CRS if their length is unknown
@@ -33,30 +67,30 @@ struct MapGround {
 /// columns.
 class MapFrame {
   public:
-    MapFrame(MapGround ground, PixelSize size);
+    MapFrame(MapArea area, PixelSize size);
 
-    [[nodiscard]] const MapGround& ground() const { return ground_; }
+    [[nodiscard]] const MapArea& area() const { return area_; }
     [[nodiscard]] PixelSize size() const { return size_; }
     /// True if the first row is at the bottom.
-    [[nodiscard]] bool bottom_up() const { return ground_.dem.transform[5] > 0; }
+    [[nodiscard]] bool bottom_up() const { return area_.dem.transform[5] > 0; }
     /// True if the first column is on the right.
-    [[nodiscard]] bool right_to_left() const { return ground_.dem.transform[1] < 0; }
-    /// Returns the pixel size, in the units of MapGround::cell.
+    [[nodiscard]] bool right_to_left() const { return area_.dem.transform[1] < 0; }
+    /// Returns the pixel size, in the units of MapArea::cell.
     [[nodiscard]] double metres_per_pixel() const;
     /// @param position in the CRS of the DEM
-    [[nodiscard]] Spot spot(Position position) const;
+    [[nodiscard]] PixelPoint pixel(Position position) const;
     /// Returns the unit vector of the CRS's y axis; nullopt if the axis does not have to point north.
-    [[nodiscard]] std::optional<Spot> north() const;
+    [[nodiscard]] std::optional<PixelPoint> north() const;
 
   private:
-    MapGround ground_;
+    MapArea area_;
     PixelSize size_;
 };
 
 /// Rounds to at least one pixel.
-[[nodiscard]] int whole_pixels(double length);
+[[nodiscard]] int round_to_pixels(double length);
 
 /// Returns width over height of a map.
-[[nodiscard]] double aspect_of(const MapGround& ground);
+[[nodiscard]] double aspect_ratio(const MapArea& area);
 
 }  // namespace d2b

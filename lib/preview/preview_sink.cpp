@@ -21,9 +21,9 @@ const double* number_in(const Feature& feature, std::size_t field) {
 
 }  // namespace
 
-PreviewSink::PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, Taken taken)
+PreviewSink::PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, OnMap on_map)
     : features_(features),
-      taken_(std::move(taken)),
+      on_map_(std::move(on_map)),
       relief_(std::make_shared<Relief>(frame)),
       map_{frame, relief_, FootprintDrawing(frame, format), "", {}} {}
 
@@ -33,22 +33,22 @@ void PreviewSink::begin(std::span<const LayerSpec> layers, const Provenance& pro
         const auto height = field_of(layers[i], style.colour);
         if (!height)
             continue;
-        const Drawn drawn{i, *height, field_of(layers[i], style.certainty), style.certain};
-        if (filled_) {
-            traced_ = drawn;
+        const DrawnLayer drawn{i, *height, field_of(layers[i], style.certainty), style.certain};
+        if (filled_layer_) {
+            stroked_layer_ = drawn;
             continue;
         }
-        filled_ = drawn;
+        filled_layer_ = drawn;
         map_.legend = style.title;
     }
-    const Crs& crs = map_.frame.ground().crs;
+    const Crs& crs = map_.frame.area().crs;
     const Crs written(provenance.crs_wkt);
     if (written.kind() != Crs::Kind::none && written.wkt() != crs.wkt())
         to_dem_.emplace(written, crs, std::span<const Position>());
     features_.begin(layers, provenance);
 }
 
-std::optional<Colour> PreviewSink::colour_of(const Feature& feature, const Drawn& drawn) {
+std::optional<Colour> PreviewSink::colour_of(const Feature& feature, const DrawnLayer& drawn) {
     const double* height = number_in(feature, drawn.height);
     if (height == nullptr)
         return std::nullopt;
@@ -57,29 +57,29 @@ std::optional<Colour> PreviewSink::colour_of(const Feature& feature, const Drawn
     if (certainty == nullptr || !(*certainty < drawn.certain))
         return colour;
     map_.counts.paler = true;
-    return covered(colour, paper, opacity_of_veil(*certainty, drawn.certain));
+    return blend(colour, paper, overlay_opacity(*certainty, drawn.certain));
 }
 
-void PreviewSink::draw(const WorldPolygon& polygon, const Drawn& drawn, Colour colour) {
-    std::vector<std::vector<Spot>> rings;
+void PreviewSink::draw(const WorldPolygon& polygon, const DrawnLayer& drawn, Colour colour) {
+    std::vector<std::vector<PixelPoint>> rings;
     const auto add_ring = [&](WorldRing ring) {
         if (to_dem_)
             to_dem_->apply(ring);
-        auto& spots = rings.emplace_back();
+        auto& pixels = rings.emplace_back();
         for (const Position& position : ring)
-            spots.push_back(map_.frame.spot(position));
+            pixels.push_back(map_.frame.pixel(position));
     };
     add_ring(polygon.exterior);
     for (const WorldRing& interior : polygon.interiors)
         add_ring(interior);
-    if (traced_ && drawn.layer == traced_->layer)
-        map_.footprints.trace(rings);
+    if (stroked_layer_ && drawn.layer == stroked_layer_->layer)
+        map_.footprints.stroke(rings);
     else
         map_.footprints.fill(rings, colour);
 }
 
 void PreviewSink::add(std::size_t layer, const Feature& feature) {
-    for (const std::optional<Drawn>& drawn : {filled_, traced_})
+    for (const std::optional<DrawnLayer>& drawn : {filled_layer_, stroked_layer_})
         if (drawn && drawn->layer == layer)
             if (const auto colour = colour_of(feature, *drawn))
                 for (const WorldPolygon& part : feature.parts)
@@ -89,8 +89,8 @@ void PreviewSink::add(std::size_t layer, const Feature& feature) {
 
 void PreviewSink::take_report(const RunReport& report) {
     PictureCounts& counts = map_.counts;
-    counts.contours_alone = report.layers == Layers::contours;
-    counts.number = counts.contours_alone ? report.contours : report.buildings;
+    counts.contours_only = report.layers == Layers::contours;
+    counts.number = counts.contours_only ? report.contours : report.buildings;
     counts.points = report.vertices;
     counts.stacked = report.contours > 0;
     counts.rmse_m = report.stack_rmse_m;
@@ -98,12 +98,12 @@ void PreviewSink::take_report(const RunReport& report) {
 }
 
 void PreviewSink::prepare(CommitList& commit) {
-    taken_(std::move(map_));
+    on_map_(std::move(map_));
     features_.prepare(commit);
 }
 
 void PreviewSink::finish() {
-    taken_(std::move(map_));
+    on_map_(std::move(map_));
     features_.finish();
 }
 

@@ -20,11 +20,11 @@ namespace d2b {
 class PreviewSink final : public FeatureSink {
   public:
     /// Receives the map.
-    using Taken = std::function<void(MapPicture map)>;
+    using OnMap = std::function<void(MapPicture map)>;
 
     /// @param features must outlive this @param on_map called in finish() or prepare(), before those of
     /// `features`
-    PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, Taken taken);
+    PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, OnMap on_map);
 
     /// Returns the sink for the elevations, which must be complete before finish().
     [[nodiscard]] RasterSink& relief() { return *relief_; }
@@ -32,9 +32,9 @@ class PreviewSink final : public FeatureSink {
     void require_crs(const std::string& wkt, const std::string& name, const Position& place) override {
         features_.require_crs(wkt, name, place);
     }
-    void rehearse(std::span<const LayerSpec> layers, const Provenance& provenance,
-                  const Position& place) override {
-        features_.rehearse(layers, provenance, place);
+    void preflight(std::span<const LayerSpec> layers, const Provenance& provenance,
+                   const Position& place) override {
+        features_.preflight(layers, provenance, place);
     }
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override;
@@ -53,23 +53,23 @@ class PreviewSink final : public FeatureSink {
 
   private:
     /// Layer to be drawn.
-    struct Drawn {
+    struct DrawnLayer {
         std::size_t layer = 0;
         std::size_t height = 0;  ///< index of the height field
         std::optional<std::size_t> certainty = {};
         double certain = 1;
     };
     /// Returns the colour of a feature; nullopt if it has no height.
-    [[nodiscard]] std::optional<Colour> colour_of(const Feature& feature, const Drawn& drawn);
-    void draw(const WorldPolygon& polygon, const Drawn& drawn, Colour colour);
+    [[nodiscard]] std::optional<Colour> colour_of(const Feature& feature, const DrawnLayer& drawn);
+    void draw(const WorldPolygon& polygon, const DrawnLayer& drawn, Colour colour);
 
     FeatureSink& features_;
-    Taken taken_;
+    OnMap on_map_;
     std::shared_ptr<Relief> relief_;
     MapPicture map_;
     std::optional<CoordinateTransform> to_dem_;  ///< set if the features are in another CRS
-    std::optional<Drawn> filled_;
-    std::optional<Drawn> traced_;
+    std::optional<DrawnLayer> filled_layer_;
+    std::optional<DrawnLayer> stroked_layer_;
 };
 
 }  // namespace d2b

@@ -8,29 +8,49 @@
 
 #include <cpl_conv.h>
 
-#include "core/number_text.hpp"
-#include "core/processors.hpp"
+#include "core/grid.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/source_advice.hpp"
-#include "read/window.hpp"
+#include "read/georeferencing.hpp"
+#include "read/source_files.hpp"
 
 namespace d2b {
+
+void RowCoverage::add(std::int32_t row, std::int32_t begin, std::int32_t end,
+                      const std::function<void(std::int32_t, std::int32_t)>& use) {
+    std::vector<ColumnRange>& visited = rows_[static_cast<std::size_t>(row)];
+    // Merges the new range with all that it overlaps or touches.
+    const auto first = std::ranges::lower_bound(visited, begin, {}, &ColumnRange::second);
+    const auto last = std::ranges::upper_bound(visited, end, {}, &ColumnRange::first);
+    ColumnRange whole{begin, end};
+    std::int32_t next = begin;
+    for (auto run = first; run < last; ++run) {
+        if (next < run->first)
+            use(next, run->first);
+        next = std::max(next, run->second);
+        whole = {std::min(whole.first, run->first), std::max(whole.second, run->second)};
+    }
+    if (next < end)
+        use(next, end);
+    if (begin < end)
+        visited.insert(visited.erase(first, last), whole);
+}
 
 namespace {
 
 /// Disables GDAL's single read of uncompressed files, because it fills unreadable parts with zeros.
-class NoBigReads {
+class DisableBigReads {
   public:
-    NoBigReads() {
+    DisableBigReads() {
         if (const char* before = CPLGetThreadLocalConfigOption(name, nullptr))
             before_ = before;
         CPLSetThreadLocalConfigOption(name, "NO");
     }
-    NoBigReads(const NoBigReads&) = delete;
-    NoBigReads& operator=(const NoBigReads&) = delete;
-    ~NoBigReads() { CPLSetThreadLocalConfigOption(name, before_ ? before_->c_str() : nullptr); }
+    DisableBigReads(const DisableBigReads&) = delete;
+    DisableBigReads& operator=(const DisableBigReads&) = delete;
+    ~DisableBigReads() { CPLSetThreadLocalConfigOption(name, before_ ? before_->c_str() : nullptr); }
 
   private:
     static constexpr const char* name = "GDAL_ONE_BIG_READ";
@@ -44,7 +64,7 @@ std::string path_of(GDALRasterBandH band) {
 }
 
 /// Returns the first alpha band of the dataset other than `band`, or null.
-GDALRasterBandH alpha_beside(GDALRasterBandH band) {
+GDALRasterBandH find_alpha_band(GDALRasterBandH band) {
     const GDALDatasetH dataset = GDALGetBandDataset(band);
     const int bands = dataset == nullptr ? 0 : GDALGetRasterCount(dataset);
     for (int i = 1; i <= bands; ++i)
@@ -63,12 +83,12 @@ std::optional<double> masked_value(GDALRasterBandH band) {
         (type != GDT_Float32 && type != GDT_Float64) ||
         !(std::abs(nodata) <= static_cast<double>(std::numeric_limits<float>::max())))
         return {};
-    return type == GDT_Float32 ? as_single(nodata) : nodata;
+    return type == GDT_Float32 ? round_to_single(nodata) : nodata;
 }
 
 /// Sets NoData and values that are not finite to NaN. @return number of values near NoData that do not equal
 /// it
-D2B_FOR_EACH_PROCESSOR std::size_t take_nodata_out(std::span<double> values, double nodata) {
+D2B_MULTIVERSION std::size_t replace_nodata(std::span<double> values, double nodata) {
     constexpr double near = 1e-5;  // relative; GDAL treats about 1e-6 as equal
     constexpr double largest = std::numeric_limits<double>::max();
     constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
@@ -85,7 +105,7 @@ D2B_FOR_EACH_PROCESSOR std::size_t take_nodata_out(std::span<double> values, dou
 
 }  // namespace
 
-double as_single(double value) {
+double round_to_single(double value) {
     constexpr auto largest = static_cast<double>(std::numeric_limits<float>::max());
     if (std::isfinite(value) && std::abs(value) > largest)
         return std::abs(value) <= 3.4028236e38 ? std::copysign(largest, value) : value;
@@ -95,7 +115,7 @@ double as_single(double value) {
 BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Warnings& warnings)
     : band_(band), info_(std::move(info)) {
     const GdalMessages messages(path_of(band_), info_.name);
-    const FetchGate gate(GDALGetBandDataset(band_));
+    const NetworkGuard gate(GDALGetBandDataset(band_));
     if (options.nodata && options.ignore_nodata)
         throw OptionError("-snodata and -inodata exclude each other; give only one of them.");
     int known = FALSE;
@@ -111,13 +131,13 @@ BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo
     const int flags = GDALGetMaskFlags(band_);
     const bool replaced = options.nodata && (flags & GMF_NODATA) != 0;
     // GDAL derives a mask only from alpha bands of bytes and divides 16-bit alpha by 257.
-    alpha_ = options.ignore_nodata ? nullptr : alpha_beside(band_);
+    alpha_ = options.ignore_nodata ? nullptr : find_alpha_band(band_);
     const bool is_alpha = alpha_ != nullptr && (flags & GMF_ALPHA) != 0;
     masked_ = !options.ignore_nodata && !replaced && !is_alpha && (flags & GMF_ALL_VALID) == 0;
     single_precision_ = GDALGetRasterDataType(band_) == GDT_Float32;
     mask_nodata_ = masked_value(band_);
     if (options.nodata)
-        nodata_ = single_precision_ ? as_single(*options.nodata) : *options.nodata;
+        nodata_ = single_precision_ ? round_to_single(*options.nodata) : *options.nodata;
     messages.pass_all(warnings);
 }
 
@@ -147,7 +167,7 @@ void BandReader::read(const Window& part, std::span<double> elevations, Warnings
     }
 }
 
-void BandReader::forget_blocks() const {
+void BandReader::drop_cached_blocks() const {
     static_cast<void>(GDALFlushRasterCache(band_));  // errors are ignored because the dataset is read-only
 }
 
@@ -155,22 +175,22 @@ void BandReader::read_part(const Window& part, std::span<double> elevations, War
     load(band_, GDT_Float64, part, elevations.data(), warnings);
     // Values equal to NoData are masked and values far from it are not. Only if there are values in between
     // is GDAL's mask asked, because it reads all values once more.
-    const bool told = masked_ && mask_nodata_ && take_nodata_out(elevations, *mask_nodata_) == 0;
-    const bool asks_mask = masked_ && !told;
-    if (asks_mask) {
+    const bool mask_is_known = masked_ && mask_nodata_ && replace_nodata(elevations, *mask_nodata_) == 0;
+    const bool needs_mask = masked_ && !mask_is_known;
+    if (needs_mask) {
         mask_.resize(elevations.size());
         load(GDALGetMaskBand(band_), GDT_Byte, part, mask_.data(), warnings);
     }
-    if (!told || is_scaled())
-        make_elevations(elevations, asks_mask);
+    if (!mask_is_known || is_scaled())
+        to_elevations(elevations, needs_mask);
     if (alpha_ != nullptr)
-        take_transparent_out(part, elevations, warnings);
-    if (counted_)
-        take_out(part, elevations);
+        mask_transparent(part, elevations, warnings);
+    if (coverage_)
+        exclude(part, elevations);
 }
 
 /// @param masked true if mask_ decides which values are valid
-void BandReader::make_elevations(std::span<double> values, bool masked) const {
+void BandReader::to_elevations(std::span<double> values, bool masked) const {
     constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
     const bool scaled = is_scaled();
     if (!masked && !scaled) {
@@ -190,7 +210,7 @@ void BandReader::make_elevations(std::span<double> values, bool masked) const {
     }
 }
 
-void BandReader::take_transparent_out(const Window& part, std::span<double> values, Warnings& warnings) {
+void BandReader::mask_transparent(const Window& part, std::span<double> values, Warnings& warnings) {
     alpha_values_.resize(values.size());
     load(alpha_, GDT_Float64, part, alpha_values_.data(), warnings);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -198,22 +218,22 @@ void BandReader::take_transparent_out(const Window& part, std::span<double> valu
             values[i] = std::numeric_limits<double>::quiet_NaN();
 }
 
-void BandReader::take_only(const ElevationLimits& limits) {
+void BandReader::restrict_to(const ElevationLimits& limits) {
     limits_ = limits;
-    counted_.emplace(info_.rows);
+    coverage_.emplace(info_.rows);
 }
 
-void BandReader::take_out(std::vector<double> undeclared) {
+void BandReader::exclude(std::vector<double> undeclared) {
     undeclared_ = std::move(undeclared);
     counts_ = {};
-    counted_.emplace(info_.rows);
+    coverage_.emplace(info_.rows);
 }
 
-void BandReader::take_out(const Window& part, std::span<double> elevations) {
+void BandReader::exclude(const Window& part, std::span<double> elevations) {
     const auto cols = static_cast<std::size_t>(part.cols);
     for (std::int32_t i = 0; i < part.rows; ++i) {
         const std::span<double> row = elevations.subspan(static_cast<std::size_t>(i) * cols, cols);
-        counted_->add(part.row + i, part.col, part.end_col(), [&](std::int32_t begin, std::int32_t end) {
+        coverage_->add(part.row + i, part.col, part.end_col(), [&](std::int32_t begin, std::int32_t end) {
             for (std::int32_t col = begin; col < end; ++col)
                 count(row[static_cast<std::size_t>(col - part.col)]);
         });
@@ -236,14 +256,15 @@ void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& par
                       Warnings& warnings) const {
     const std::string path = path_of(band_);
     const GdalMessages messages(path, info_.name);
-    const FetchGate gate(GDALGetBandDataset(band_));
-    const NoBigReads no_big_reads;
+    const NetworkGuard gate(GDALGetBandDataset(band_));
+    const DisableBigReads no_big_reads;
     const CPLErr status = GDALRasterIOEx(band, GF_Read, part.col, part.row, part.cols, part.rows, values,
                                          part.cols, part.rows, type, 0, 0, nullptr);
     if (status != CE_None || messages.failed())
         throw InputError("Rows " + std::to_string(part.row) + " to " +
                          std::to_string(part.row + part.rows - 1) + " of '" + info_.name +
-                         "' cannot be read: " + messages.reason() + unread_advice(path, info_.driver) + ".");
+                         "' cannot be read: " + messages.reason() + read_failure_advice(path, info_.driver) +
+                         ".");
     messages.pass_warnings(warnings);
 }
 

@@ -1,31 +1,47 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "core/elevation_limits.hpp"
-#include "core/value_counts.hpp"
+#include "core/invalid_elevations.hpp"
 #include "core/warnings.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
-#include "read/seen_cells.hpp"
 
 namespace d2b {
+
+/// Cells of a raster that have been visited, as ranges of columns per row. Ranges of adjacent or overlapping
+/// parts are merged, so that few remain.
+class RowCoverage {
+  public:
+    explicit RowCoverage(std::int32_t rows) : rows_(static_cast<std::size_t>(rows)) {}
+
+    /// Visits columns [begin, end) of a row: calls use(begin, end) for each range of them that was not
+    /// visited before.
+    void add(std::int32_t row, std::int32_t begin, std::int32_t end,
+             const std::function<void(std::int32_t, std::int32_t)>& use);
+
+  private:
+    using ColumnRange = std::pair<std::int32_t, std::int32_t>;  ///< half-open
+    std::vector<std::vector<ColumnRange>> rows_;                ///< ascending and disjoint
+};
 
 /// Counts of cells with values within and outside of limits.
 struct LimitCounts {
     std::int64_t within = 0;
     ValueCounts outside;
-    ValueCounts undeclared;  ///< values that stand for NoData, see UndeclaredValues
+    ValueCounts undeclared;  ///< values that stand for NoData, see UndeclaredNodata
 };
 
 /// NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a little
 /// above it and are rounded to it; values farther out equal no float.
-[[nodiscard]] double as_single(double value);
+[[nodiscard]] double round_to_single(double value);
 
 /// Reads elevations of one band: applies scale and offset, and returns NaN for values that are not valid.
 /// A value is valid if it is finite and neither the mask of the band (NoData, mask of the dataset) nor an
@@ -39,9 +55,9 @@ class BandReader {
     BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Warnings& warnings);
 
     /// Rejects values outside of `limits` from now on, and counts them.
-    void take_only(const ElevationLimits& limits);
-    /// Also rejects `undeclared` values from now on and restarts the counts. @pre take_only()
-    void take_out(std::vector<double> undeclared);
+    void restrict_to(const ElevationLimits& limits);
+    /// Also rejects `undeclared` values from now on and restarts the counts. @pre restrict_to()
+    void exclude(std::vector<double> undeclared);
     /// Counts of all cells read so far. Each cell is counted once.
     [[nodiscard]] const LimitCounts& counts() const { return counts_; }
     /// Value before scale and offset were applied.
@@ -54,15 +70,15 @@ class BandReader {
     /// @throws InputError with GDAL's reason
     void read_part(const Window& part, std::span<double> elevations, Warnings& warnings);
     /// Releases the decoded blocks in GDAL's cache.
-    void forget_blocks() const;
+    void drop_cached_blocks() const;
 
   private:
-    void take_out(const Window& part, std::span<double> elevations);
+    void exclude(const Window& part, std::span<double> elevations);
     void count(double value);
     [[nodiscard]] bool is_scaled() const { return scale_ != 1 || offset_ != 0; }
-    void make_elevations(std::span<double> values, bool masked) const;
+    void to_elevations(std::span<double> values, bool masked) const;
     /// Sets cells with alpha 0 to NaN.
-    void take_transparent_out(const Window& part, std::span<double> values, Warnings& warnings);
+    void mask_transparent(const Window& part, std::span<double> values, Warnings& warnings);
     void load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,
               Warnings& warnings) const;
     [[nodiscard]] std::int32_t chunk_rows() const;
@@ -81,7 +97,7 @@ class BandReader {
     ElevationLimits limits_;
     std::vector<double> undeclared_;
     LimitCounts counts_;
-    std::optional<SeenCells> counted_;  ///< not set if nothing is counted
+    std::optional<RowCoverage> coverage_;  ///< not set if nothing is counted
 };
 
 }  // namespace d2b

@@ -5,16 +5,16 @@
 namespace d2b {
 
 /// Sets a configuration option of GDAL in this thread during its lifetime, unless the user has set it.
-class ConfigOption {
+class ScopedConfigOption {
   public:
-    ConfigOption(const char* key, const char* value)
+    ScopedConfigOption(const char* key, const char* value)
         : key_(key), set_(CPLGetConfigOption(key, nullptr) == nullptr) {
         if (set_)
             CPLSetThreadLocalConfigOption(key_, value);
     }
-    ConfigOption(const ConfigOption&) = delete;
-    ConfigOption& operator=(const ConfigOption&) = delete;
-    ~ConfigOption() {
+    ScopedConfigOption(const ScopedConfigOption&) = delete;
+    ScopedConfigOption& operator=(const ScopedConfigOption&) = delete;
+    ~ScopedConfigOption() {
         if (set_)
             CPLSetThreadLocalConfigOption(key_, nullptr);
     }

@@ -17,7 +17,7 @@ namespace d2b {
 namespace {
 
 /// Formats whose files are lists of addresses.
-constexpr std::array<const char*, 17> lists_of_addresses{
+constexpr std::array<const char*, 17> address_list_formats{
     "VRT",    "OGR_VRT", "GTI",      "WMS",      "WMTS", "WCS",   "WFS", "OAPIF", "OGCAPI",
     "STACTA", "STACIT",  "PLMOSAIC", "PLSCENES", "EEDA", "EEDAI", "CSW", nullptr};
 
@@ -46,14 +46,14 @@ std::string server_in(const std::string& text) {
     return "";
 }
 
-bool is_list_of_addresses(const std::string& name) {
+bool is_address_list(const std::string& name) {
     VSIStatBufL status;
     // Streams are left alone because looking at their beginning would consume it.
     const bool looks = name.starts_with('<') ||
                        (VSIStatExL(name.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
                         VSI_ISREG(status.st_mode) != 0);
     return looks && GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR,
-                                         lists_of_addresses.data(), nullptr) != nullptr;
+                                         address_list_formats.data(), nullptr) != nullptr;
 }
 
 /// Returns true if the response would be parsed as a CRS definition: OSRImportFromUrl() accepts OGC WKT or,
@@ -74,10 +74,10 @@ CPLHTTPResult* refused(const char* address) {
     return result;
 }
 
-CPLHTTPResult* pass_or_refuse(const char* address, CSLConstList options, GDALProgressFunc /*progress*/,
-                              void* /*of_progress*/, CPLHTTPFetchWriteFunc /*write*/, void* /*of_write*/,
-                              void* gate) {
-    const bool passes = !asks_for_a_crs(options) && static_cast<FetchGate*>(gate)->lets_through(address);
+CPLHTTPResult* allow_or_refuse(const char* address, CSLConstList options, GDALProgressFunc /*progress*/,
+                               void* /*of_progress*/, CPLHTTPFetchWriteFunc /*write*/, void* /*of_write*/,
+                               void* gate) {
+    const bool passes = !asks_for_a_crs(options) && static_cast<NetworkGuard*>(gate)->allows(address);
     return passes ? nullptr : refused(address);  // nullptr lets GDAL fetch the address itself
 }
 
@@ -101,7 +101,7 @@ CPLStringList other_drivers(const char* without) {
 
 }  // namespace
 
-FetchGate::Fetching FetchGate::named_by(const std::string& name) {
+NetworkGuard::Fetching NetworkGuard::access_of(const std::string& name) {
     if (std::ranges::any_of(services, [&](const char* service) { return begins_with(name, service); }))
         return Fetching::any;
     const bool text = name.starts_with('{') || name.starts_with('<');
@@ -113,24 +113,24 @@ FetchGate::Fetching FetchGate::named_by(const std::string& name) {
     return Fetching::none;
 }
 
-FetchGate::FetchGate(const std::string& name) : name_(name), fetching_(named_by(name)) {
-    if (fetching_ == Fetching::none && is_list_of_addresses(name))
+NetworkGuard::NetworkGuard(const std::string& name) : name_(name), fetching_(access_of(name)) {
+    if (fetching_ == Fetching::none && is_address_list(name))
         fetching_ = Fetching::any;
     close();
 }
 
-FetchGate::FetchGate(GDALDatasetH dataset)
-    : name_(dataset != nullptr ? GDALGetDescription(dataset) : ""), fetching_(named_by(name_)) {
+NetworkGuard::NetworkGuard(GDALDatasetH dataset)
+    : name_(dataset != nullptr ? GDALGetDescription(dataset) : ""), fetching_(access_of(name_)) {
     const GDALDriverH driver = dataset != nullptr ? GDALGetDatasetDriver(dataset) : nullptr;
     const std::string format = driver != nullptr ? GDALGetDriverShortName(driver) : "";
-    if (std::ranges::any_of(lists_of_addresses,
+    if (std::ranges::any_of(address_list_formats,
                             [&](const char* list) { return list != nullptr && format == list; }))
         fetching_ = Fetching::any;
     close();
 }
 
-void FetchGate::close() {
-    CPLHTTPPushFetchCallback(pass_or_refuse, this);
+void NetworkGuard::close() {
+    CPLHTTPPushFetchCallback(allow_or_refuse, this);
     if (const char* before = CPLGetThreadLocalConfigOption(allowed_file, nullptr))
         file_before_ = before;
     // "none" matches no remote file that GDAL reads in ranges.
@@ -138,30 +138,30 @@ void FetchGate::close() {
         CPLSetThreadLocalConfigOption(allowed_file, "none");
 }
 
-FetchGate::~FetchGate() {
+NetworkGuard::~NetworkGuard() {
     if (fetching_ == Fetching::none)
         CPLSetThreadLocalConfigOption(allowed_file, file_before_ ? file_before_->c_str() : nullptr);
     CPLHTTPPopFetchCallback();
 }
 
-bool FetchGate::lets_through(const std::string& address) const {
+bool NetworkGuard::allows(const std::string& address) const {
     return fetching_ == Fetching::any ||
            (fetching_ == Fetching::one_server && server_in(address) == server_in(name_));
 }
 
-DatasetOwner open_gated(const std::string& name, unsigned flags, const char* const* drivers,
-                        const char* const* open_options) {
-    const FetchGate gate(name);
+DatasetOwner open_guarded(const std::string& name, unsigned flags, const char* const* drivers,
+                          const char* const* open_options) {
+    const NetworkGuard gate(name);
     const bool any_raster =
         drivers == nullptr && ((flags & GDAL_OF_RASTER) != 0 || (flags & GDAL_OF_VECTOR) == 0);
     CPLStringList others;
     // Images of a KML superoverlay may lie on any server, and its driver fetches them in a way that cannot be
     // intercepted.
-    if (any_raster && gate.lets_nothing_through() && is_file_of("KMLSUPEROVERLAY", name)) {
+    if (any_raster && gate.blocks_all() && is_file_of("KMLSUPEROVERLAY", name)) {
         others = other_drivers("KMLSUPEROVERLAY");
         drivers = others.List();
     }
-    std::optional<ConfigOption> no_sidecar;
+    std::optional<ScopedConfigOption> no_sidecar;
     if (is_file_of("GPKG", name))
         no_sidecar.emplace("GDAL_PAM_ENABLED", "NO");  // as when it is closed, see close_dataset()
     DatasetOwner dataset(GDALOpenEx(name.c_str(), flags, drivers, open_options, nullptr));

@@ -18,25 +18,25 @@ namespace d2b {
 /// - formats that are lists of addresses (VRT, WMS, WFS etc.) name servers on behalf of the user.
 /// A CRS is never fetched. The gate is active in its own thread for its lifetime; gates may nest. Drivers
 /// that open their sources lazily need a gate while they are read, too.
-class FetchGate {
+class NetworkGuard {
   public:
     /// @param name of a dataset, as given by the user
-    explicit FetchGate(const std::string& name);
+    explicit NetworkGuard(const std::string& name);
     /// Gate for an open dataset; null for one in memory.
-    explicit FetchGate(GDALDatasetH dataset);
-    FetchGate(const FetchGate&) = delete;
-    FetchGate& operator=(const FetchGate&) = delete;
-    ~FetchGate();
+    explicit NetworkGuard(GDALDatasetH dataset);
+    NetworkGuard(const NetworkGuard&) = delete;
+    NetworkGuard& operator=(const NetworkGuard&) = delete;
+    ~NetworkGuard();
 
-    [[nodiscard]] bool lets_nothing_through() const { return fetching_ == Fetching::none; }
+    [[nodiscard]] bool blocks_all() const { return fetching_ == Fetching::none; }
     /// Returns true if an address may be fetched.
-    [[nodiscard]] bool lets_through(const std::string& address) const;
+    [[nodiscard]] bool allows(const std::string& address) const;
 
   private:
     enum class Fetching { none, one_server, any };
 
     /// Permission that a name alone implies.
-    [[nodiscard]] static Fetching named_by(const std::string& name);
+    [[nodiscard]] static Fetching access_of(const std::string& name);
     void close();
 
     std::string name_;
@@ -45,8 +45,8 @@ class FetchGate {
 };
 
 /// Calls GDALOpenEx() behind a gate. @param drivers null for all @return null if it cannot be opened
-[[nodiscard]] DatasetOwner open_gated(const std::string& name, unsigned flags,
-                                      const char* const* drivers = nullptr,
-                                      const char* const* open_options = nullptr);
+[[nodiscard]] DatasetOwner open_guarded(const std::string& name, unsigned flags,
+                                        const char* const* drivers = nullptr,
+                                        const char* const* open_options = nullptr);
 
 }  // namespace d2b

@@ -11,7 +11,7 @@ namespace d2b {
 namespace {
 
 constexpr std::size_t longest_message = 500;
-constexpr std::size_t most_warnings = 20;  // limited because a damaged file can have one per block
+constexpr std::size_t max_warnings = 20;  // limited because a damaged file can have one per block
 
 void CPL_STDCALL collect(CPLErr level, CPLErrorNum, const char* text) {
     auto* messages = static_cast<GdalMessages*>(CPLGetErrorHandlerUserData());
@@ -31,14 +31,14 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text;
 }
 
-void remember(std::vector<std::string>& list, const std::string& line) {
-    if (list.size() <= most_warnings && std::find(list.begin(), list.end(), line) == list.end())
+void add_distinct(std::vector<std::string>& list, const std::string& line) {
+    if (list.size() <= max_warnings && std::find(list.begin(), list.end(), line) == list.end())
         list.push_back(line);
 }
 
 void pass(const std::vector<std::string>& lines, Warnings& warnings) {
     for (const std::string& line : lines)
-        warnings.add_quote("GDAL", line);
+        warnings.add_library_message("GDAL", line);
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ void GdalMessages::add(bool is_error, const char* text) {
             first_error_ = last_error_;
     }
     if (!line.empty())
-        remember(is_error ? errors_ : warnings_, line);
+        add_distinct(is_error ? errors_ : warnings_, line);
 }
 
 std::string GdalMessages::reason() const {

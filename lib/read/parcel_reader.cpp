@@ -7,24 +7,120 @@
 #include <utility>
 #include <vector>
 
-#include "core/utf8_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/parcel_cells.hpp"
-#include "read/placed_layer.hpp"
-#include "read/polygon_geometry.hpp"
-#include "read/raster_crs.hpp"
-#include "read/ring_projector.hpp"
-#include "read/vector_dataset.hpp"
+#include "read/georeferencing.hpp"
+#include "read/ring_projection.hpp"
+#include "read/vector_layer.hpp"
 
 namespace d2b {
+namespace {
+
+/// Half-open range of rows or columns [low, high).
+struct IndexRange {
+    std::int32_t low = 0;
+    std::int32_t high = 0;
+};
+
+std::int32_t within(double value, const IndexRange& limits) {
+    return static_cast<std::int32_t>(
+        std::clamp(value, static_cast<double>(limits.low), static_cast<double>(limits.high)));
+}
+
+/// Returns the first cell whose centre is not less than `place`.
+std::int32_t first_centre(double place, const IndexRange& limits) {
+    return within(std::ceil(place - 0.5), limits);
+}
+
+/// Calls use(step, place) for each line through cell centres, within limits, that an edge crosses, with the
+/// coordinate of the crossing along that line. @param from, to ends of the edge: coordinate across the lines,
+/// then along them
+template <typename Use>
+void for_each_crossing(std::pair<double, double> from, std::pair<double, double> to, const IndexRange& limits,
+                       const Use& use) {
+    if (to < from)
+        std::swap(from, to);
+    const double rise = (to.second - from.second) / (to.first - from.first);
+    const std::int32_t end = first_centre(to.first, limits);
+    for (std::int32_t step = first_centre(from.first, limits); step < end; ++step)
+        use(step, from.second + (step + 0.5 - from.first) * rise);
+}
+
+class Burner {
+  public:
+    Burner(const Window& part, std::span<ParcelCell> cells)
+        : part_(part), rows_{part.row, part.end_row()}, cols_{part.col, part.end_col()}, cells_(cells) {}
+
+    void fill(const std::vector<WorldRing>& rings, const PixelParcel& parcel);
+    void draw(const WorldRing& line);
+
+  private:
+    [[nodiscard]] ParcelCell& cell(std::int32_t row, std::int32_t col) {
+        return cells_[static_cast<std::size_t>(row - part_.row) * static_cast<std::size_t>(part_.cols) +
+                      static_cast<std::size_t>(col - part_.col)];
+    }
+
+    Window part_;
+    IndexRange rows_;
+    IndexRange cols_;
+    std::span<ParcelCell> cells_;
+};
+
+void Burner::fill(const std::vector<WorldRing>& rings, const PixelParcel& parcel) {
+    std::vector<std::pair<std::int32_t, std::int32_t>> crossings;  // row, and first cell right of an edge
+    for (const WorldRing& ring : rings)
+        for (std::size_t i = 1; i < ring.size(); ++i)
+            for_each_crossing(
+                {ring[i - 1].y, ring[i - 1].x}, {ring[i].y, ring[i].x}, rows_,
+                [&](std::int32_t row, double col) { crossings.emplace_back(row, first_centre(col, cols_)); });
+    std::ranges::sort(crossings);
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+        for (std::int32_t col = crossings[i].second; col < crossings[i + 1].second; ++col) {
+            ParcelCell& here = cell(crossings[i].first, col);
+            if (here.parcel != ParcelCell::no_parcel && here.parcel != parcel.number) {
+                here.several = true;
+                continue;
+            }
+            here.parcel = parcel.number;
+            here.invalid = !parcel.valid;
+        }
+}
+
+void Burner::draw(const WorldRing& line) {
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Position& a = line[i - 1];
+        const Position& b = line[i];
+        for_each_crossing({a.y, a.x}, {b.y, b.x}, rows_, [&](std::int32_t row, double col) {
+            const double left = std::ceil(col - 0.5) - 1;
+            if (left >= cols_.low && left < cols_.high)
+                cell(row, static_cast<std::int32_t>(left)).cut_right = true;
+        });
+        for_each_crossing({a.x, a.y}, {b.x, b.y}, cols_, [&](std::int32_t col, double row) {
+            const double above = std::ceil(row - 0.5) - 1;
+            if (above >= rows_.low && above < rows_.high)
+                cell(static_cast<std::int32_t>(above), col).cut_below = true;
+        });
+    }
+}
+
+}  // namespace
+
+void burn(const PixelParcel& parcel, const Window& part, std::span<ParcelCell> cells) {
+    Burner burner(part, cells);
+    for (const std::vector<WorldRing>& rings : parcel.polygons)
+        burner.fill(rings, parcel);
+    for (const WorldRing& line : parcel.lines)
+        burner.draw(line);
+}
+
 namespace {
 
 constexpr double margin_cells = 4;
 constexpr double margin_share = 0.05;  // of a part, because straight edges become curves in another CRS
 
-PolygonPlace place_of(const ParcelChoice& choice) {
+PolygonSource source_of(const ParcelChoice& choice) {
     return {"parcel dataset", "split_layer", choice.dataset, choice.layer};
 }
 
@@ -42,7 +138,7 @@ int field_of(OGRLayerH layer, const ParcelChoice& choice) {
     for (int i = 0; i < count; ++i)
         names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(schema, i)));
     throw OptionError(
-        "The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + place_of(choice).name() +
+        "The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + source_of(choice).name() +
         " has no field '" + choice.field + "' for -split_field; " +
         (names.empty() ? "it has no fields at all." : "its fields are " + quoted_names(names) + "."));
 }
@@ -108,10 +204,10 @@ class ParcelReader final : public ParcelSource {
     [[nodiscard]] PixelParcel parcel_of(OGRFeatureH feature, OGRGeometryH geometry);
     [[nodiscard]] std::string text_of(OGRFeatureH feature) const;
 
-    PolygonPlace place_;
+    PolygonSource source_;
     Warnings warnings_;
     AffineTransform grid_;
-    std::optional<FetchGate> gate_;  ///< active during construction
+    std::optional<NetworkGuard> gate_;  ///< active during construction
     DatasetOwner dataset_;
     OGRLayerH layer_;
     int field_;
@@ -122,20 +218,20 @@ class ParcelReader final : public ParcelSource {
 };
 
 ParcelReader::ParcelReader(const ParcelChoice& choice, const DemInfo& grid, const Callbacks& callbacks)
-    : place_(place_of(choice)),
+    : source_(source_of(choice)),
       warnings_(callbacks.on_warning),
       grid_(grid.transform),
-      gate_(std::in_place, place_.path),
-      dataset_(open_vector_dataset(place_.path, "The " + place_.name() + " cannot be opened", warnings_)),
-      layer_(layer_of(dataset_.get(), place_, warnings_)),
+      gate_(std::in_place, source_.path),
+      dataset_(open_vector_dataset(source_.path, "The " + source_.name() + " cannot be opened", warnings_)),
+      layer_(layer_of(dataset_.get(), source_, warnings_)),
       field_(field_of(layer_, choice)) {
     const OGRSpatialReferenceH own = OGR_L_GetSpatialRef(layer_);
-    to_dem_ = transform_to_dem(own, place_, grid, warnings_);
+    to_dem_ = transform_to_dem(own, source_, grid, warnings_);
     if (to_dem_) {
         const GdalMessages quiet;
         back_.reset(OCTNewCoordinateTransformation(horizontal_crs(grid.crs_wkt).get(), own));
     }
-    projector_.emplace(to_dem_.get(), grid_, place_.name());
+    projector_.emplace(to_dem_.get(), grid_, source_.name());
     require_some(grid);
     warnings_.hold();
     gate_.reset();  // because later reads may come from other threads
@@ -163,9 +259,9 @@ void ParcelReader::require_some(const DemInfo& grid) {
         any = geometry != nullptr && OGR_G_IsEmpty(geometry) == FALSE && OGR_G_GetDimension(geometry) > 0;
     }
     if (messages.failed())
-        throw InputError("The " + place_.name() + " cannot be read: " + messages.reason() + ".");
+        throw InputError("The " + source_.name() + " cannot be read: " + messages.reason() + ".");
     if (!any)
-        throw InputError("The layer '" + std::string(OGR_L_GetName(layer_)) + "' of the " + place_.name() +
+        throw InputError("The layer '" + std::string(OGR_L_GetName(layer_)) + "' of the " + source_.name() +
                          " has no polygon and no line in the part of '" + grid.name +
                          "' that is used; give the parcels of the same place, or another layer with "
                          "-split_layer.");
@@ -201,12 +297,12 @@ PixelParcel ParcelReader::parcel_of(OGRFeatureH feature, OGRGeometryH geometry) 
 }
 
 void ParcelReader::read(const Window& part, std::span<ParcelCell> cells) {
-    const FetchGate gate(dataset_.get());
+    const NetworkGuard gate(dataset_.get());
     std::ranges::fill(cells, ParcelCell());
     filter_by(part);
     std::vector<PixelParcel> parcels;
     for_each_geometry(
-        layer_, "The " + place_.name(), warnings_,
+        layer_, "The " + source_.name(), warnings_,
         [&](OGRFeatureH feature, OGRGeometryH geometry) { parcels.push_back(parcel_of(feature, geometry)); });
     // Sorts, because a spatial index returns features in any order.
     std::ranges::stable_sort(parcels, {}, &PixelParcel::number);
@@ -215,15 +311,15 @@ void ParcelReader::read(const Window& part, std::span<ParcelCell> cells) {
 }
 
 std::string_view ParcelReader::name(std::int64_t parcel) {
-    if (parcel == ParcelCell::nobody)
+    if (parcel == ParcelCell::no_parcel)
         return {};
     auto known = names_.find(parcel);
     if (known == names_.end()) {
         const GdalMessages messages;
-        const FetchGate gate(dataset_.get());
+        const NetworkGuard gate(dataset_.get());
         const FeatureOwner feature(OGR_L_GetFeature(layer_, parcel));
         if (!feature)
-            throw InputError("Feature " + std::to_string(parcel) + " of the " + place_.name() +
+            throw InputError("Feature " + std::to_string(parcel) + " of the " + source_.name() +
                              " is there no more: it has changed meanwhile.");
         known = names_.emplace(parcel, text_of(feature.get())).first;
     }

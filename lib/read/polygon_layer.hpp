@@ -5,6 +5,7 @@
 
 #include "core/warnings.hpp"
 #include "dem2buildings/score.hpp"
+#include "dem2buildings/sinks.hpp"
 
 namespace d2b {
 
@@ -24,5 +25,15 @@ struct LayerChoice {
 /// those with another geometry than polygons with a warning.
 /// @throws InputError: cannot be opened or read, no layer. @throws OptionError: no such layer or field
 [[nodiscard]] PolygonLayer read_polygon_layer(const LayerChoice& choice, Warnings& warnings);
+
+/// Area in which a raster has data: polygons along the edges of its cells.
+struct ValidCells {
+    std::vector<WorldPolygon> polygons;  ///< disjoint; each may touch itself at points
+    std::string crs_wkt;                 ///< WKT2:2019; empty if there is none
+};
+
+/// Outlines the cells of the first band that are not NoData, masked out, transparent, NaN or infinite.
+/// @param path any raster that GDAL opens @throws InputError as open_dem(), or if no cell is valid
+[[nodiscard]] ValidCells valid_cells(const std::string& path, Warnings& warnings);
 
 }  // namespace d2b

@@ -2,29 +2,73 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include <cpl_string.h>
 #include <gdal_utils.h>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "core/warnings.hpp"
 #include "dem2buildings/error.hpp"
-#include "read/cell_boxes.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/gdal_setup.hpp"
 #include "read/open_raster.hpp"
-#include "read/start_gdal.hpp"
 
 namespace d2b {
+
+std::vector<std::string> read_raster_list(const std::string& list) {
+    errno = 0;
+    std::ifstream file(list, std::ios::binary);
+    std::vector<std::string> names;
+    // errno is kept because a folder can be opened but not read.
+    for (std::string line; std::getline(file, line);) {
+        line.erase(line.find_last_not_of(" \t\r") + 1);
+        if (!line.empty())
+            names.push_back(line);
+    }
+    if (!file.is_open() || file.bad() || (names.empty() && errno != 0))
+        throw InputError("'" + list + "' cannot be read: " + std::generic_category().message(errno) +
+                         "; give a text file with the name of a raster a line.");
+    if (names.empty())
+        throw InputError("'" + list + "' names no raster; write the name of one a line into it.");
+    return names;
+}
+
+bool are_disjoint(std::vector<CellBox> boxes) {
+    std::vector<CellBox> ended = boxes;
+    std::ranges::sort(boxes, {}, [](const CellBox& box) { return box[1][0]; });
+    std::ranges::sort(ended, {}, [](const CellBox& box) { return box[1][1]; });
+    auto next_end = ended.begin();
+    // Sweep line: boxes that contain the row at which the next box begins, from left to right, [begin, end)
+    // of columns.
+    std::map<double, double> in_row;
+    for (const auto& [cols, rows] : boxes) {
+        for (; (*next_end)[1][1] <= rows[0]; ++next_end)
+            in_row.erase((*next_end)[0][0]);
+        const auto right = in_row.lower_bound(cols[0]);
+        if (right != in_row.end() && right->first < cols[1])
+            return false;
+        if (right != in_row.begin() && std::prev(right)->second > cols[0])
+            return false;
+        in_row.emplace(cols[0], cols[1]);
+    }
+    return true;
+}
+
 namespace {
 
 /// Tolerance in cells for cells of two rasters to coincide.
-constexpr double same_place = 0.001;
+constexpr double grid_tolerance = 0.001;
 
 /// Columns or rows of a raster.
 struct RasterAxis {
@@ -34,7 +78,7 @@ struct RasterAxis {
 };
 
 /// Properties of a raster of the list, which is closed again.
-struct Listed {
+struct MosaicRaster {
     std::string name;
     std::array<RasterAxis, 2> axes;
     GDALDataType type = GDT_Unknown;
@@ -48,12 +92,12 @@ struct Listed {
                      ", or take it off the list.");
 }
 
-Listed listed(const std::string& name, int band) {
+MosaicRaster read_mosaic_raster(const std::string& name, int band) {
     ReadOptions options;
     options.source = name;
     options.band = band;
-    Warnings unheard;
-    const OpenRaster raster = open_raster(options, name, unheard);
+    Warnings ignored;
+    const OpenRaster raster = open_raster(options, name, ignored);
     const GdalMessages quiet;
     GDALDatasetH dataset = raster.dataset.get();
     std::array<double, 6> to{};
@@ -61,7 +105,7 @@ Listed listed(const std::string& name, int band) {
         refuse(name, "it does not say where it lies", "give it corners with gdal_translate -a_ullr");
     if (to[2] != 0 || to[4] != 0 || !(to[1] > 0) || !(to[5] < 0))
         refuse(name, "it is rotated or upside down", "bring it onto the grid of the others with gdalwarp");
-    Listed here;
+    MosaicRaster here;
     here.name = name;
     here.axes = {{{to[0], to[1], static_cast<double>(GDALGetRasterXSize(dataset))},
                   {to[3], to[5], static_cast<double>(GDALGetRasterYSize(dataset))}}};
@@ -75,14 +119,14 @@ Listed listed(const std::string& name, int band) {
     return here;
 }
 
-bool same_crs(const Listed& a, const Listed& b) {
+bool same_crs(const MosaicRaster& a, const MosaicRaster& b) {
     if (a.crs == nullptr || b.crs == nullptr)
         return a.crs == b.crs;
     const std::array<const char*, 2> criteria{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", nullptr};
     return OSRIsSameEx(a.crs.get(), b.crs.get(), criteria.data()) != FALSE;
 }
 
-void require_one_grid(const Listed& first, const Listed& other) {
+void require_same_grid(const MosaicRaster& first, const MosaicRaster& other) {
     const std::string where = " than '" + first.name + "'";
     const std::string warp = "bring it onto that grid with gdalwarp";
     if (!same_crs(first, other))
@@ -90,10 +134,10 @@ void require_one_grid(const Listed& first, const Listed& other) {
     for (std::size_t i = 0; i < first.axes.size(); ++i) {
         const RasterAxis& a = first.axes[i];
         const RasterAxis& b = other.axes[i];
-        if (std::abs(b.step / a.step - 1) * b.cells > same_place)
+        if (std::abs(b.step / a.step - 1) * b.cells > grid_tolerance)
             refuse(other.name, "it has cells of another size" + where, warp);
         const double offset = (b.first - a.first) / a.step;
-        if (std::abs(offset - std::round(offset)) > same_place)
+        if (std::abs(offset - std::round(offset)) > grid_tolerance)
             refuse(other.name, "its cells lie between those of '" + first.name + "'", warp);
     }
     if (other.type != first.type)
@@ -109,7 +153,7 @@ void require_one_grid(const Listed& first, const Listed& other) {
 }
 
 /// Value that stands for NoData if no raster declares one.
-double unlikely(GDALDataType type) {
+double fallback_nodata(GDALDataType type) {
     switch (type) {
         case GDT_Byte:
             return std::numeric_limits<std::uint8_t>::max();
@@ -127,11 +171,11 @@ double unlikely(GDALDataType type) {
 }
 
 /// Returns true if the rasters have at least as many cells as the mosaic.
-bool may_fill(const std::vector<Listed>& rasters) {
+bool may_cover_extent(const std::vector<MosaicRaster>& rasters) {
     std::array<double, 2> least{};
     std::array<double, 2> most{};
     double cells = 0;
-    for (const Listed& raster : rasters) {
+    for (const MosaicRaster& raster : rasters) {
         cells += raster.axes[0].cells * raster.axes[1].cells;
         for (std::size_t i = 0; i < least.size(); ++i) {
             const RasterAxis& origin = rasters.front().axes[i];
@@ -144,26 +188,26 @@ bool may_fill(const std::vector<Listed>& rasters) {
 }
 
 /// Returns the NoData value of the mosaic, because GDAL would otherwise fill gaps between rasters with 0.
-std::optional<double> nodata_of(const std::vector<Listed>& rasters) {
-    for (const Listed& raster : rasters)
+std::optional<double> nodata_of(const std::vector<MosaicRaster>& rasters) {
+    for (const MosaicRaster& raster : rasters)
         if (raster.nodata)
             return raster.nodata;
-    if (may_fill(rasters))
+    if (may_cover_extent(rasters))
         return {};
-    return unlikely(rasters.front().type);
+    return fallback_nodata(rasters.front().type);
 }
 
 /// Returns true if every cell takes the value of at most one raster, whatever that value is, so that GDAL can
 /// copy rows instead of testing each cell.
-bool may_copy(const std::vector<Listed>& rasters, double nodata) {
-    const auto fits = [&](const Listed& raster) {
+bool can_copy_rows(const std::vector<MosaicRaster>& rasters, double nodata) {
+    const auto fits = [&](const MosaicRaster& raster) {
         return !raster.nodata || *raster.nodata == nodata ||
                (std::isnan(*raster.nodata) && std::isnan(nodata));
     };
     if (!std::ranges::all_of(rasters, fits))
         return false;
     std::vector<CellBox> boxes;
-    for (const Listed& raster : rasters) {
+    for (const MosaicRaster& raster : rasters) {
         CellBox& box = boxes.emplace_back();
         for (std::size_t i = 0; i < box.size(); ++i) {
             const RasterAxis& origin = rasters.front().axes[i];
@@ -171,7 +215,7 @@ bool may_copy(const std::vector<Listed>& rasters, double nodata) {
             box[i] = {first, first + raster.axes[i].cells};
         }
     }
-    return are_apart(std::move(boxes));
+    return are_disjoint(std::move(boxes));
 }
 
 struct MosaicOptionsRelease {
@@ -182,17 +226,17 @@ struct MosaicOptionsRelease {
 
 void build_mosaic(const std::string& path, const std::vector<std::string>& rasters, int band) {
     register_formats();
-    std::vector<Listed> all;
+    std::vector<MosaicRaster> all;
     for (const std::string& name : rasters) {
-        all.push_back(listed(name, band));
-        require_one_grid(all.front(), all.back());
+        all.push_back(read_mosaic_raster(name, band));
+        require_same_grid(all.front(), all.back());
     }
     CPLStringList words;
     words.AddString("-strict");  // reports rasters that do not fit instead of leaving them out
     if (const std::optional<double> nodata = nodata_of(all)) {
         words.AddString("-vrtnodata");
         words.AddString(number_text(*nodata).c_str());
-        if (may_copy(all, *nodata)) {
+        if (can_copy_rows(all, *nodata)) {
             words.AddString("-srcnodata");
             words.AddString("None");
         }

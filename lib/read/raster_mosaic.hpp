@@ -1,9 +1,20 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace d2b {
+
+/// Reads names of rasters, one per line as for gdalbuildvrt; empty lines are ignored.
+/// @throws InputError if the file cannot be read or names no raster
+[[nodiscard]] std::vector<std::string> read_raster_list(const std::string& list);
+
+/// Rectangle of cells: columns, then rows, as half-open ranges [begin, end).
+using CellBox = std::array<std::array<double, 2>, 2>;
+
+/// Returns true if no two boxes overlap. @pre no box is empty
+[[nodiscard]] bool are_disjoint(std::vector<CellBox> boxes);
 
 /// Writes a VRT of rasters on one grid. Later rasters cover earlier ones; cells without data in all rasters
 /// are NoData.

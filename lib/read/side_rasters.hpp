@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "core/elevation_limits.hpp"
+#include "core/invalid_elevations.hpp"
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/open_sources.hpp"
@@ -19,10 +19,10 @@ namespace d2b {
 /// singular or missing, no operation between the CRSs
 
 /// Raster that accompanies a DEM: a file, or values in memory on the DEM's grid.
-struct SideRaster {
+struct AuxiliaryRaster {
     // Implicit, so that a file name suffices.
-    SideRaster(std::string file) : path(std::move(file)) {}  // NOLINT(google-explicit-constructor)
-    SideRaster(std::string name, const ElevationArray* values) : path(std::move(name)), array(values) {}
+    AuxiliaryRaster(std::string file) : path(std::move(file)) {}  // NOLINT(google-explicit-constructor)
+    AuxiliaryRaster(std::string name, const ElevationArray* values) : path(std::move(name)), array(values) {}
 
     std::string path;  ///< name of the array if there is one
     const ElevationArray* array = nullptr;
@@ -30,11 +30,11 @@ struct SideRaster {
 
 /// Handling of gaps in the terrain. A window derived from the terrain model, in another CRS, has gaps that
 /// are of no concern.
-enum class TerrainGaps { warned_of, expected };
+enum class TerrainGaps { reported, expected };
 
 /// Options for reading a terrain model.
-struct TerrainReading {
-    TerrainGaps gaps = TerrainGaps::warned_of;  ///< decides if a share of the window outside is reported
+struct TerrainReadOptions {
+    TerrainGaps gaps = TerrainGaps::reported;  ///< decides if a share of the window outside is reported
     /// Keeps values that seem to stand for NoData without being declared (core/undeclared_values.hpp) as
     /// elevations.
     bool keeps_undeclared = false;
@@ -49,24 +49,24 @@ struct TerrainReading {
 /// @param dem_vertical_metres metres per vertical unit of the DEM
 /// @param limits of elevations, in the vertical unit of the DEM
 /// @throws InputError also when reading: more than half of the values are outside of the limits
-[[nodiscard]] std::unique_ptr<DemSource> open_terrain(const SideRaster& raster, const DemInfo& grid,
+[[nodiscard]] std::unique_ptr<DemSource> open_terrain(const AuxiliaryRaster& raster, const DemInfo& grid,
                                                       double dem_vertical_metres,
                                                       const ElevationLimits& limits,
                                                       const Callbacks& callbacks = {},
-                                                      const TerrainReading& reading = {});
+                                                      const TerrainReadOptions& reading = {});
 
 /// Opens the mask of the search area: 1 inside, 0 outside, never NaN. It is either polygons, which contain
 /// the centres of cells inside, or a raster, whose values that are neither 0 nor invalid are inside (nearest
 /// neighbour). Cells that it does not cover are outside.
 /// @param layer of the polygons; "" for the first one with geometries @throws OptionError: no such layer, or
 /// the mask is a raster, which has none
-[[nodiscard]] std::unique_ptr<DemSource> open_mask(const SideRaster& mask, const std::string& layer,
+[[nodiscard]] std::unique_ptr<DemSource> open_mask(const AuxiliaryRaster& mask, const std::string& layer,
                                                    const DemInfo& grid, const Callbacks& callbacks = {});
 
 /// Opens the normalised difference vegetation index, resampled like terrain. Scaled products (bytes, 16-bit
 /// integers) are read with the scale and offset of the band. Values outside of [-1, 1] are rejected when they
 /// are read; the middle row of the window is checked at once.
-[[nodiscard]] std::unique_ptr<DemSource> open_ndvi(const SideRaster& raster, const DemInfo& grid,
+[[nodiscard]] std::unique_ptr<DemSource> open_ndvi(const AuxiliaryRaster& raster, const DemInfo& grid,
                                                    const Callbacks& callbacks = {});
 
 }  // namespace d2b

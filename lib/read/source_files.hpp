@@ -8,6 +8,18 @@
 
 namespace d2b {
 
+/// Advice about a source that does not open as a raster, as the end of a sentence that begins with "; ": it
+/// is a point cloud, an archive (with the raster in it, if there is one) or a vector dataset. Returns "" if
+/// its kind is unknown.
+[[nodiscard]] std::string open_failure_advice(const std::string& path);
+
+/// Advice about a raster that cannot be read, likewise. @param driver GDAL's short name
+[[nodiscard]] std::string read_failure_advice(const std::string& path, const std::string& driver);
+
+/// Returns true if two file names were probably given in the wrong order: the first one does not exist or
+/// holds vectors, and the second one is a raster.
+[[nodiscard]] bool are_swapped(const std::string& source, const std::string& destination);
+
 /// File that a source is read from.
 struct SourceFile {
     std::string name;
@@ -23,6 +35,6 @@ struct SourceFile {
 
 /// Lists the files of accompanying data in the order terrain model, mask, NDVI, parcels, cutline; those of
 /// each are sorted by name.
-[[nodiscard]] std::vector<SourceFile> side_files(const Options& options);
+[[nodiscard]] std::vector<SourceFile> list_auxiliary_files(const Options& options);
 
 }  // namespace d2b

@@ -1,16 +1,22 @@
 #include "read/temporary_file.hpp"
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <span>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 #include <cpl_conv.h>
+#include <cpl_vsi.h>
 
 #include "dem2buildings/error.hpp"
+#include "read/gdal_handles.hpp"
+#include "read/gdal_messages.hpp"
 
 namespace d2b {
 namespace {
@@ -70,6 +76,28 @@ void TemporaryFile::read(std::uint64_t begin, std::span<std::byte> bytes) const 
         begin += static_cast<std::uint64_t>(got);
         bytes = bytes.subspan(static_cast<std::size_t>(got));
     }
+}
+
+bool is_standard_input(std::string_view source) {
+    return source.starts_with("/vsistdin/") || source.starts_with("/vsistdin?");
+}
+
+StandardInputCopy::StandardInputCopy(const std::string& source)
+    : file_("", "The standard input", FileName::kept) {
+    constexpr std::size_t chunk = std::size_t{1} << 20;
+    const GdalMessages messages;
+    const GdalOwner<VSILFILE*, VSIFCloseL> from(VSIFOpenL(source.c_str(), "rb"));
+    if (!from)
+        throw InputError("The standard input cannot be read: " + messages.reason() + ".");
+    std::vector<std::byte> buffer(chunk);
+    while (const std::size_t got = VSIFReadL(buffer.data(), 1, chunk, from.get()))
+        file_.append(std::span(buffer).first(got));
+    if (file_.size() == 0)
+        throw InputError("Nothing came in on the standard input; send a raster to it or give a file.");
+}
+
+std::unique_ptr<StandardInputCopy> copy_standard_input(const std::string& source) {
+    return is_standard_input(source) ? std::make_unique<StandardInputCopy>(source) : nullptr;
 }
 
 }  // namespace d2b

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace d2b {
 
@@ -38,5 +40,24 @@ class TemporaryFile {
     int file_ = -1;
     std::uint64_t size_ = 0;
 };
+
+/// Returns true if a source is standard input, which can be read only once and only forwards.
+[[nodiscard]] bool is_standard_input(std::string_view source);
+
+/// Temporary copy of standard input; the destructor removes it.
+class StandardInputCopy {
+  public:
+    /// @param source name that satisfies is_standard_input()
+    /// @throws InputError nothing came in. @throws OutputError the temporary file cannot be written
+    explicit StandardInputCopy(const std::string& source);
+
+    [[nodiscard]] const std::string& path() const { return file_.path(); }
+
+  private:
+    TemporaryFile file_;
+};
+
+/// Copies the source if it is standard input; returns null otherwise. @throws as above
+[[nodiscard]] std::unique_ptr<StandardInputCopy> copy_standard_input(const std::string& source);
 
 }  // namespace d2b

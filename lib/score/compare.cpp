@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "core/crs.hpp"
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "core/warnings.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/score.hpp"
-#include "geometry/box.hpp"
+#include "geometry/box_tree.hpp"
+#include "read/gdal_setup.hpp"
 #include "read/polygon_layer.hpp"
-#include "read/start_gdal.hpp"
-#include "read/valid_cells.hpp"
-#include "score/measure_plane.hpp"
+#include "score/measure.hpp"
 #include "score/score.hpp"
 
 namespace d2b {
@@ -82,7 +81,7 @@ std::string extent(const Box& box) {
 
 /// Disjoint extents indicate a wrong file or CRS.
 void check_meets(const std::string& a, const Box& box_a, const std::string& b, const Box& box_b) {
-    if (box_a.empty() || box_b.empty() || box_a.meets(box_b))
+    if (box_a.empty() || box_b.empty() || box_a.intersects(box_b))
         return;
     throw InputError(a + " (" + extent(box_a) + ") and " + b + " (" + extent(box_b) +
                      ") do not meet; check the files and their coordinate reference systems.");
@@ -93,7 +92,7 @@ std::optional<Polygons> region_of(std::vector<Limit>& limits, const MeasurePlane
                                   const Side& reference, Overlay& overlay, Warnings& warnings) {
     std::optional<Polygons> region;
     for (Limit& limit : limits) {
-        bring_to(plane, limit.crs, limit.name, std::span(&limit.area, 1), LongEdges::divide, warnings);
+        transform_to(plane, limit.crs, limit.name, std::span(&limit.area, 1), LongEdges::divide, warnings);
         for (const Side* side : {&found, &reference})
             check_meets("'" + side->name + "'", box_of_all(side->score.areas), limit.what,
                         box_of(limit.area));
@@ -135,7 +134,7 @@ ScoreRun compare(const ScoreRequest& request, const PolygonLayer& found_layer,
                               : box_of_all(by_found ? found.score.areas : reference.score.areas);
     const MeasurePlane plane = measure_plane(crs, box, warnings);
     for (Side* side : {&found, &reference})
-        bring_to(plane, side->crs, side->name, side->score.areas, LongEdges::keep, warnings);
+        transform_to(plane, side->crs, side->name, side->score.areas, LongEdges::keep, warnings);
     check_meets("'" + found.name + "'", box_of_all(found.score.areas), "'" + reference.name + "'",
                 box_of_all(reference.score.areas));
 

@@ -1,6 +1,7 @@
 #include "score/objects.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -28,8 +29,8 @@ Comparison compare(Polygons found, Polygons reference, Overlay& overlay) {
     result.found_area = area_of(result.found.pieces);
     result.reference_area = area_of(result.reference.pieces);
     // A connected part of the intersection lies in one object of each side.
-    const auto of_found = overlay.holders(both, result.found.pieces);
-    const auto of_reference = overlay.holders(both, result.reference.pieces);
+    const auto of_found = overlay.containing_polygons(both, result.found.pieces);
+    const auto of_reference = overlay.containing_polygons(both, result.reference.pieces);
     std::map<std::pair<std::size_t, std::size_t>, double> shared;
     for (std::size_t i = 0; i < both.size(); ++i) {
         const double area = area_of(both[i]);
@@ -50,7 +51,7 @@ Comparison compare(Polygons found, Polygons reference, Overlay& overlay) {
     return result;
 }
 
-bool reaches(double value, double least) {
+bool at_least(double value, double least) {
     constexpr double rounding = 1e-9;
     return value >= least * (1 - rounding);
 }
@@ -58,13 +59,61 @@ bool reaches(double value, double least) {
 ObjectCount count_objects(const ScoredObjects& objects, double min_area) {
     ObjectCount count;
     for (std::size_t i = 0; i < objects.pieces.size(); ++i) {
-        if (!reaches(objects.areas[i], min_area))
+        if (!at_least(objects.areas[i], min_area))
             continue;
         ++count.large;
-        if (reaches(objects.shared[i], 0.5 * objects.areas[i]))
+        if (at_least(objects.shared[i], 0.5 * objects.areas[i]))
             ++count.covered;
     }
     return count;
+}
+
+std::optional<HeightErrors> height_errors(std::span<const double> errors) {
+    if (errors.empty())
+        return std::nullopt;
+    HeightErrors result;
+    result.pairs = errors.size();
+    const auto n = static_cast<double>(errors.size());
+    std::vector<double> absolute;
+    for (const double error : errors) {
+        result.mean += error / n;
+        result.rms += error * error / n;
+        absolute.push_back(std::abs(error));
+    }
+    result.rms = std::sqrt(result.rms);
+    std::ranges::sort(absolute);
+    const std::size_t half = absolute.size() / 2;
+    result.median_absolute =
+        absolute.size() % 2 == 1 ? absolute[half] : (absolute[half - 1] + absolute[half]) / 2;
+    return result;
+}
+
+std::vector<std::optional<double>> object_heights(std::span<const std::optional<double>> heights,
+                                                  std::span<const Polygons> areas, const Polygons& objects,
+                                                  Overlay& overlay) {
+    std::vector<WorldPolygon> parts;
+    std::vector<double> of_parts;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        if (!heights[i])
+            continue;
+        parts.insert(parts.end(), areas[i].begin(), areas[i].end());
+        of_parts.resize(parts.size(), *heights[i]);
+    }
+    std::vector<double> weights(objects.size(), 0.0);
+    std::vector<double> sums(objects.size(), 0.0);
+    const auto containing_polygons = overlay.containing_polygons(parts, objects);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (!containing_polygons[i])
+            continue;
+        const double area = area_of(parts[i]);
+        weights[*containing_polygons[i]] += area;
+        sums[*containing_polygons[i]] += area * of_parts[i];
+    }
+    std::vector<std::optional<double>> result(objects.size());
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (weights[i] > 0)
+            result[i] = sums[i] / weights[i];
+    return result;
 }
 
 }  // namespace d2b

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "dem2buildings/score.hpp"
 #include "geometry/overlay.hpp"
 
 namespace d2b {
@@ -37,7 +39,7 @@ struct Comparison {
 
 /// Compares with a tolerance for rounding, because objects made of raster cells often meet thresholds
 /// exactly.
-[[nodiscard]] bool reaches(double value, double least);
+[[nodiscard]] bool at_least(double value, double least);
 
 /// Number of objects of at least the minimum area, and of those covered at least half by the other side.
 struct ObjectCount {
@@ -45,5 +47,15 @@ struct ObjectCount {
     std::size_t covered = 0;
 };
 [[nodiscard]] ObjectCount count_objects(const ScoredObjects& objects, double min_area);
+
+/// @return nullopt if there are no errors
+[[nodiscard]] std::optional<HeightErrors> height_errors(std::span<const double> errors);
+
+/// Height per object: area-weighted mean of the heights of the features in it.
+/// @param heights one per feature @param areas one per feature, valid
+/// @return one per object; nullopt unless it contains an interior point of a feature with a height
+[[nodiscard]] std::vector<std::optional<double>> object_heights(
+    std::span<const std::optional<double>> heights, std::span<const Polygons> areas, const Polygons& objects,
+    Overlay& overlay);
 
 }  // namespace d2b

@@ -2,15 +2,88 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
-#include "score/outline_segments.hpp"
+#define BOOST_ALLOW_DEPRECATED_HEADERS             // required by Boost 1.74's own headers
+#include <boost/geometry/algorithms/distance.hpp>  // required by the R-tree of Boost 1.83
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/register/point.hpp>
+#include <boost/geometry/geometries/register/segment.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
+#include <boost/iterator/function_output_iterator.hpp>
+
+#include "score/measure.hpp"
+
+#undef BOOST_ALLOW_DEPRECATED_HEADERS
+
+BOOST_GEOMETRY_REGISTER_POINT_2D(d2b::Position, double, cs::cartesian, x, y)
+BOOST_GEOMETRY_REGISTER_SEGMENT(d2b::OutlineSegment, d2b::Position, a, b)
 
 namespace d2b {
 namespace {
 
-constexpr int steps_a_piece = 20;
+namespace index = boost::geometry::index;
+using Tree = index::rtree<OutlineSegment, index::rstar<16>>;
+
+Tree packed(std::span<const Polyline> lines) {
+    std::vector<OutlineSegment> segments;
+    for (const Polyline& line : lines)
+        for (std::size_t i = 1; i < line.size(); ++i)
+            segments.push_back({line[i - 1], line[i]});
+    return Tree(segments);
+}
+
+boost::geometry::model::box<Position> around(Position p, double limit) {
+    return {{p.x - limit, p.y - limit}, {p.x + limit, p.y + limit}};
+}
+
+}  // namespace
+
+struct OutlineSegments::Impl {
+    Tree tree;
+};
+
+double squared_distance(Position p, const OutlineSegment& segment) {
+    const double dx = segment.b.x - segment.a.x;
+    const double dy = segment.b.y - segment.a.y;
+    const double px = p.x - segment.a.x;
+    const double py = p.y - segment.a.y;
+    const double length = dx * dx + dy * dy;
+    const double t = length > 0 ? std::clamp((px * dx + py * dy) / length, 0.0, 1.0) : 0.0;
+    const double x = px - t * dx;
+    const double y = py - t * dy;
+    return x * x + y * y;
+}
+
+OutlineSegments::OutlineSegments(std::span<const Polyline> lines)
+    : impl_(std::make_unique<Impl>(Impl{packed(lines)})) {}
+OutlineSegments::~OutlineSegments() = default;
+
+double OutlineSegments::distance(Position p, double limit) const {
+    double nearest = limit * limit;
+    const auto measure = boost::make_function_output_iterator(
+        [&](const OutlineSegment& segment) { nearest = std::min(nearest, squared_distance(p, segment)); });
+    impl_->tree.query(index::nearest(p, 1), measure);
+    return std::sqrt(nearest);
+}
+
+void OutlineSegments::within(Position p, double limit, std::vector<OutlineSegment>& found) const {
+    found.clear();
+    const auto keep = boost::make_function_output_iterator([&](const OutlineSegment& segment) {
+        if (squared_distance(p, segment) < limit * limit)
+            found.push_back(segment);
+    });
+    impl_->tree.query(index::intersects(around(p, limit)), keep);
+}
+
+namespace {
+
+constexpr int samples_per_piece = 20;
 
 /// Interpolates between two positions.
 Position between(Position from, Position to, double share) {
@@ -18,10 +91,10 @@ Position between(Position from, Position to, double share) {
 }
 
 /// Candidate segments nearest to the points of a short piece of an outline.
-class Neighbours {
+class NearestSegments {
   public:
     /// @param limit largest distance of interest
-    Neighbours(std::span<const Polyline> lines, double limit) : segments_(lines), limit_(limit) {}
+    NearestSegments(std::span<const Polyline> lines, double limit) : segments_(lines), limit_(limit) {}
 
     void move_to(Position middle, double length) {
         found_.clear();
@@ -55,7 +128,7 @@ class Sampler {
 
     void add(Position from, Position to) {
         const double length = std::hypot(to.x - from.x, to.y - from.y);
-        const double pieces = std::ceil(length / (step_ * steps_a_piece));
+        const double pieces = std::ceil(length / (step_ * samples_per_piece));
         const auto count = static_cast<std::int64_t>(pieces);
         for (std::int64_t i = 0; i < count; ++i)
             add_piece(between(from, to, static_cast<double>(i) / pieces),
@@ -87,7 +160,7 @@ class Sampler {
         }
     }
 
-    Neighbours reference_;
+    NearestSegments reference_;
     double step_;
     double length_ = 0;
     double near_ = 0;
@@ -103,6 +176,30 @@ OutlineDistance outline_distance(std::span<const Polyline> outline, std::span<co
         for (std::size_t i = 1; i < line.size(); ++i)
             sampler.add(line[i - 1], line[i]);
     return sampler.result();
+}
+
+namespace {
+
+/// Mean distance between the vertices of one outline and the nearest points of another.
+double mean_distance(std::span<const Polyline> from, std::span<const Polyline> to) {
+    const OutlineSegments outline(to);
+    double sum = 0;
+    std::size_t count = 0;
+    for (const Polyline& line : from) {
+        for (std::size_t i = 1; i < line.size();
+             ++i)  // skips the first position, because it is repeated at the end
+            sum += outline.distance(line[i], std::numeric_limits<double>::infinity());
+        count += line.size() - 1;
+    }
+    return sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+double polis_distance(const WorldPolygon& a, const WorldPolygon& b) {
+    const std::vector<Polyline> of_a = rings_of(std::span(&a, 1));
+    const std::vector<Polyline> of_b = rings_of(std::span(&b, 1));
+    return (mean_distance(of_a, of_b) + mean_distance(of_b, of_a)) / 2;
 }
 
 }  // namespace d2b

@@ -4,11 +4,9 @@
 #include <span>
 #include <utility>
 
-#include "score/heights.hpp"
 #include "score/measure.hpp"
 #include "score/objects.hpp"
 #include "score/outline_distance.hpp"
-#include "score/polis.hpp"
 
 namespace d2b {
 namespace {
@@ -39,7 +37,7 @@ std::vector<Polyline> rings_in_region(Polygons area, const Polygons& region, dou
         shift_ring(polygon.exterior);
         std::ranges::for_each(polygon.interiors, shift_ring);
     }
-    std::vector<Polyline> rings = overlay.rings_within(area, region);
+    std::vector<Polyline> rings = overlay.clip_rings(area, region);
     for (Polyline& ring : rings)
         for (Position& p : ring)
             shift(p, -border, border);
@@ -50,7 +48,7 @@ std::vector<Polyline> rings_in_region(Polygons area, const Polygons& region, dou
 void repair(std::vector<Polygons>& areas, Overlay& overlay) {
     for (Polygons& area : areas)
         if (!overlay.valid(area))
-            area = overlay.made_valid(area);
+            area = overlay.make_valid(area);
 }
 
 class Scorer {
@@ -93,7 +91,7 @@ class Scorer {
     }
 
     [[nodiscard]] std::vector<bool> counted(const ScoreSide& side) {
-        return options_.region ? overlay_.touching(side.areas, *options_.region)
+        return options_.region ? overlay_.intersecting(side.areas, *options_.region)
                                : std::vector<bool>(side.areas.size(), true);
     }
 
@@ -142,7 +140,7 @@ class Scorer {
         double polis = 0;
         std::vector<double> errors;
         for (const ObjectPair& pair : comparison.pairs) {
-            if (!reaches(pair.iou, options_.match_iou))
+            if (!at_least(pair.iou, options_.match_iou))
                 continue;
             ++score_.pairs;
             polis += polis_distance(comparison.found.pieces[pair.found],
@@ -170,7 +168,7 @@ ScoreSide score_side(const std::vector<PolygonFeature>& footprints, Overlay& ove
         const bool valid = !feature.open_ring && overlay.valid(feature.polygons);
         if (!valid)
             ++side.invalid;
-        side.areas.push_back(valid ? feature.polygons : overlay.made_valid(feature.polygons));
+        side.areas.push_back(valid ? feature.polygons : overlay.make_valid(feature.polygons));
         side.heights.push_back(feature.height);
         side.vertices.push_back(vertex_count(feature.polygons, true));
     }

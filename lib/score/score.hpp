@@ -33,7 +33,7 @@ struct ScoreOptions {
 
 /// Scores found footprints against a reference: completeness, correctness and IoU of areas, counts of objects
 /// covered at least half, and, for pairs of objects with a sufficient IoU, PoLiS distances and height errors.
-/// Both sides must be in the same plane (see bring_to()). Areas are dissolved first, because touching
+/// Both sides must be in the same plane (see transform_to()). Areas are dissolved first, because touching
 /// features would otherwise count as several objects; overlaps within the found side are reported instead.
 /// @throws Error if GEOS fails
 [[nodiscard]] Score score(ScoreSide found, ScoreSide reference, const ScoreOptions& options);

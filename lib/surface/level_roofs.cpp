@@ -24,21 +24,21 @@ struct Roof {
     double area = 0;    // square steps
     double height = 0;  // steps
     std::int64_t highest_base = std::numeric_limits<std::int64_t>::min();
-    std::set<std::uint32_t> beside;
+    std::set<std::uint32_t> neighbours;
 };
 
 class RoofLeveler {
   public:
-    RoofLeveler(const SurfaceCluster& cluster, const Plan& plan, std::int64_t least);
+    RoofLeveler(const SurfaceCluster& cluster, const PlanarPartition& plan, std::int64_t least);
 
-    void run(const Plan& plan);
+    void run(const PlanarPartition& plan);
     [[nodiscard]] std::int64_t top(std::int32_t contour) {
         return std::llround(roofs_[find(static_cast<std::uint32_t>(contour))].height);
     }
 
   private:
     using Pair = std::tuple<double, std::uint32_t, std::uint32_t>;  // height difference, and the two roofs
-    [[nodiscard]] std::uint32_t find(std::uint32_t roof) { return one_.find(roof); }
+    [[nodiscard]] std::uint32_t find(std::uint32_t roof) { return merged_.find(roof); }
     [[nodiscard]] double step(std::uint32_t a, std::uint32_t b) const {
         return std::abs(roofs_[a].height - roofs_[b].height);
     }
@@ -47,21 +47,21 @@ class RoofLeveler {
 
     double least_;
     std::vector<Roof> roofs_;
-    DisjointSets one_;                  // merged contours
+    DisjointSets merged_;               // merged contours
     std::vector<std::uint32_t> block_;  // by contour
-    std::vector<double> left_;          // volume that a block may still move
+    std::vector<double> budget_;        // volume that a block may still move
     std::priority_queue<Pair, std::vector<Pair>, std::greater<>> queue_;
     bool joined_ = false;  // true if a merge happened in this pass
 };
 
-RoofLeveler::RoofLeveler(const SurfaceCluster& cluster, const Plan& plan, std::int64_t least)
+RoofLeveler::RoofLeveler(const SurfaceCluster& cluster, const PlanarPartition& plan, std::int64_t least)
     : least_(static_cast<double>(least)),
       roofs_(cluster.contours.size()),
-      one_(static_cast<std::uint32_t>(cluster.contours.size())),
-      left_(cluster.contours.size()) {
+      merged_(static_cast<std::uint32_t>(cluster.contours.size())),
+      budget_(cluster.contours.size()) {
     const auto count = static_cast<std::uint32_t>(roofs_.size());
     DisjointSets blocks(count);
-    for (const PlanEdge& edge : plan.edges) {
+    for (const PartitionEdge& edge : plan.edges) {
         const double under =
             static_cast<double>(turn(plan.nodes.front(), plan.nodes[edge.from], plan.nodes[edge.to])) / 2;
         if (edge.left != open_ground)
@@ -72,17 +72,17 @@ RoofLeveler::RoofLeveler(const SurfaceCluster& cluster, const Plan& plan, std::i
             continue;
         const auto a = static_cast<std::uint32_t>(edge.left);
         const auto b = static_cast<std::uint32_t>(edge.right);
-        roofs_[a].beside.insert(b);
-        roofs_[b].beside.insert(a);
+        roofs_[a].neighbours.insert(b);
+        roofs_[b].neighbours.insert(a);
         blocks.join(a, b);
     }
     for (std::uint32_t c = 0; c < count; ++c) {
-        const PlanContour& contour = cluster.contours[c];
+        const PartitionContour& contour = cluster.contours[c];
         const std::int64_t base = cluster.buildings[static_cast<std::size_t>(contour.building)].base;
         roofs_[c].height = static_cast<double>(contour.top);
         roofs_[c].highest_base = base;
         block_.push_back(blocks.find(c));
-        left_[block_.back()] +=
+        budget_[block_.back()] +=
             most_share * roofs_[c].area * static_cast<double>(std::max<std::int64_t>(contour.top - base, 0));
     }
 }
@@ -100,33 +100,33 @@ void RoofLeveler::join(std::uint32_t a, std::uint32_t b) {
                                    : (one.height + other.height) / 2;
     const double more =
         one.area * std::abs(height - one.height) + other.area * std::abs(height - other.height);
-    double& left = left_[block_[a]];
+    double& left = budget_[block_[a]];
     const std::int64_t base = std::max(one.highest_base, other.highest_base);
     if (more > left || std::llround(height) <= base)
         return;
     left -= more;
     joined_ = true;
-    const std::uint32_t whole = one_.join(a, b);
+    const std::uint32_t whole = merged_.join(a, b);
     Roof& roof = roofs_[whole];
     // The shorter list is merged into the longer one, and only its neighbours are considered now, because a
     // large roof may have any number of neighbours. The others are considered when they reach the front of
     // the queue.
-    std::set<std::uint32_t> beside = std::move(roofs_[whole == a ? b : a].beside);
-    if (beside.size() > roof.beside.size())
-        std::swap(beside, roof.beside);
+    std::set<std::uint32_t> neighbours = std::move(roofs_[whole == a ? b : a].neighbours);
+    if (neighbours.size() > roof.neighbours.size())
+        std::swap(neighbours, roof.neighbours);
     roof.area = area;
     roof.height = height;
     roof.highest_base = base;
-    for (const std::uint32_t neighbour : beside)
+    for (const std::uint32_t neighbour : neighbours)
         consider(whole, find(neighbour));
-    roof.beside.merge(beside);
+    roof.neighbours.merge(neighbours);
 }
 
-void RoofLeveler::run(const Plan& plan) {
+void RoofLeveler::run(const PlanarPartition& plan) {
     constexpr int most_passes = 4;
     joined_ = true;
     for (int pass = 0; pass < most_passes && std::exchange(joined_, false); ++pass) {
-        for (const PlanEdge& edge : plan.edges)
+        for (const PartitionEdge& edge : plan.edges)
             if (edge.left != open_ground && edge.right != open_ground)
                 consider(find(static_cast<std::uint32_t>(edge.left)),
                          find(static_cast<std::uint32_t>(edge.right)));
@@ -148,10 +148,10 @@ void RoofLeveler::run(const Plan& plan) {
 }  // namespace
 
 std::vector<RoofStep> level_roofs(SurfaceCluster& cluster, std::int64_t least) {
-    const Partition partition = make_partition(cluster.contours);
-    if (least <= 0 || !partition.at_odds.empty() || partition.plan.edges.empty())
+    const PartitionResult partition = make_partition(cluster.contours);
+    if (least <= 0 || !partition.conflicting.empty() || partition.plan.edges.empty())
         return {};
-    const Plan& plan = partition.plan;
+    const PlanarPartition& plan = partition.plan;
     RoofLeveler leveler(cluster, plan, least);
     leveler.run(plan);
     std::vector<RoofStep> steps;
@@ -159,7 +159,7 @@ std::vector<RoofStep> level_roofs(SurfaceCluster& cluster, std::int64_t least) {
     const auto before = [&](std::int32_t contour) {
         return cluster.contours[static_cast<std::size_t>(contour)].top;
     };
-    for (const PlanEdge& edge : plan.edges) {
+    for (const PartitionEdge& edge : plan.edges) {
         if (edge.left == open_ground || edge.right == open_ground ||
             !known.insert(std::minmax({edge.left, edge.right})).second)
             continue;

@@ -2,30 +2,321 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "core/disjoint_sets.hpp"
-#include "surface/assemble.hpp"
-#include "surface/extrude.hpp"
-#include "surface/merge_near.hpp"
+#include "dem2buildings/surfaces.hpp"
+#include "surface/faces.hpp"
 #include "surface/partition.hpp"
-#include "surface/plan_part.hpp"
+#include "surface/planar_partition.hpp"
+#include "surface/vertex_snapping.hpp"
 
 namespace d2b {
+
+/// Input of an extrusion: each contour of a plan extends from the base to its top.
+struct ExtrusionInput {
+    PlanarPartition plan;                    ///< contains only these contours; everything else is outside
+    std::span<const std::int64_t> tops;      ///< by contour; above the base if the contour has an edge
+    std::span<const std::int32_t> building;  ///< by contour
+    std::int64_t base = 0;
+};
+
+/// Horizontal face.
+struct HorizontalFace {
+    std::int32_t building = 0;
+    std::int64_t z = 0;
+    PartitionFace face;
+};
+
+/// Wall above an edge. Seen from outside, it extends between two vertical lines of vertices, left and right.
+struct WallFace {
+    std::int32_t building = 0;  ///< the higher building
+    std::uint32_t left_node = 0;
+    std::uint32_t right_node = 0;
+    std::vector<std::int64_t> left;   ///< ascending heights, at least two
+    std::vector<std::int64_t> right;  ///< ascending heights, with the same ends as `left`
+};
+
+/// Surface of the extruded plan. It is closed, because a wall has a vertex at every height at which a roof
+/// next to one of its vertical edges ends.
+struct Extrusion {
+    std::vector<HorizontalFace> roofs;
+    std::vector<HorizontalFace> grounds;  ///< one outline per building, as seen from above
+    std::vector<WallFace> walls;          ///< sorted like the edges
+};
+
+[[nodiscard]] Extrusion extrude(const ExtrusionInput& standing);
+
+/// Builds a surface of polygons. @param ids of the buildings, by index
+[[nodiscard]] SurfacePart assemble_faces(const Extrusion& extrusion, const PlanarPartition& plan,
+                                         std::span<const std::int64_t> ids);
+
+/// Surface of triangles, or the buildings with a face that could not be triangulated.
+struct AssembledTriangles {
+    SurfacePart part;
+    std::vector<std::int32_t> failed;  ///< ascending; if not empty, the part is unusable
+};
+[[nodiscard]] AssembledTriangles assemble_triangles(const Extrusion& extrusion, const PlanarPartition& plan,
+                                                    std::span<const std::int64_t> ids,
+                                                    const Triangulate& triangulate);
+
+namespace {
+
+class Extruder {
+  public:
+    explicit Extruder(const ExtrusionInput& standing) : standing_(standing) {}
+
+    [[nodiscard]] Extrusion make() {
+        Extrusion result;
+        add_roofs(result);
+        add_grounds(result);
+        find_heights();
+        for (const PartitionEdge& edge : standing_.plan.edges)
+            add_wall(edge, result);
+        return result;
+    }
+
+  private:
+    [[nodiscard]] std::int64_t height(std::int32_t contour) const {
+        return contour == open_ground ? standing_.base : standing_.tops[static_cast<std::size_t>(contour)];
+    }
+    [[nodiscard]] std::int32_t building(std::int32_t contour) const {
+        return contour == open_ground ? open_ground : standing_.building[static_cast<std::size_t>(contour)];
+    }
+    void add_roofs(Extrusion& result) const;
+    void add_grounds(Extrusion& result) const;
+    void find_heights();
+    [[nodiscard]] std::vector<std::int64_t> column(std::uint32_t node, std::int64_t low,
+                                                   std::int64_t high) const;
+    void add_wall(const PartitionEdge& edge, Extrusion& result) const;
+
+    const ExtrusionInput& standing_;
+    std::vector<std::vector<std::int64_t>> heights_;  // heights around each node, ascending
+};
+
+void Extruder::add_roofs(Extrusion& result) const {
+    for (OwnedFace& owned : partition_faces(standing_.plan))
+        result.roofs.push_back({building(owned.owner), height(owned.owner), std::move(owned.face)});
+}
+
+/// Adds the ground of each building as a whole, whatever stands on it.
+void Extruder::add_grounds(Extrusion& result) const {
+    PlanarPartition plan{standing_.plan.nodes, {}};
+    for (const PartitionEdge& edge : standing_.plan.edges)
+        if (const PartitionEdge low{edge.from, edge.to, building(edge.left), building(edge.right)};
+            low.left != low.right)
+            plan.edges.push_back(low);
+    straighten(plan, Straighten::inside);
+    for (OwnedFace& owned : partition_faces(plan))
+        result.grounds.push_back({owned.owner, standing_.base, std::move(owned.face)});
+}
+
+void Extruder::find_heights() {
+    heights_.resize(standing_.plan.nodes.size());
+    for (const PartitionEdge& edge : standing_.plan.edges)
+        for (const std::uint32_t node : {edge.from, edge.to})
+            for (const std::int32_t contour : {edge.left, edge.right})
+                heights_[node].push_back(height(contour));
+    for (std::vector<std::int64_t>& heights : heights_) {
+        std::ranges::sort(heights);
+        heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+    }
+}
+
+std::vector<std::int64_t> Extruder::column(std::uint32_t node, std::int64_t low, std::int64_t high) const {
+    const std::vector<std::int64_t>& all = heights_[node];
+    return {std::ranges::lower_bound(all, low), std::ranges::upper_bound(all, high)};
+}
+
+void Extruder::add_wall(const PartitionEdge& edge, Extrusion& result) const {
+    const std::int64_t left = height(edge.left);
+    const std::int64_t right = height(edge.right);
+    if (left == right)
+        return;
+    // Seen from the lower side.
+    const auto [low, high] = std::minmax(left, right);
+    const auto [from, to] = left > right ? std::pair(edge.from, edge.to) : std::pair(edge.to, edge.from);
+    result.walls.push_back({building(left > right ? edge.left : edge.right), from, to,
+                            column(from, low, high), column(to, low, high)});
+}
+
+}  // namespace
+
+Extrusion extrude(const ExtrusionInput& standing) {
+    return Extruder(standing).make();
+}
+
+namespace {
+
+/// Collects the vertices and buildings of a part.
+class PartBuilder {
+  public:
+    PartBuilder(const PlanarPartition& plan, std::span<const std::int64_t> ids)
+        : plan_(plan), ids_(ids), corners_(plan.nodes.size()) {}
+
+    /// Returns the index of a vertex, which is added on first use.
+    [[nodiscard]] std::uint32_t corner(std::uint32_t node, std::int64_t z) {
+        auto& known = corners_[node];
+        const auto found = std::ranges::find(known, z, &std::pair<std::int64_t, std::uint32_t>::first);
+        if (found != known.end())
+            return found->second;
+        const auto number = static_cast<std::uint32_t>(part_.points.size());
+        part_.points.push_back({plan_.nodes[node].col, -plan_.nodes[node].row, z});
+        known.emplace_back(z, number);
+        return number;
+    }
+    [[nodiscard]] SurfaceBuilding& building(std::int32_t place) {
+        const auto [found, is_new] = places_.try_emplace(place, part_.buildings.size());
+        if (is_new)
+            part_.buildings.emplace_back().id = ids_[static_cast<std::size_t>(place)];
+        return part_.buildings[found->second];
+    }
+    [[nodiscard]] SurfacePart take() {
+        std::ranges::sort(part_.buildings, {}, &SurfaceBuilding::id);
+        return std::move(part_);
+    }
+
+  private:
+    const PlanarPartition& plan_;
+    std::span<const std::int64_t> ids_;
+    std::vector<std::vector<std::pair<std::int64_t, std::uint32_t>>> corners_;  // per node: height and vertex
+    std::map<std::int32_t, std::size_t> places_;  // building -> position in the part
+    SurfacePart part_;
+};
+
+/// Returns a horizontal face. Seen from below (ground), its rings are reversed.
+SurfaceFace level_face(const HorizontalFace& level, FaceKind kind, PartBuilder& builder) {
+    const auto ring_of = [&](const std::vector<std::uint32_t>& nodes) {
+        std::vector<std::uint32_t> ring;
+        ring.reserve(nodes.size());
+        for (const std::uint32_t node : nodes)
+            ring.push_back(builder.corner(node, level.z));
+        if (kind == FaceKind::ground)
+            std::ranges::reverse(ring);
+        return ring;
+    };
+    SurfaceFace face{kind, ring_of(level.face.exterior), {}};
+    for (const auto& nodes : level.face.interiors)
+        face.interiors.push_back(ring_of(nodes));
+    return face;
+}
+
+/// Returns vertices in ascending order.
+std::vector<std::uint32_t> column(std::uint32_t node, const std::vector<std::int64_t>& heights,
+                                  PartBuilder& builder) {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(heights.size());
+    for (const std::int64_t z : heights)
+        corners.push_back(builder.corner(node, z));
+    return corners;
+}
+
+SurfaceFace wall_face(const WallFace& wall, PartBuilder& builder) {
+    const std::vector<std::uint32_t> left = column(wall.left_node, wall.left, builder);
+    SurfaceFace face{FaceKind::wall, column(wall.right_node, wall.right, builder), {}};
+    face.exterior.insert(face.exterior.begin(), left.front());
+    face.exterior.insert(face.exterior.end(), left.rbegin(), left.rend() - 1);
+    return face;
+}
+
+/// Triangulates a wall: the lower of the next vertices on both sides completes the next triangle.
+void add_wall(const WallFace& wall, PartBuilder& builder) {
+    const std::vector<std::uint32_t> left = column(wall.left_node, wall.left, builder);
+    const std::vector<std::uint32_t> right = column(wall.right_node, wall.right, builder);
+    auto& triangles = builder.building(wall.building).triangles;
+    for (std::size_t l = 0, r = 0; l + 1 < left.size() || r + 1 < right.size();) {
+        const bool on_right =
+            l + 1 == left.size() || (r + 1 < right.size() && wall.right[r + 1] <= wall.left[l + 1]);
+        const std::uint32_t next = on_right ? right[r + 1] : left[l + 1];
+        triangles.push_back({FaceKind::wall, {left[l], right[r], next}});
+        ++(on_right ? r : l);
+    }
+}
+
+/// Caches triangulations, because the roof and the ground of a building are often the same face.
+class FaceTriangles {
+  public:
+    FaceTriangles(const PlanarPartition& plan, const Triangulate& triangulate)
+        : plan_(plan), triangulate_(triangulate) {}
+
+    [[nodiscard]] const std::optional<std::vector<PartitionTriangle>>& of(const PartitionFace& face) {
+        const auto [found, is_new] = known_.try_emplace(face);
+        if (is_new)
+            found->second = triangulate_face(face, plan_, triangulate_);
+        return found->second;
+    }
+
+  private:
+    const PlanarPartition& plan_;
+    const Triangulate& triangulate_;
+    std::map<PartitionFace, std::optional<std::vector<PartitionTriangle>>> known_;
+};
+
+void add_level(const HorizontalFace& level, FaceKind kind, const std::vector<PartitionTriangle>& triangles,
+               PartBuilder& builder) {
+    for (PartitionTriangle triangle : triangles) {
+        if (kind == FaceKind::ground)
+            std::swap(triangle[1], triangle[2]);
+        SurfaceTriangle made{kind, {}};
+        std::ranges::transform(triangle, made.corners.begin(),
+                               [&](std::uint32_t node) { return builder.corner(node, level.z); });
+        builder.building(level.building).triangles.push_back(made);
+    }
+}
+
+}  // namespace
+
+SurfacePart assemble_faces(const Extrusion& extrusion, const PlanarPartition& plan,
+                           std::span<const std::int64_t> ids) {
+    PartBuilder builder(plan, ids);
+    for (const HorizontalFace& level : extrusion.roofs)
+        builder.building(level.building).faces.push_back(level_face(level, FaceKind::roof, builder));
+    for (const WallFace& wall : extrusion.walls)
+        builder.building(wall.building).faces.push_back(wall_face(wall, builder));
+    for (const HorizontalFace& level : extrusion.grounds)
+        builder.building(level.building).faces.push_back(level_face(level, FaceKind::ground, builder));
+    return builder.take();
+}
+
+AssembledTriangles assemble_triangles(const Extrusion& extrusion, const PlanarPartition& plan,
+                                      std::span<const std::int64_t> ids, const Triangulate& triangulate) {
+    PartBuilder builder(plan, ids);
+    FaceTriangles faces(plan, triangulate);
+    AssembledTriangles result;
+    const auto add = [&](const HorizontalFace& level, FaceKind kind) {
+        if (const auto& triangles = faces.of(level.face))
+            add_level(level, kind, *triangles, builder);
+        else
+            result.failed.push_back(level.building);
+    };
+    for (const HorizontalFace& level : extrusion.roofs)
+        add(level, FaceKind::roof);
+    for (const WallFace& wall : extrusion.walls)
+        add_wall(wall, builder);
+    for (const HorizontalFace& level : extrusion.grounds)
+        add(level, FaceKind::ground);
+    std::ranges::sort(result.failed);
+    result.part = builder.take();
+    return result;
+}
+
 namespace {
 
 using Places = std::vector<std::int32_t>;  ///< indices of buildings
 
 /// Contours of the buildings that have not been excluded.
-class Chosen {
+class IncludedContours {
   public:
-    Chosen(const SurfaceCluster& cluster, const std::vector<bool>& is_out) {
+    IncludedContours(const SurfaceCluster& cluster, const std::vector<bool>& is_out) {
         std::vector<std::int32_t> place(cluster.contours.size(), open_ground);
         for (std::size_t i = 0; i < cluster.contours.size(); ++i) {
-            const PlanContour& contour = cluster.contours[i];
+            const PartitionContour& contour = cluster.contours[i];
             if (is_out[static_cast<std::size_t>(contour.building)])
                 continue;
             place[i] = static_cast<std::int32_t>(contours_.size());
@@ -35,8 +326,8 @@ class Chosen {
                 contours_.back().parent = place[static_cast<std::size_t>(contour.parent)];
         }
     }
-    [[nodiscard]] std::span<const PlanContour> contours() const { return contours_; }
-    [[nodiscard]] std::vector<PlanContour>& contours() { return contours_; }
+    [[nodiscard]] std::span<const PartitionContour> contours() const { return contours_; }
+    [[nodiscard]] std::vector<PartitionContour>& contours() { return contours_; }
     [[nodiscard]] std::int32_t building(std::int32_t contour) const {
         return contours_[static_cast<std::size_t>(contour)].building;
     }
@@ -46,24 +337,28 @@ class Chosen {
     }
 
   private:
-    std::vector<PlanContour> contours_;
+    std::vector<PartitionContour> contours_;
     std::vector<std::int32_t> numbers_;
 };
 
 /// Surfaces of the chosen buildings, or the buildings to exclude.
 struct Attempt {
     MadeSurfaces made;
-    Places in_the_way;
+    Places obstructing;
 };
 
 class SurfaceMaker {
   public:
     SurfaceMaker(const SurfaceCluster& cluster, const std::vector<bool>& is_out, const SurfaceForms& forms,
-                 const Triangulate& triangulate, const StopRequest& stop)
-        : cluster_(cluster), chosen_(cluster, is_out), forms_(forms), triangulate_(triangulate), stop_(stop) {
-        for (const PlanBuilding& building : cluster.buildings)
+                 const Triangulate& triangulate, const StopToken& stop)
+        : cluster_(cluster),
+          included_(cluster, is_out),
+          forms_(forms),
+          triangulate_(triangulate),
+          stop_(stop) {
+        for (const ClusterBuilding& building : cluster.buildings)
             ids_.push_back(building.id);
-        for (const PlanContour& contour : chosen_.contours())
+        for (const PartitionContour& contour : included_.contours())
             building_of_.push_back(contour.building);
     }
 
@@ -72,75 +367,76 @@ class SurfaceMaker {
   private:
     using Edges = std::vector<std::uint32_t>;
     [[nodiscard]] bool draw_plan();
-    void drop_what_is_flat();
+    void remove_flat_contours();
     [[nodiscard]] std::vector<std::uint32_t> blocks() const;
     [[nodiscard]] std::vector<Edges> edges_by(const std::vector<std::uint32_t>& group) const;
-    [[nodiscard]] Standing standing(const Edges& edges, const std::vector<std::uint32_t>& group,
-                                    std::uint32_t which) const;
+    [[nodiscard]] ExtrusionInput standing(const Edges& edges, const std::vector<std::uint32_t>& group,
+                                          std::uint32_t which) const;
     void make_solids();
     void make_shell();
 
     const SurfaceCluster& cluster_;
-    Chosen chosen_;
+    IncludedContours included_;
     SurfaceForms forms_;
     const Triangulate& triangulate_;
-    const StopRequest& stop_;
+    const StopToken& stop_;
     std::vector<std::int64_t> ids_;
     std::vector<std::int64_t> tops_;  // by contour
     Places building_of_;              // by contour
-    Plan plan_;
+    PlanarPartition plan_;
     Attempt attempt_;
 };
 
 /// Removes contours whose roofs are not above the base of their building.
-void SurfaceMaker::drop_what_is_flat() {
+void SurfaceMaker::remove_flat_contours() {
     const auto is_flat = [&](std::int32_t contour) {
         if (contour == open_ground)
             return false;
         const auto c = static_cast<std::size_t>(contour);
-        return !forms_.gaps.stands_out(chosen_.contours()[c].top,
-                                       cluster_.buildings[static_cast<std::size_t>(building_of_[c])].base);
+        return !forms_.gaps.rises_above(included_.contours()[c].top,
+                                        cluster_.buildings[static_cast<std::size_t>(building_of_[c])].base);
     };
-    for (PlanEdge& edge : plan_.edges) {
+    for (PartitionEdge& edge : plan_.edges) {
         edge.left = is_flat(edge.left) ? open_ground : edge.left;
         edge.right = is_flat(edge.right) ? open_ground : edge.right;
     }
-    std::erase_if(plan_.edges, [](const PlanEdge& edge) { return edge.left == edge.right; });
+    std::erase_if(plan_.edges, [](const PartitionEdge& edge) { return edge.left == edge.right; });
 }
 
 /// @return true if the plan is usable
 bool SurfaceMaker::draw_plan() {
-    Partition partition = make_partition(chosen_.contours());
-    for (const std::uint32_t contour : partition.at_odds)
-        attempt_.in_the_way.push_back(chosen_.building(static_cast<std::int32_t>(contour)));
-    if (!attempt_.in_the_way.empty())
+    PartitionResult partition = make_partition(included_.contours());
+    for (const std::uint32_t contour : partition.conflicting)
+        attempt_.obstructing.push_back(included_.building(static_cast<std::int32_t>(contour)));
+    if (!attempt_.obstructing.empty())
         return false;
     plan_ = std::move(partition.plan);
-    drop_what_is_flat();
+    remove_flat_contours();
     merge_near_nodes(plan_, forms_.gaps.corners);
-    level_near_roofs(plan_, chosen_.contours(), forms_.gaps.heights);
-    for (const PlanContour& contour : chosen_.contours())
+    level_near_roofs(plan_, included_.contours(), forms_.gaps.heights);
+    for (const PartitionContour& contour : included_.contours())
         tops_.push_back(contour.top);
-    PinchesTaken taken =
-        take_apart_pinches(plan_, chosen_.contours(), {forms_.pinch_steps, forms_.gaps}, stop_);
-    if (!taken.stuck.empty()) {
-        attempt_.in_the_way.push_back(chosen_.building(static_cast<std::int32_t>(taken.stuck.back())));
+    ResolvedVertices taken =
+        resolve_nonmanifold_vertices(plan_, included_.contours(), {forms_.move_steps, forms_.gaps}, stop_);
+    if (!taken.unresolved.empty()) {
+        attempt_.obstructing.push_back(
+            included_.building(static_cast<std::int32_t>(taken.unresolved.back())));
         return false;
     }
-    for (PinchMend& mend : taken.mends)
+    for (VertexRepair& mend : taken.repairs)
         for (std::int32_t& contour : mend.contours)
-            contour = chosen_.number(contour);
-    attempt_.made.mends = std::move(taken.mends);
+            contour = included_.number(contour);
+    attempt_.made.repairs = std::move(taken.repairs);
     return true;
 }
 
 /// Returns a number per building that is equal for buildings with common walls.
 std::vector<std::uint32_t> SurfaceMaker::blocks() const {
     DisjointSets sets(static_cast<std::uint32_t>(cluster_.buildings.size()));
-    for (const PlanEdge& edge : plan_.edges)
+    for (const PartitionEdge& edge : plan_.edges)
         if (edge.left != open_ground && edge.right != open_ground)
-            sets.join(static_cast<std::uint32_t>(chosen_.building(edge.left)),
-                      static_cast<std::uint32_t>(chosen_.building(edge.right)));
+            sets.join(static_cast<std::uint32_t>(included_.building(edge.left)),
+                      static_cast<std::uint32_t>(included_.building(edge.right)));
     std::vector<std::uint32_t> block(cluster_.buildings.size());
     for (std::uint32_t i = 0; i < block.size(); ++i)
         block[i] = sets.find(i);
@@ -151,10 +447,10 @@ std::vector<std::uint32_t> SurfaceMaker::blocks() const {
 std::vector<SurfaceMaker::Edges> SurfaceMaker::edges_by(const std::vector<std::uint32_t>& group) const {
     std::vector<Edges> edges(cluster_.buildings.size());
     const auto group_of = [&](std::int32_t contour) {
-        return group[static_cast<std::size_t>(chosen_.building(contour))];
+        return group[static_cast<std::size_t>(included_.building(contour))];
     };
     for (std::uint32_t e = 0; e < plan_.edges.size(); ++e) {
-        const PlanEdge& edge = plan_.edges[e];
+        const PartitionEdge& edge = plan_.edges[e];
         if (edge.left != open_ground)
             edges[group_of(edge.left)].push_back(e);
         if (edge.right != open_ground &&
@@ -164,19 +460,20 @@ std::vector<SurfaceMaker::Edges> SurfaceMaker::edges_by(const std::vector<std::u
     return edges;
 }
 
-Standing SurfaceMaker::standing(const Edges& edges, const std::vector<std::uint32_t>& group,
-                                std::uint32_t which) const {
-    Standing result{plan_part(plan_, edges,
-                              [&](std::int32_t contour) {
-                                  return group[static_cast<std::size_t>(chosen_.building(contour))] == which;
-                              }),
-                    tops_, building_of_, std::numeric_limits<std::int64_t>::max()};
-    for (const PlanEdge& edge : result.plan.edges)
+ExtrusionInput SurfaceMaker::standing(const Edges& edges, const std::vector<std::uint32_t>& group,
+                                      std::uint32_t which) const {
+    ExtrusionInput result{
+        extract_partition(plan_, edges,
+                          [&](std::int32_t contour) {
+                              return group[static_cast<std::size_t>(included_.building(contour))] == which;
+                          }),
+        tops_, building_of_, std::numeric_limits<std::int64_t>::max()};
+    for (const PartitionEdge& edge : result.plan.edges)
         for (const std::int32_t contour : {edge.left, edge.right})
             if (contour != open_ground)
                 result.base =
                     std::min(result.base,
-                             cluster_.buildings[static_cast<std::size_t>(chosen_.building(contour))].base);
+                             cluster_.buildings[static_cast<std::size_t>(included_.building(contour))].base);
     return result;
 }
 
@@ -189,7 +486,7 @@ void SurfaceMaker::make_solids() {
         if (edges[i].empty())
             continue;
         stop_.check();
-        const Standing alone = standing(edges[i], each, i);
+        const ExtrusionInput alone = standing(edges[i], each, i);
         attempt_.made.solids.push_back(assemble_faces(extrude(alone), alone.plan, ids_));
     }
 }
@@ -201,9 +498,9 @@ void SurfaceMaker::make_shell() {
         if (edges[i].empty())
             continue;
         stop_.check();
-        const Standing together = standing(edges[i], block, i);
+        const ExtrusionInput together = standing(edges[i], block, i);
         AssembledTriangles made = assemble_triangles(extrude(together), together.plan, ids_, triangulate_);
-        attempt_.in_the_way.insert(attempt_.in_the_way.end(), made.failed.begin(), made.failed.end());
+        attempt_.obstructing.insert(attempt_.obstructing.end(), made.failed.begin(), made.failed.end());
         attempt_.made.shell.push_back(std::move(made.part));
     }
 }
@@ -213,7 +510,7 @@ Attempt SurfaceMaker::make() {
         return std::move(attempt_);
     if (forms_.shell)
         make_shell();
-    if (forms_.solids && attempt_.in_the_way.empty())
+    if (forms_.solids && attempt_.obstructing.empty())
         make_solids();
     return std::move(attempt_);
 }
@@ -221,16 +518,16 @@ Attempt SurfaceMaker::make() {
 }  // namespace
 
 MadeSurfaces make_surfaces(const SurfaceCluster& cluster, const SurfaceForms& forms,
-                           const Triangulate& triangulate, const StopRequest& stop) {
+                           const Triangulate& triangulate, const StopToken& stop) {
     std::vector<bool> is_out(cluster.buildings.size());
     std::vector<std::int64_t> left_out;
     while (true) {
         Attempt attempt = SurfaceMaker(cluster, is_out, forms, triangulate, stop).make();
-        if (attempt.in_the_way.empty()) {
+        if (attempt.obstructing.empty()) {
             attempt.made.left_out = std::move(left_out);
             return std::move(attempt.made);
         }
-        for (const std::int32_t building : attempt.in_the_way) {
+        for (const std::int32_t building : attempt.obstructing) {
             if (is_out[static_cast<std::size_t>(building)])
                 continue;
             is_out[static_cast<std::size_t>(building)] = true;

@@ -2,14 +2,98 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <utility>
+#include <vector>
 
-#include "surface/node_star.hpp"
-#include "surface/outline_sides.hpp"
+#include "geometry/box_tree.hpp"
+#include "outline/fine_geometry.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b {
+
+/// Edge of an outline, with the interior of its contour on the left.
+struct OutlineEdge {
+    FinePoint from;
+    FinePoint to;
+    std::uint32_t contour = 0;
+};
+
+/// Edges of all outlines, ring by ring, and their intersections.
+struct OutlineEdges {
+    std::vector<OutlineEdge> sides;  ///< none of zero length
+    std::vector<std::vector<FinePoint>>
+        cuts;  ///< per side: vertices of other outlines in its interior, in its direction
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing;  ///< pairs of contours whose edges cross
+};
+
+[[nodiscard]] OutlineEdges outline_edges(std::span<const PartitionContour> contours);
+
+namespace {
+
+/// Exact, because lattices have far fewer than 2^53 steps.
+Box box_of(const OutlineEdge& side) {
+    Box box;
+    for (const FinePoint& point : {side.from, side.to})
+        box.add(Position{static_cast<double>(point.col), static_cast<double>(point.row)});
+    return box;
+}
+
+void add_ring(const FineRing& ring, std::uint32_t contour, std::vector<OutlineEdge>& sides) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        if (const FinePoint to = ring[i + 1 == ring.size() ? 0 : i + 1]; ring[i] != to)
+            sides.push_back({ring[i], to, contour});
+}
+
+/// Returns true if a point is in the interior of a side.
+bool is_within(const OutlineEdge& side, FinePoint point) {
+    return point != side.from && point != side.to && boxes_intersect({side.from, side.to}, {point, point}) &&
+           d2b::side(side.from, side.to, point) == 0;
+}
+
+/// Returns true if two sides cross properly, in a point that is not an end of either.
+bool cross(const OutlineEdge& s, const OutlineEdge& t) {
+    return side(s.from, s.to, t.from) * side(s.from, s.to, t.to) < 0 &&
+           side(t.from, t.to, s.from) * side(t.from, t.to, s.to) < 0;
+}
+
+/// Sorts along the direction of a side and removes duplicates.
+void sort_along(const OutlineEdge& side, std::vector<FinePoint>& points) {
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    if (side.to < side.from)
+        std::ranges::reverse(points);
+}
+
+}  // namespace
+
+OutlineEdges outline_edges(std::span<const PartitionContour> contours) {
+    OutlineEdges result;
+    std::vector<OutlineEdge>& sides = result.sides;
+    for (std::uint32_t c = 0; c < contours.size(); ++c) {
+        add_ring(contours[c].outline.exterior, c, sides);
+        for (const FineRing& ring : contours[c].outline.interiors)
+            add_ring(ring, c, sides);
+    }
+    std::vector<Box> boxes(sides.size());
+    std::ranges::transform(sides, boxes.begin(), [](const OutlineEdge& side) { return box_of(side); });
+    const BoxTree tree(boxes);
+    result.cuts.resize(sides.size());
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        tree.query(boxes[i], [&](std::size_t k) {
+            if (is_within(sides[i], sides[k].from))
+                result.cuts[i].push_back(sides[k].from);
+            if (i < k && cross(sides[i], sides[k]))
+                result.crossing.emplace_back(sides[i].contour, sides[k].contour);
+        });
+        sort_along(sides[i], result.cuts[i]);
+    }
+    return result;
+}
+
 namespace {
 
 /// Side, or the part of it between two cuts, directed from its lower node.
@@ -30,12 +114,12 @@ struct Stack {
 
 class Partitioner {
   public:
-    explicit Partitioner(std::span<const PlanContour> contours) : contours_(contours) {}
+    explicit Partitioner(std::span<const PartitionContour> contours) : contours_(contours) {}
 
-    [[nodiscard]] Partition make();
+    [[nodiscard]] PartitionResult make();
 
   private:
-    [[nodiscard]] std::vector<Piece> pieces(const OutlineSides& sides);
+    [[nodiscard]] std::vector<Piece> pieces(const OutlineEdges& sides);
     void add_edge(std::span<const Piece> alike);
     [[nodiscard]] std::optional<Stack> stack(std::span<const Piece> pieces);
     [[nodiscard]] std::int32_t below(const Stack& stack) const {
@@ -43,24 +127,24 @@ class Partitioner {
     }
     void look_around_nodes();
     void refuse(std::int32_t a, std::int32_t b) {
-        result_.at_odds.push_back(static_cast<std::uint32_t>(std::max(a, b)));
+        result_.conflicting.push_back(static_cast<std::uint32_t>(std::max(a, b)));
     }
 
-    std::span<const PlanContour> contours_;
-    Partition result_;
+    std::span<const PartitionContour> contours_;
+    PartitionResult result_;
 };
 
-std::vector<FinePoint> distinct_ends(const OutlineSides& sides) {
+std::vector<FinePoint> distinct_ends(const OutlineEdges& sides) {
     std::vector<FinePoint> points;
     points.reserve(sides.sides.size());
-    for (const OutlineSide& side : sides.sides)
+    for (const OutlineEdge& side : sides.sides)
         points.push_back(side.from);
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
 }
 
-std::vector<Piece> Partitioner::pieces(const OutlineSides& sides) {
+std::vector<Piece> Partitioner::pieces(const OutlineEdges& sides) {
     const std::vector<FinePoint>& nodes = result_.plan.nodes = distinct_ends(sides);
     const auto node = [&](FinePoint point) {
         return static_cast<std::uint32_t>(std::ranges::lower_bound(nodes, point) - nodes.begin());
@@ -70,7 +154,7 @@ std::vector<Piece> Partitioner::pieces(const OutlineSides& sides) {
         pieces.push_back({std::min(from, to), std::max(from, to), from < to, contour});
     };
     for (std::size_t i = 0; i < sides.sides.size(); ++i) {
-        const OutlineSide& side = sides.sides[i];
+        const OutlineEdge& side = sides.sides[i];
         std::uint32_t from = node(side.from);
         for (const FinePoint& cut : sides.cuts[i]) {
             const std::uint32_t to = node(cut);
@@ -112,9 +196,9 @@ void Partitioner::add_edge(std::span<const Piece> alike) {
         refuse(left->lowest, right->lowest);
         return;
     }
-    const PlanEdge edge{alike.front().low, alike.front().high,
-                        left->lowest != open_ground ? left->highest : below(*right),
-                        right->lowest != open_ground ? right->highest : below(*left)};
+    const PartitionEdge edge{alike.front().low, alike.front().high,
+                             left->lowest != open_ground ? left->highest : below(*right),
+                             right->lowest != open_ground ? right->highest : below(*left)};
     if (edge.left != edge.right)
         result_.plan.edges.push_back(edge);
 }
@@ -123,18 +207,18 @@ void Partitioner::add_edge(std::span<const Piece> alike) {
 void Partitioner::look_around_nodes() {
     const NodeStars stars(result_.plan);
     for (std::uint32_t node = 0; node < result_.plan.nodes.size(); ++node) {
-        const std::vector<NodeArm>& arms = stars.around(node);
+        const std::vector<IncidentEdge>& arms = stars.around(node);
         for (std::size_t i = 0; i < arms.size(); ++i)
-            if (const NodeArm& next = arms[i + 1 == arms.size() ? 0 : i + 1]; arms[i].left != next.right)
+            if (const IncidentEdge& next = arms[i + 1 == arms.size() ? 0 : i + 1]; arms[i].left != next.right)
                 refuse(arms[i].left, next.right);
     }
 }
 
-Partition Partitioner::make() {
-    const OutlineSides sides = outline_sides(contours_);
+PartitionResult Partitioner::make() {
+    const OutlineEdges sides = outline_edges(contours_);
     for (const auto& [a, b] : sides.crossing)
         refuse(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
-    if (!result_.at_odds.empty())
+    if (!result_.conflicting.empty())
         return std::move(result_);
     const std::vector<Piece> all = pieces(sides);
     for (std::size_t begin = 0; begin < all.size();) {
@@ -145,19 +229,19 @@ Partition Partitioner::make() {
         add_edge(std::span(all).subspan(begin, end - begin));
         begin = end;
     }
-    if (result_.at_odds.empty())
+    if (result_.conflicting.empty())
         look_around_nodes();
     return std::move(result_);
 }
 
 }  // namespace
 
-Partition make_partition(std::span<const PlanContour> contours) {
+PartitionResult make_partition(std::span<const PartitionContour> contours) {
     return Partitioner(contours).make();
 }
 
-std::vector<FinePolygon> noded_outlines(std::span<const PlanContour> contours) {
-    const OutlineSides sides = outline_sides(contours);
+std::vector<FinePolygon> noded_outlines(std::span<const PartitionContour> contours) {
+    const OutlineEdges sides = outline_edges(contours);
     std::size_t next = 0;
     const auto noded = [&](const FineRing& ring) {
         FineRing result;
@@ -171,7 +255,7 @@ std::vector<FinePolygon> noded_outlines(std::span<const PlanContour> contours) {
         return result;
     };
     std::vector<FinePolygon> outlines;
-    for (const PlanContour& contour : contours) {
+    for (const PartitionContour& contour : contours) {
         FinePolygon& outline = outlines.emplace_back(FinePolygon{noded(contour.outline.exterior), {}});
         for (const FineRing& ring : contour.outline.interiors)
             outline.interiors.push_back(noded(ring));

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/equal_runs.hpp"
+#include "core/grid.hpp"
 
 namespace d2b {
 namespace {
@@ -21,7 +21,7 @@ std::string load_text(ByteReader& reader) {
 }
 
 /// Run-length encodes the labels of a seam, because most of them are 0.
-void save_line(const std::vector<Label>& line, ByteWriter& writer) {
+void save_labels(const std::vector<Label>& line, ByteWriter& writer) {
     writer.put_varint(line.size());
     for (auto begin = line.begin(); begin != line.end();) {
         const auto end = std::find_if(begin, line.end(), [&](Label label) { return label != *begin; });
@@ -32,16 +32,16 @@ void save_line(const std::vector<Label>& line, ByteWriter& writer) {
 }
 
 /// @param labels largest valid label
-std::vector<Label> load_line(ByteReader& reader, Label labels, std::int32_t cells) {
+std::vector<Label> load_labels(ByteReader& reader, Label labels, std::int32_t cells) {
     const std::int32_t length = reader.take_varint(cells);
     if (length > 0 && length < cells)
-        throw BrokenRecord("a seam is not that of its unit");
+        throw CorruptRecord("a seam is not that of its unit");
     std::vector<Label> line;
     while (static_cast<std::int32_t>(line.size()) < length) {
         const std::int32_t run = reader.take_varint(length - static_cast<std::int32_t>(line.size()));
         const std::uint64_t label = reader.take_varint();
         if (run == 0 || label > labels)
-            throw BrokenRecord("a seam is not that of its unit");
+            throw CorruptRecord("a seam is not that of its unit");
         line.insert(line.end(), static_cast<std::size_t>(run), static_cast<Label>(label));
     }
     return line;
@@ -49,7 +49,7 @@ std::vector<Label> load_line(ByteReader& reader, Label labels, std::int32_t cell
 
 void save(const UnitEdges::Lines& lines, ByteWriter& writer) {
     for (const std::vector<Label>& line : lines)
-        save_line(line, writer);
+        save_labels(line, writer);
 }
 
 void save(const FoundUnit& unit, ByteWriter& writer) {
@@ -64,7 +64,7 @@ void save(const FoundUnit& unit, ByteWriter& writer) {
 UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32_t cells) {
     UnitEdges::Lines lines;
     for (std::vector<Label>& line : lines)
-        line = load_line(reader, labels, cells);
+        line = load_labels(reader, labels, cells);
     return lines;
 }
 
@@ -75,11 +75,11 @@ FoundUnit load_found_unit(ByteReader& reader, const Window& own) {
     unit.runs = reader.take_list<LabelRun>();
     const auto labels = static_cast<Label>(unit.objects.size());
     if (unit.boxes.size() != unit.objects.size())
-        throw BrokenRecord("objects have no boxes");
+        throw CorruptRecord("objects have no boxes");
     for (const LabelRun& run : unit.runs)
         if (run.label == 0 || run.label > labels || run.begin >= run.end || !own.holds(run.row, run.begin) ||
             run.end > own.end_col())
-            throw BrokenRecord("labels lie outside of their unit");
+            throw CorruptRecord("labels lie outside of their unit");
     unit.edges.above = load_lines(reader, labels, own.cols);
     unit.edges.left = load_lines(reader, labels, own.rows);
     unit.edges.below = load_lines(reader, labels, own.cols);
@@ -120,7 +120,7 @@ std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& r
 
 void FoundFacts::merge(const FoundFacts& other) {
     survey.statistics.merge(other.survey.statistics);
-    survey.strange.merge(other.survey.strange);
+    survey.suspicious.merge(other.survey.suspicious);
     fit.merge(other.fit);
     slope.merge(other.slope);
     sides.merge(other.sides);
@@ -136,7 +136,7 @@ void FoundFacts::merge(const FoundFacts& other) {
 
 void FoundFacts::save(ByteWriter& writer) const {
     writer.put(survey.statistics);
-    survey.strange.save(writer);
+    survey.suspicious.save(writer);
     writer.put(fit);
     writer.put(slope);
     writer.put(sides);
@@ -152,11 +152,11 @@ void FoundFacts::save(ByteWriter& writer) const {
 
 void FoundFacts::load(ByteReader& reader) {
     survey.statistics = reader.take<ElevationStatistics>();
-    survey.strange.load(reader);
+    survey.suspicious.load(reader);
     const auto loaded = std::bit_cast<GroundFit>(reader.take<std::array<std::byte, sizeof(GroundFit)>>());
     fit = loaded;
     slope = reader.take<GroundSlope>();
-    sides = reader.take<SidesKnown>();
+    sides = reader.take<AuxiliaryCoverage>();
     terrain_outside = reader.take<std::int64_t>();
     parcels = reader.take<ParcelFit>();
     sampling = reader.take<SurfaceSampling>();
@@ -178,6 +178,40 @@ FoundTile load_found_tile(ByteReader& reader, FoundFacts facts, const std::vecto
     FoundTile tile{std::move(facts), {}};
     for (const Window& own : windows)
         tile.units.push_back(load_found_unit(reader, own));
+    return tile;
+}
+
+Label JoinedTile::sure() const {
+    return static_cast<Label>(std::ranges::count_if(buildings, &JoinedBuilding::is_building));
+}
+
+void save(const JoinedTile& tile, ByteWriter& writer) {
+    writer.put_list(tile.buildings);
+    writer.put(tile.window);
+    writer.put(static_cast<std::uint64_t>(tile.units.size()));
+    for (const JoinedUnit& unit : tile.units) {
+        writer.put(unit.unit);
+        writer.put_list(unit.number);
+    }
+}
+
+JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64_t units) {
+    JoinedTile tile;
+    tile.buildings = reader.take_list<JoinedBuilding>();
+    tile.window = reader.take<Window>();
+    const Window& part = tile.window;
+    const bool is_empty = tile.buildings.empty() && part == Window{};
+    if (!is_empty && (part.rows < 0 || part.cols < 0 || part.row < window.row || part.col < window.col ||
+                      part.rows > window.end_row() - part.row || part.cols > window.end_col() - part.col))
+        throw CorruptRecord("its window is not within that of the plan");
+    tile.units.resize(reader.take_count(sizeof(std::int64_t)));
+    for (JoinedUnit& unit : tile.units) {
+        unit.unit = reader.take<std::int64_t>();
+        unit.number = reader.take_list<Label>();
+        if (unit.unit < 0 || unit.unit >= units || unit.number.empty() ||
+            std::ranges::max(unit.number) > tile.other())
+            throw CorruptRecord("a unit is none of the plan's");
+    }
     return tile;
 }
 

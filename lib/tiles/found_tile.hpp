@@ -4,17 +4,16 @@
 #include <string>
 #include <vector>
 
-#include "core/byte_record.hpp"
+#include "core/band.hpp"
+#include "core/byte_stream.hpp"
 #include "core/context.hpp"
-#include "detect/label_rows.hpp"
-#include "detect/merge_units.hpp"
-#include "detect/unit_seams.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "detect/detection.hpp"
+#include "detect/units.hpp"
+#include "diagnose/coverage.hpp"
 #include "diagnose/ground_fit.hpp"
-#include "diagnose/ground_slope.hpp"
 #include "diagnose/parcel_fit.hpp"
-#include "diagnose/side_doubt.hpp"
 #include "diagnose/surface_sampling.hpp"
-#include "diagnose/valid_islands.hpp"
 #include "elevations/elevation_reader.hpp"
 
 namespace d2b {
@@ -41,17 +40,17 @@ struct FoundUnit {
 
 /// Facts about everything searched in a tile, or in the whole raster.
 struct FoundFacts {
-    explicit FoundFacts(const SiftRules& rules, double min_height)
-        : survey{{}, StrangeValues(rules), {}}, fit(min_height) {}
+    explicit FoundFacts(const ValidityRules& rules, double min_height)
+        : survey{{}, SuspiciousValues(rules), {}}, fit(min_height) {}
     void merge(const FoundFacts& other);
     void save(ByteWriter& writer) const;
-    /// Loads facts that were saved under the same rules. @throws BrokenRecord
+    /// Loads facts that were saved under the same rules. @throws CorruptRecord
     void load(ByteReader& reader);
 
     ElevationSurvey survey;  ///< cells in the core of the tile
     GroundFit fit;
     GroundSlope slope;
-    SidesKnown sides{false, false, false};
+    AuxiliaryCoverage sides{false, false, false};
     std::int64_t terrain_outside = 0;  ///< cells of a terrain model outside of its range; sums over tiles
                                        ///< count some of them more than once
     ParcelFit parcels;
@@ -68,8 +67,39 @@ struct FoundTile {
 };
 void save(const FoundTile& tile, ByteWriter& writer);
 /// @param facts empty facts with the rules of the run @param windows cores of the tile's units
-/// @throws BrokenRecord also for invalid labels or cells
+/// @throws CorruptRecord also for invalid labels or cells
 [[nodiscard]] FoundTile load_found_tile(ByteReader& reader, FoundFacts facts,
                                         const std::vector<Window>& windows);
+
+/// Certain or possible building that a tile draws.
+struct JoinedBuilding {
+    bool is_building = false;
+    CounterEvidence doubt = CounterEvidence::rough;
+    double ground = 0;  ///< elevation in m; NaN if unknown
+    double confidence = 0;
+    std::int64_t parcel = ParcelCell::no_parcel;
+};
+
+/// Mapping from the labels of a unit to those of a tile.
+struct JoinedUnit {
+    std::int64_t unit = 0;      ///< number of the unit, row by row
+    std::vector<Label> number;  ///< indexed by the label in the unit: 0 if rejected, 1 to n for a building of
+                                ///< the tile, n + 1 for one of another tile
+};
+
+/// Results of step join for a tile: its buildings and their location.
+struct JoinedTile {
+    std::vector<JoinedBuilding> buildings;  ///< possible buildings come last
+    Window window;  ///< bounds of their cells and of the surroundings needed to draw them; empty if there are
+                    ///< no buildings
+    std::vector<JoinedUnit> units;  ///< units whose cores overlap the window
+
+    /// Number of certain buildings.
+    [[nodiscard]] Label sure() const;
+    [[nodiscard]] Label other() const { return static_cast<Label>(buildings.size() + 1); }
+};
+void save(const JoinedTile& tile, ByteWriter& writer);
+/// @param window of the whole raster @param units number of units in it @throws CorruptRecord
+[[nodiscard]] JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64_t units);
 
 }  // namespace d2b

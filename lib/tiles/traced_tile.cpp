@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/packed_elevations.hpp"
-#include "trace/arms.hpp"
+#include "core/byte_stream.hpp"
+#include "trace/open_chains.hpp"
 
 namespace d2b {
 namespace {
@@ -31,21 +31,21 @@ ContourSum load_sum(ByteReader& reader, const TraceFrame& frame) {
 }
 
 /// Delta encoding of the bounds of ranges that come from left to right.
-class Gaps {
+class DeltaCoder {
   public:
     void put(std::int32_t to, ByteWriter& writer) {
         writer.put_varint(static_cast<std::uint64_t>(to - at_));
         at_ = to;
     }
-    /// @param last largest valid value @throws BrokenRecord
+    /// @param last largest valid value @throws CorruptRecord
     [[nodiscard]] std::int32_t take(ByteReader& reader, std::int32_t last) {
         at_ += reader.take_varint(last - at_);
         return at_;
     }
-    /// @throws BrokenRecord
+    /// @throws CorruptRecord
     void pass(std::size_t length, std::int32_t last) {
         if (length == 0 || length > static_cast<std::size_t>(last - at_))
-            throw BrokenRecord("a line is longer than the window");
+            throw CorruptRecord("a line is longer than the window");
         at_ += static_cast<std::int32_t>(length);
     }
 
@@ -57,14 +57,14 @@ class Gaps {
 
 void PackedLine::set(const std::vector<TileSquares>& squares, const std::vector<TileOutside>& outside) {
     cells_.put_varint(squares.size());
-    Gaps gaps;
+    DeltaCoder gaps;
     for (const TileSquares& stretch : squares) {
         gaps.put(stretch.begin, cells_);
         gaps.put(stretch.end, cells_);
         cells_.put_varint(static_cast<std::uint64_t>(stretch.count));
     }
     cells_.put_varint(outside.size());
-    Gaps beside;
+    DeltaCoder beside;
     for (const TileOutside& stretch : outside) {
         beside.put(stretch.begin, cells_);
         put_elevations(stretch.elevations, cells_);
@@ -94,10 +94,10 @@ TracedTile load_traced_tile(ByteReader& reader) {
     TracedTile tile;
     tile.tally = reader.take<Tally>();
     tile.lines = reader.take<std::uint64_t>();
-    tile.blocks = reader.take_list<TailBlocks::Block>();
-    if (tile.lines > tile.blocks.size() * TracedTile::lines_a_block ||
-        tile.lines + TracedTile::lines_a_block <= tile.blocks.size() * TracedTile::lines_a_block)
-        throw BrokenRecord("there are not as many blocks as lines need");
+    tile.blocks = reader.take_list<PayloadBlocks::Block>();
+    if (tile.lines > tile.blocks.size() * TracedTile::lines_per_block ||
+        tile.lines + TracedTile::lines_per_block <= tile.blocks.size() * TracedTile::lines_per_block)
+        throw CorruptRecord("there are not as many blocks as lines need");
     return tile;
 }
 
@@ -110,7 +110,7 @@ LineJoiner::LineJoiner(const TraceFrame& frame, TraceLine& line)
 void LineJoiner::add(ByteReader& reader) {
     const auto line = reader.take<std::int32_t>();
     if (begun_ && line != line_.line)
-        throw BrokenRecord("its lines are not those of its neighbour");
+        throw CorruptRecord("its lines are not those of its neighbour");
     begun_ = true;
     line_.line = line;
     add_squares(reader);
@@ -120,13 +120,13 @@ void LineJoiner::add(ByteReader& reader) {
 }
 
 void LineJoiner::add_squares(ByteReader& reader) {
-    Gaps gaps;
+    DeltaCoder gaps;
     for (std::uint64_t left = reader.take_varint(); left > 0; --left) {
         const std::int32_t first = gaps.take(reader, frame_.window.cols);
         const std::int32_t end = gaps.take(reader, frame_.window.cols);
         const std::int32_t count = reader.take_varint(frame_.levels);
         if (first == end || count == 0)
-            throw BrokenRecord("squares belong to no level");
+            throw CorruptRecord("squares belong to no level");
         const std::int32_t begin = std::max(first, end_);  // skips squares of the previous tile
         if (begin < end)
             cutter_.add(begin, end, count, 1);
@@ -135,7 +135,7 @@ void LineJoiner::add_squares(ByteReader& reader) {
 }
 
 void LineJoiner::add_outside(ByteReader& reader) {
-    Gaps gaps;
+    DeltaCoder gaps;
     for (std::uint64_t left = reader.take_varint(); left > 0; --left) {
         const std::int32_t begin = gaps.take(reader, frame_.window.cols);
         const auto beside = std::span(line_.outside).subspan(static_cast<std::size_t>(begin));

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "core/byte_record.hpp"
+#include "core/byte_stream.hpp"
 #include "dem2buildings/report.hpp"
-#include "tiles/tail_blocks.hpp"
-#include "trace/take_apart.hpp"
+#include "tiles/checkpoint_file.hpp"
+#include "trace/split_into_runs.hpp"
 
 namespace d2b {
 
@@ -54,12 +54,12 @@ class PackedLine {
 struct TracedTile {
     Tally tally;
     std::uint64_t lines = 0;
-    std::vector<TailBlocks::Block> blocks;  ///< `lines_a_block` lines each, except the last
+    std::vector<PayloadBlocks::Block> blocks;  ///< `lines_per_block` lines each, except the last
 
-    static constexpr std::size_t lines_a_block = 16;
+    static constexpr std::size_t lines_per_block = 16;
 };
 void save(const TracedTile& tile, ByteWriter& writer);
-/// Deserialises a tile. @throws BrokenRecord
+/// Deserialises a tile. @throws CorruptRecord
 [[nodiscard]] TracedTile load_traced_tile(ByteReader& reader);
 
 /// Joins the parts of a line from adjacent tiles.
@@ -69,7 +69,7 @@ class LineJoiner {
     LineJoiner(const TraceFrame& frame, TraceLine& line);
 
     /// Adds the part of the next tile to the right; it may share a square with the previous one.
-    /// @throws BrokenRecord also if it belongs to another line or exceeds the levels or columns of the frame
+    /// @throws CorruptRecord also if it belongs to another line or exceeds the levels or columns of the frame
     void add(ByteReader& reader);
     /// Completes the line after the last part.
     void finish() { cutter_.finish(); }
@@ -80,7 +80,7 @@ class LineJoiner {
 
     const TraceFrame& frame_;
     TraceLine& line_;
-    RunCutter cutter_;
+    RunEncoder cutter_;
     std::int32_t end_ = 0;  ///< end of the squares covered so far
     bool begun_ = false;    ///< true if a part has been added
 };

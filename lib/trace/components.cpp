@@ -5,7 +5,7 @@
 
 namespace d2b {
 
-std::uint32_t Components::free_number() {
+std::uint32_t Components::allocate() {
     if (free_ == no_index) {
         pool_.emplace_back();
         return static_cast<std::uint32_t>(pool_.size() - 1);
@@ -14,7 +14,7 @@ std::uint32_t Components::free_number() {
 }
 
 std::uint32_t Components::add(Component&& found) {
-    const std::uint32_t number = free_number();
+    const std::uint32_t number = allocate();
     Component& c = pool_[number] = std::move(found);
     c.up = c.next_member = number;
     return number;
@@ -67,11 +67,10 @@ std::uint32_t Components::unite(std::uint32_t a, std::uint32_t b) {
     if (into.sample)
         into.sample->merge(*from.sample, range_);
     from.sample.reset();
-    if (into.standing_on_it.size() < from.standing_on_it.size())
-        std::swap(into.standing_on_it, from.standing_on_it);
-    into.standing_on_it.insert(into.standing_on_it.end(), from.standing_on_it.begin(),
-                               from.standing_on_it.end());
-    from.standing_on_it = {};
+    if (into.children.size() < from.children.size())
+        std::swap(into.children, from.children);
+    into.children.insert(into.children.end(), from.children.begin(), from.children.end());
+    from.children = {};
     return a;
 }
 
@@ -88,7 +87,7 @@ FinishedContour Components::finish(std::uint32_t root) {
     contour.lowest_outside = c.lowest_outside;
     if (c.sample)
         finished.sample = std::move(*c.sample);
-    finished.standing_on_it = std::move(c.standing_on_it);
+    finished.children = std::move(c.children);
     c.sample.reset();
     // Members form a circular list through next_member; splice it into the free list.
     const std::uint32_t second = c.next_member;

@@ -26,8 +26,8 @@ struct Component {
     double lowest_outside = nothing_below;
     PackedRing exterior;
     std::vector<PackedRing> interiors;
-    std::unique_ptr<ElevationSample> sample;   ///< level 1 only
-    std::vector<std::int64_t> standing_on_it;  ///< names of finished contours, as returned by the sink
+    std::unique_ptr<ElevationSample> sample;  ///< level 1 only
+    std::vector<std::int64_t> children;       ///< names of finished contours, as returned by the sink
 
     static constexpr double nothing_below = std::numeric_limits<double>::infinity();
 };
@@ -54,7 +54,7 @@ class Components {
     FinishedContour finish(std::uint32_t root);
 
   private:
-    std::uint32_t free_number();
+    std::uint32_t allocate();
 
     ElevationRange range_;
     std::vector<Component> pool_;

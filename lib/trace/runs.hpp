@@ -47,10 +47,10 @@ struct RunRow {
 
 /// Builds the runs of all levels in one pass from left to right: runs open where levels rise and close where
 /// they fall.
-class RunCutter {
+class RunEncoder {
   public:
     /// @param row with one list per level; cleared
-    explicit RunCutter(RunRow& row) : row_(row) { row.clear(); }
+    explicit RunEncoder(RunRow& row) : row_(row) { row.clear(); }
 
     /// Adds consecutive squares with the same levels and label. Squares in gaps belong to no level. @param
     /// count number of levels, positive
@@ -89,19 +89,19 @@ class RunCutter {
 
 /// Run-length encodes a row. @param labels one per square, or empty: label 1 everywhere
 template <typename Count>
-void cut_into_runs(std::span<const Count> counts, std::span<const Label> labels, RunRow& row) {
-    RunCutter cutter(row);
+void run_length_encode(std::span<const Count> counts, std::span<const Label> labels, RunRow& row) {
+    RunEncoder encoder(row);
     for (std::size_t col = 0; col < counts.size();) {
         std::size_t end = col + 1;
         while (end < counts.size() && counts[end] == counts[col] &&
                (labels.empty() || labels[end] == labels[col]))
             ++end;
         if (counts[col] > 0)
-            cutter.add(static_cast<std::int32_t>(col), static_cast<std::int32_t>(end), counts[col],
-                       labels.empty() ? 1 : labels[col]);
+            encoder.add(static_cast<std::int32_t>(col), static_cast<std::int32_t>(end), counts[col],
+                        labels.empty() ? 1 : labels[col]);
         col = end;
     }
-    cutter.finish();
+    encoder.finish();
 }
 
 }  // namespace d2b

@@ -1,15 +1,36 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "trace/arms.hpp"
 #include "trace/components.hpp"
-#include "trace/open_band.hpp"
+#include "trace/open_chains.hpp"
 #include "trace/runs.hpp"
 
 namespace d2b {
+
+/// A part of an outline that leaves its band: the chain between two crossings of the borders of the band.
+struct OutlinePiece {
+    std::size_t first = 0;  ///< index of its first corner
+    std::size_t corners = 0;
+    /// Lowest outside elevations along the vertical edges to its first and from its last corner, within the
+    /// band.
+    double outside_begin = nothing_outside;
+    double outside_end = nothing_outside;
+};
+
+/// Contours and outlines that continue beyond a band of rows, because they cross its first or last row. In
+/// runs, `component`, `head` and `tail` are indices into the lists below.
+struct OpenBand {
+    RunRow top;     ///< a piece starts downwards at the head of a run, and one ends at its tail
+    RunRow bottom;  ///< a piece ends at the head of a run, and one starts upwards at its tail
+    std::int32_t last_line = 0;
+    std::vector<Component> components;  ///< sorted so that `below` refers to an earlier one
+    std::vector<OutlinePiece> pieces;
+    std::vector<Corner> corners;
+};
 
 /// Elevations outside the contours of level 1 in the rows next to the sweep line: those of valid points below
 /// the threshold, +infinity elsewhere. Spans are empty if there is no such row.
@@ -40,8 +61,8 @@ class SweepLine {
 
     /// Starts at a row of squares whose rows above are not known yet, instead of the first link(). Contours
     /// in this row are not handed out.
-    void begin_below(std::int32_t line, const RunRow& squares);
-    /// Returns the open contours and outlines of a band started by begin_below().
+    void begin_band(std::int32_t line, const RunRow& squares);
+    /// Returns the open contours and outlines of a band started by begin_band().
     [[nodiscard]] OpenBand take_open();
     /// Attaches the contours found below the first row of a band. Call after link() for that row and before
     /// finish_band().
@@ -63,20 +84,20 @@ class SweepLine {
 
     void find_links(const Runs& upper, const Runs& lower);
     void link_level(std::size_t level, const OutsideRows& outside);
-    void follow(std::size_t i, std::size_t level, const OutsideRows& outside);
-    void left_sides_meet(Run& upper, Run& lower, const OutsideRows& outside);
-    void right_sides_meet(Run& upper, Run& lower, const OutsideRows& outside);
+    void link_runs(std::size_t i, std::size_t level, const OutsideRows& outside);
+    void join_left_sides(Run& upper, Run& lower, const OutsideRows& outside);
+    void join_right_sides(Run& upper, Run& lower, const OutsideRows& outside);
     void start(Run& run, std::size_t level, const OutsideRows& outside);
     void close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to, std::uint32_t component,
                    std::span<const double> outside);
-    void pass_sides(Run& run, const OutsideRows& outside);
+    void add_side_outside(Run& run, const OutsideRows& outside);
     void add_outline(std::uint32_t component, std::span<const Corner> outline);
     void add_ring(Component& c, std::span<const Corner> corners);
     [[nodiscard]] Corner corner(std::int32_t col, double outside = nothing_outside) const;
     [[nodiscard]] double lowest(std::span<const double> row, std::int32_t from, std::int32_t to) const;
     void finish_row(std::vector<Run>& runs, std::int32_t line, ContourSink& sink);
     void finish(std::uint32_t root, ContourSink& sink);
-    void place_components(OpenBand& band, RunRow& row);
+    void list_components(OpenBand& band, RunRow& row);
     std::uint32_t add_piece(std::uint32_t tail, const std::vector<bool>& at_top, OpenBand& band) const;
 
     bool traces_;  ///< traces outlines
@@ -87,8 +108,8 @@ class SweepLine {
     RunRow previous_;
     RunRow current_;
     std::vector<Link> links_;
-    std::vector<std::int32_t> pinches_;  ///< columns at which squares may share just a corner
-    Arms arms_;
+    std::vector<std::int32_t> non_manifold_cols_;  ///< columns at which squares may share just a corner
+    OpenChains chains_;
     Components components_;
     RunRow top_;        ///< first row of a band; heads and tails are chain ends in that row
     LatticeRing ring_;  ///< scratch buffer

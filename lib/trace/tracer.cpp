@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/byte_record.hpp"
+#include "core/byte_stream.hpp"
 
 namespace d2b {
 
@@ -13,7 +13,7 @@ Tracer::Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink, Outli
       sink_(sink),
       sweep_line_(frame.levels, frame.window.col, frame.range, outlines) {}
 
-void Tracer::pass(std::vector<double>&& outside) {
+void Tracer::push_outside(std::vector<double>&& outside) {
     std::swap(outside_[1], outside_[2]);
     std::swap(outside_[0], outside_[1]);
     outside_[0] = std::move(outside);
@@ -31,7 +31,7 @@ void Tracer::add(TraceLine& line) {
 
 void Tracer::trace(std::vector<TraceLine>&& lines) {
     for (TraceLine& line : lines) {
-        pass(std::move(line.outside));
+        push_outside(std::move(line.outside));
         if (line.line == TraceLine::none)
             continue;
         sweep_line_.current() = std::move(line.squares);
@@ -54,12 +54,12 @@ LinkedBand Tracer::link(const TraceFrame& frame, TraceMode mode, std::vector<Tra
     }
     Tracer tracer(frame, mode, sink);
     for (std::size_t i = 0; i < first; ++i) {
-        tracer.pass(std::vector(lines[i].outside));
+        tracer.push_outside(std::vector(lines[i].outside));
         band.first.push_back(std::move(lines[i]));
     }
     lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(first));
     const std::size_t rows = std::min(lines.size(), tracer.outside_.size());
-    tracer.sweep_line_.begin_below(band.first.back().line, band.first.back().squares);
+    tracer.sweep_line_.begin_band(band.first.back().line, band.first.back().squares);
     tracer.trace(std::move(lines));
     band.open = tracer.sweep_line_.take_open();
     for (std::size_t i = rows; i-- > 0;)
@@ -75,19 +75,19 @@ void Tracer::join(LinkedBand&& band, std::int64_t first_name) {
     TraceLine last = std::move(band.first.back());
     band.first.pop_back();
     trace(std::move(band.first));
-    pass(std::move(last.outside));
+    push_outside(std::move(last.outside));
     sweep_line_.current() = std::move(last.squares);
     link(last);
     sweep_line_.join(*band.open, first_name);
     add(last);
     sweep_line_.finish_band(std::move(*band.open), sink_);
     for (std::vector<double>& outside : band.outside)
-        pass(std::move(outside));
+        push_outside(std::move(outside));
 }
 
 void Tracer::add_points(const TraceLine& line) {
     Components& components = sweep_line_.components();
-    for (const PointShare& share : line.shares) {
+    for (const PointRun& share : line.point_runs) {
         const RunRow& row = share.above ? sweep_line_.previous() : sweep_line_.current();
         const auto component_of = [&](std::int32_t level, std::uint32_t run) -> Component& {
             return components[components.find(row.levels[static_cast<std::size_t>(level)][run].component)];
@@ -107,7 +107,7 @@ void Tracer::add_sums(TraceLine& line) {
         const std::vector<Run>& runs = row.levels[static_cast<std::size_t>(sum.level)];
         const auto run = std::ranges::upper_bound(runs, sum.col, {}, &Run::end);
         if (run == runs.end() || run->begin > sum.col)
-            throw BrokenRecord("a sum is of no contour");
+            throw CorruptRecord("a sum is of no contour");
         Component& component = components[components.find(run->component)];
         component.own.merge(sum.stats);
         if (component.sample)
@@ -116,7 +116,7 @@ void Tracer::add_sums(TraceLine& line) {
 }
 
 /// Adds points except spires, because objects on a roof are not part of it.
-void Tracer::add_roof(const TraceLine& line, const PointShare& share, ElevationSample& sample) const {
+void Tracer::add_roof(const TraceLine& line, const PointRun& share, ElevationSample& sample) const {
     std::int32_t begin = share.begin;
     const auto add_up_to = [&](std::int32_t end) {
         sample.add(

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "trace/split_into_runs.hpp"
 #include "trace/sweep_line.hpp"
-#include "trace/take_apart.hpp"
 
 namespace d2b {
 
@@ -17,18 +17,18 @@ struct LinkedBand {
     std::vector<std::vector<double>> outside;  ///< outside elevations of the last lines
 };
 
-/// Collapsed contouring (Chittineni 2003, 4.2) of all levels in one pass over the lines that take_apart()
-/// produces from bands of rows. At each level, the region is the union of qualifying unit squares (-trace
-/// points) or cells (-trace cells); squares that share an edge belong to one contour. The state consists of
-/// the row of runs above, outside elevations of two rows, and the open outlines and components, so memory
-/// depends only on the contours that are still open:
+/// Collapsed contouring (Chittineni 2003, 4.2) of all levels in one pass over the lines that
+/// split_into_runs() produces from bands of rows. At each level, the region is the union of qualifying unit
+/// squares (-trace points) or cells (-trace cells); squares that share an edge belong to one contour. The
+/// state consists of the row of runs above, outside elevations of two rows, and the open outlines and
+/// components, so memory depends only on the contours that are still open:
 ///
 ///     Tracer tracer(frame, mode, sink);
 ///     for (each band, top down)
-///         tracer.trace(take_apart(frame, mode, rows_before, band));
+///         tracer.trace(split_into_runs(frame, mode, rows_before, band));
 ///
-/// Only trace() and join() depend on the order of bands. Use take_apart() and link() on other threads for the
-/// expensive part of the work.
+/// Only trace() and join() depend on the order of bands. Use split_into_runs() and link() on other threads
+/// for the expensive part of the work.
 class Tracer {
   public:
     /// @param outlines none: contours have no rings, and `outside` of lines is ignored
@@ -36,7 +36,7 @@ class Tracer {
 
     /// Traces the next lines, which must be contiguous. After the last line, all contours have been handed
     /// out.
-    /// @throws BrokenRecord if a sum refers to no contour
+    /// @throws CorruptRecord if a sum refers to no contour
     void trace(std::vector<TraceLine>&& lines);
 
     /// Links a band of lines independently; thread-safe.
@@ -49,12 +49,12 @@ class Tracer {
     void join(LinkedBand&& band, std::int64_t first_name);
 
   private:
-    void pass(std::vector<double>&& outside);
+    void push_outside(std::vector<double>&& outside);
     void link(const TraceLine& line);
     void add(TraceLine& line);
     void add_points(const TraceLine& line);
     void add_sums(TraceLine& line);
-    void add_roof(const TraceLine& line, const PointShare& share, ElevationSample& sample) const;
+    void add_roof(const TraceLine& line, const PointRun& share, ElevationSample& sample) const;
 
     bool points_;
     ElevationRange range_;

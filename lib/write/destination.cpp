@@ -2,16 +2,86 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <sys/stat.h>
 #include <system_error>
+#include <thread>
+#include <unistd.h>
+#include <vector>
 
 #include <cpl_vsi.h>
 
 #include "dem2buildings/error.hpp"
-#include "options/spoken_destination.hpp"
-#include "write/local_path.hpp"
+#include "options/provenance_text.hpp"
+#include "read/fetch_gate.hpp"
+#include "read/gdal_messages.hpp"
+#include "write/ogr_util.hpp"
+#include "write/postgresql/postgresql.hpp"
+#include "write/qgis/qgis_style.hpp"
+#include "write/sql.hpp"
+#include "write/staging.hpp"
 
 namespace d2b {
+
+/// True if the name is among the names; case-insensitive, because OGR compares layer names like that.
+[[nodiscard]] bool contains_name(const std::vector<std::string>& names, const std::string& name);
+
+/// Checks formats whose datasets are replaced whole. @param names layers that the run writes
+/// @throws OptionError if layers or files of others would be lost
+void reject_foreign_data(const Destination& destination, const ExistingDataset& existing,
+                         GDALDatasetH dataset, const VectorFormat& format, const WriteOptions& options,
+                         const std::vector<std::string>& names);
+
+/// @throws OutputError if a database cannot be opened for writing @throws OptionError if -append is given and
+/// the driver cannot append to existing layers
+void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
+                      const std::vector<std::string>& names);
+
+/// Rejects -overwrite if it would break relations and foreign keys, whose ids would then refer to other
+/// features, or views and triggers of PostgreSQL, which drops them with the table. @param names of the layers
+/// @throws OptionError naming the first one
+void reject_breaking_replacement(const Destination& destination, GDALDatasetH dataset,
+                                 const VectorFormat& format, const std::vector<std::string>& names);
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string without_slashes(std::string path) {
+    while (path.size() > 1 && path.back() == '/')
+        path.pop_back();
+    return path;
+}
+
+}  // namespace
+
+fs::path resolved_path(const std::string& name) {
+    std::error_code error;
+    fs::path path = without_slashes(name);
+    // std::filesystem does not follow links to files that do not exist yet.
+    for (int links = 0; links < 40 && fs::is_symlink(path, error); ++links)
+        path = path.parent_path() / fs::read_symlink(path, error);
+    return path;
+}
+
+void check_parent_folder(const std::string& name, const fs::path& path) {
+    const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code error;
+    const fs::file_status status = fs::status(parent, error);
+    if (!fs::exists(status))
+        throw OutputError("Cannot write \"" + name + "\": there is no folder \"" + parent.string() +
+                          "\"; make it first.");
+    if (!fs::is_directory(status))
+        throw OutputError("Cannot write \"" + name + "\": \"" + parent.string() +
+                          "\" is not a folder; choose another destination.");
+    // Permission bits do not cover read-only and special file systems, and do not apply to root.
+    const StagingFolder trial(name, path);
+}
 
 namespace {
 
@@ -32,7 +102,7 @@ void check_siblings(const std::string& name, const fs::path& path, const VectorF
     }
 }
 
-void locate_local(Destination& destination, const VectorFormat& format) {
+void resolve_local(Destination& destination, const VectorFormat& format) {
     const fs::path path = resolved_path(destination.name);
     destination.local = true;
     destination.path = path.string();
@@ -52,7 +122,7 @@ void locate_local(Destination& destination, const VectorFormat& format) {
 
 }  // namespace
 
-void refuse_archive(const std::string& name) {
+void reject_archive(const std::string& name) {
     constexpr std::array archives{"/vsizip/", "/vsitar/", "/vsi7z/", "/vsirar/"};
     constexpr std::array read_only{"/vsicurl/",    "/vsicurl?",  "/vsicurl_streaming/",
                                    "/vsisubfile/", "/vsistdin/", "/vsistdin?"};
@@ -68,16 +138,16 @@ void refuse_archive(const std::string& name) {
 Destination locate(const WriteOptions& options, const VectorFormat& format) {
     if (options.overwrite && options.append)
         throw OptionError("-overwrite and -append exclude each other; give one of them.");
-    Destination destination{.name = spoken_destination(options.destination), .path = options.destination};
+    Destination destination{.name = redacted_destination(options.destination), .path = options.destination};
     if (is_stream(options.destination) || is_connection(format.driver, options.destination))
         return destination;
-    refuse_archive(options.destination);
+    reject_archive(options.destination);
     if (options.destination.starts_with("/vsi")) {
         VSIStatBufL status{};
         destination.exists = VSIStatExL(options.destination.c_str(), &status,
                                         VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0;
     } else {
-        locate_local(destination, format);
+        resolve_local(destination, format);
     }
     if (destination.exists && !options.overwrite && !options.append)
         throw OptionError(
@@ -85,6 +155,297 @@ Destination locate(const WriteOptions& options, const VectorFormat& format) {
             " exists; give -overwrite to replace the layers of this run in it, or -append to add to "
             "them.");
     return destination;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the first file of the folder that is not part of our layers; "" if there is none.
+std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
+                         const std::vector<std::string>& names) {
+    const CPLStringList listed(GDALGetFileList(dataset));
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        std::string file = entry.path().filename().string();
+        const bool part = CSLFindString(listed.List(), entry.path().c_str()) >= 0 ||
+                          contains_name(names, entry.path().stem().string()) ||
+                          contains_name(names, file.substr(0, file.find('.')));
+        if (!part)
+            return file;
+    }
+    return "";
+}
+
+/// Waits briefly for a lock, then throws. BEGIN IMMEDIATE is needed because other writers block it, but not
+/// reading.
+void reject_locked(const Destination& destination, GDALDatasetH dataset) {
+    using std::chrono::steady_clock;
+    constexpr std::chrono::seconds longest(3);
+    constexpr std::chrono::milliseconds between(50);
+    for (const auto start = steady_clock::now();; std::this_thread::sleep_for(between)) {
+        const GdalMessages messages;
+        GDALDatasetExecuteSQL(dataset, "BEGIN IMMEDIATE", nullptr, nullptr);
+        if (!messages.failed())
+            break;
+        if (steady_clock::now() - start > longest)
+            throw OutputError("Cannot write \"" + destination.name + "\": locking it failed (" +
+                              messages.reason_for(destination.path) + ")" + advice_for(messages.reason()) +
+                              ".");
+    }
+    const GdalMessages quiet;
+    GDALDatasetExecuteSQL(dataset, "ROLLBACK", nullptr, nullptr);
+}
+
+}  // namespace
+
+bool contains_name(const std::vector<std::string>& names, const std::string& name) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& other) { return EQUAL(other.c_str(), name.c_str()); });
+}
+
+void reject_foreign_data(const Destination& destination, const ExistingDataset& existing,
+                         GDALDatasetH dataset, const VectorFormat& format, const WriteOptions& options,
+                         const std::vector<std::string>& names) {
+    const std::string flag = options.overwrite ? "-overwrite" : "-append";
+    if (options.overwrite || format.folder) {
+        for (const std::string& layer : existing.layers)
+            if (format.multiple_layers ? !contains_name(names, layer) : existing.layers.size() > 1)
+                throw OptionError(
+                    "\"" + destination.name + "\" also holds layer \"" + layer + "\", which " + flag +
+                    " would lose: " + format.name +
+                    " datasets are replaced whole; write to another destination or remove it first.");
+    }
+    std::error_code error;
+    if (!destination.local || !fs::is_directory(destination.path, error))
+        return;
+    const std::string file = foreign_file(destination.path, dataset, names);
+    if (!file.empty())
+        throw OptionError("The folder \"" + destination.name + "\" also holds \"" + file + "\", which " +
+                          flag +
+                          " would touch: folders are replaced whole; write to another folder or move it away "
+                          "first.");
+}
+
+void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
+                      const std::vector<std::string>& names) {
+    const GdalMessages messages;
+    if (destination.local && ::access(destination.path.c_str(), W_OK) != 0 && errno != ENOENT)
+        throw OutputError("Cannot write \"" + destination.name + "\": it is read-only (" +
+                          std::generic_category().message(errno) +
+                          "); allow writing, or choose another destination.");
+    const DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    if (!dataset && format.transactions)
+        throw OutputError("Cannot write \"" + destination.name + "\": opening it for writing failed (" +
+                          messages.reason() + ")" + advice_for(messages.reason()) + ".");
+    if (format.name == "GPKG" || format.name == "SQLite")
+        reject_locked(destination, dataset.get());
+    if (!options.append)
+        return;
+    bool appendable = dataset != nullptr;
+    for (int i = 0; appendable && i < GDALDatasetGetLayerCount(dataset.get()); ++i) {
+        OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), i);
+        if (!format.multiple_layers || contains_name(names, OGR_L_GetName(layer)))
+            appendable = OGR_L_TestCapability(layer, OLCSequentialWrite) != FALSE;
+    }
+    if (!appendable)
+        throw OptionError("GDAL cannot append to \"" + destination.name + "\", a dataset of format " +
+                          format.name + "; write to another destination, or to a GeoPackage.");
+}
+
+namespace {
+
+bool has_relations(GDALDatasetH dataset) {
+    return sql_value(dataset,
+                     "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'gpkgext_relations'")
+        .has_value();
+}
+
+/// @param sql query for kind and name
+void reject_dependents(const Destination& destination, GDALDatasetH dataset, const std::string& layer,
+                       const std::string& sql) {
+    const GdalMessages quiet;
+    std::optional<SqlRow> first;
+    sql_query(dataset, sql, [&](const SqlRow& row) {
+        if (!first)
+            first = row;
+    });
+    if (first)
+        throw OptionError(
+            "\"" + destination.name + "\" has a " + first->at(0) + " \"" + first->at(1) + "\" on layer \"" +
+            layer + "\", which -overwrite would break; remove it first, or write to another destination.");
+}
+
+void reject_in_sqlite(const Destination& destination, GDALDatasetH dataset, const std::string& layer) {
+    const std::string text = sql_literal(layer);
+    if (has_relations(dataset))
+        reject_dependents(
+            destination, dataset, layer,
+            "SELECT 'relation', mapping_table_name FROM gpkgext_relations WHERE lower(base_table_name) = "
+            "lower(" +
+                text + ") OR lower(related_table_name) = lower(" + text + ")");
+    reject_dependents(
+        destination, dataset, layer,
+        "SELECT 'foreign key of table', m.name FROM sqlite_master m, pragma_foreign_key_list(m.name) k "
+        "WHERE m.type = 'table' AND lower(k.\"table\") = lower(" +
+            text + ") AND lower(m.name) <> lower(" + text + ")");
+}
+
+void reject_in_postgresql(const Destination& destination, GDALDatasetH dataset, const std::string& layer) {
+    const std::string table = "to_regclass(" + sql_literal(sql_identifier(layer)) + ")";
+    reject_dependents(
+        destination, dataset, layer,
+        "SELECT DISTINCT 'view' AS kind, c.relname AS name FROM pg_depend d JOIN pg_rewrite r ON r.oid = "
+        "d.objid JOIN pg_class c ON c.oid = r.ev_class WHERE d.classid = 'pg_rewrite'::regclass AND "
+        "d.refobjid = " +
+            table + " AND c.oid <> d.refobjid");
+    reject_dependents(
+        destination, dataset, layer,
+        "SELECT 'trigger' AS kind, tgname AS name FROM pg_trigger WHERE NOT tgisinternal AND tgrelid = " +
+            table);
+    reject_dependents(
+        destination, dataset, layer,
+        "SELECT 'foreign key' AS kind, conname AS name FROM pg_constraint WHERE contype = 'f' AND "
+        "confrelid = " +
+            table + " AND conrelid <> confrelid");
+}
+
+}  // namespace
+
+void reject_breaking_replacement(const Destination& destination, GDALDatasetH dataset,
+                                 const VectorFormat& format, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        OGRLayerH layer = GDALDatasetGetLayerByName(dataset, name.c_str());
+        if (layer == nullptr)
+            continue;
+        if (format.name == "PostgreSQL")
+            reject_in_postgresql(destination, dataset, OGR_L_GetName(layer));
+        else if (format.transactions && GDALGetInternalHandle(dataset, "SQLITE_HANDLE") != nullptr)
+            reject_in_sqlite(destination, dataset, OGR_L_GetName(layer));
+    }
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Sidecar files of a .shp, replaced with it because an old index would not match the new file.
+constexpr std::array shapefile_sidecars{".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn",
+                                        ".sbx", ".qpj", ".idm", ".ind", ".cst"};
+
+std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, const VectorFormat& format) {
+    std::error_code error;
+    if (fs::is_directory(path, error))
+        return {path.string()};
+    std::vector<std::string> files{path.string()};
+    const auto add = [&](const fs::path& file) {
+        if (file.parent_path() == path.parent_path() && fs::is_regular_file(file, error) &&
+            std::find(files.begin(), files.end(), file.string()) == files.end())
+            files.push_back(file.string());
+    };
+    const CPLStringList listed(GDALGetFileList(dataset));
+    for (int i = 0; i < listed.Count(); ++i)
+        add(listed[i]);
+    if (format.name == "ESRI Shapefile" && format.suffixes.size() > 1)
+        for (const char* suffix : shapefile_sidecars)
+            add(fs::path(path).replace_extension(suffix));
+    const fs::path style = fs::path(path).replace_extension(".qml");
+    if (format.name == "ESRI Shapefile" && is_our_style(style))
+        add(style);
+    return files;
+}
+
+/// Advises to remove the file only if neither a disk error nor a lock is to blame.
+[[noreturn]] void throw_unreadable(const Destination& destination, const VectorFormat& format,
+                                   const GdalMessages& messages) {
+    std::error_code error;
+    std::ifstream file(destination.path, std::ios::binary);
+    char first = 0;
+    const bool unreadable = fs::is_regular_file(destination.path, error) &&
+                            fs::file_size(destination.path, error) > 0 && !file.get(first);
+    const std::array<const char*, 2> drivers{format.name.c_str(), nullptr};
+    const bool ours = format.transactions && GDALIdentifyDriverEx(destination.path.c_str(), GDAL_OF_VECTOR,
+                                                                  drivers.data(), nullptr) != nullptr;
+    if (unreadable || ours)
+        throw OutputError("Cannot write \"" + destination.name + "\": it exists and cannot be opened (" +
+                          messages.reason_for(destination.path) + ")" + advice_for(messages.reason()) + ".");
+    throw OptionError("\"" + destination.name + "\" exists and is not a dataset of format " + format.name +
+                      "; remove it first.");
+}
+
+}  // namespace
+
+ExistingDataset inspect_existing(const Destination& destination, const VectorFormat& format,
+                                 const WriteOptions& options, const std::vector<std::string>& names) {
+    const GdalMessages messages;
+    const NetworkGuard gate(
+        destination.path);  // because some drivers read on only when their layers are asked for
+    ExistingDataset existing;
+    // Opening for writing rolls back the transaction of a killed run; the file may be unreadable before.
+    if (format.transactions)
+        open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
+    if (!dataset)  // datasets with rasters only must be opened as rasters
+        dataset = open_dataset(format, destination.path, GDAL_OF_RASTER | GDAL_OF_READONLY);
+    if (!dataset)
+        throw_unreadable(destination, format, messages);
+    for (int i = 0; i < GDALDatasetGetLayerCount(dataset.get()); ++i)
+        existing.layers.emplace_back(OGR_L_GetName(GDALDatasetGetLayer(dataset.get(), i)));
+    if (destination.local)
+        existing.files = files_of(dataset.get(), destination.path, format);
+    existing.stamp = stamp_of(existing.files);
+    if (!format.transactions)
+        reject_foreign_data(destination, existing, dataset.get(), format, options, names);
+    if (options.overwrite)
+        reject_breaking_replacement(destination, dataset.get(), format, names);
+    require_writable(destination, format, options, names);
+    return existing;
+}
+
+std::optional<ExistingDataset> inspect_database(const Destination& destination, VectorFormat& format,
+                                                const WriteOptions& options,
+                                                const std::vector<std::string>& names) {
+    const GdalMessages messages;
+    const DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    if (!dataset && format.name == "PostgreSQL")
+        throw_unreachable_postgresql(destination, messages.reason());
+    if (!dataset)
+        return std::nullopt;
+    format.transactions = GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&
+                          GDALDatasetTestCapability(dataset.get(), ODsCEmulatedTransactions) == FALSE;
+    if (format.name == "PostgreSQL")
+        check_postgresql(destination, dataset.get(), options, names);
+    ExistingDataset existing;
+    for (const std::string& name : names) {
+        if (GDALDatasetGetLayerByName(dataset.get(), name.c_str()) == nullptr)
+            continue;
+        existing.layers.push_back(name);
+        if (options.overwrite)
+            reject_breaking_replacement(destination, dataset.get(), format, {name});
+        if (!options.overwrite && !options.append)
+            throw OptionError(
+                "\"" + destination.name + "\" has a layer \"" + name +
+                "\"; give -overwrite to replace it, -append to add to it, or -nln for another name.");
+    }
+    return existing;
+}
+
+std::string stamp_of(const std::vector<std::string>& files) {
+    std::string stamp;
+    const auto add = [&stamp](const fs::path& path) {
+        struct stat status {};
+        if (::stat(path.c_str(), &status) == 0)
+            stamp += path.string() + '|' + std::to_string(status.st_ino) + '|' +
+                     std::to_string(status.st_size) + '|' + std::to_string(status.st_mtim.tv_sec) + '.' +
+                     std::to_string(status.st_mtim.tv_nsec) + '\n';
+    };
+    std::error_code error;
+    for (const std::string& file : files) {
+        add(file);
+        if (fs::is_directory(file, error))
+            for (const auto& entry : fs::directory_iterator(file))
+                add(entry.path());
+    }
+    return stamp;
 }
 
 }  // namespace d2b

@@ -15,11 +15,11 @@ std::string quoted(const std::string& text, char quote) {
 
 }  // namespace
 
-std::string sql_name(const std::string& name) {
+std::string sql_identifier(const std::string& name) {
     return quoted(name, '"');
 }
 
-std::string sql_text(const std::string& text) {
+std::string sql_literal(const std::string& text) {
     return quoted(text, '\'');
 }
 
@@ -53,17 +53,45 @@ void sql_run(GDALDatasetH dataset, const std::string& sql) {
         GDALDatasetReleaseResultSet(dataset, rows);
 }
 
-void sql_must(GDALDatasetH dataset, const WriteTarget& target, const std::string& sql,
-              const std::string& doing) {
+void sql_run_or_throw(GDALDatasetH dataset, const WriteTarget& target, const std::string& sql,
+                      const std::string& doing) {
     OgrCall call(target);
     sql_run(dataset, sql);
     call.check(true, doing);
 }
 
-bool sql_done(GDALDatasetH dataset, const std::string& sql) {
+bool sql_succeeds(GDALDatasetH dataset, const std::string& sql) {
     const GdalMessages messages;
     sql_run(dataset, sql);
     return !messages.failed();
+}
+
+sqlite3* sqlite_handle(GDALDatasetH dataset) {
+    const GdalMessages quiet;
+    auto* handle = static_cast<sqlite3*>(GDALGetInternalHandle(dataset, "SQLITE_HANDLE"));
+    const bool ours =
+        handle != nullptr && sql_value(dataset, "SELECT sqlite_source_id()") == sqlite3_sourceid();
+    return ours ? handle : nullptr;
+}
+
+namespace {
+
+int veto_commit(void* rolled_back) {
+    return *static_cast<bool*>(rolled_back) ? 1 : 0;
+}
+
+void on_rollback(void* rolled_back) {
+    *static_cast<bool*>(rolled_back) = true;
+}
+
+}  // namespace
+
+void CommitGuard::watch(GDALDatasetH dataset) {
+    sqlite3* const handle = sqlite_handle(dataset);
+    if (handle == nullptr)
+        return;
+    sqlite3_rollback_hook(handle, on_rollback, &rolled_back_);
+    sqlite3_commit_hook(handle, veto_commit, &rolled_back_);
 }
 
 }  // namespace d2b

@@ -2,15 +2,114 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
+#include <fstream>
+#include <random>
 #include <set>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
-#include "write/file_moves.hpp"
+#include "write/destination.hpp"
 
 namespace d2b {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void throw_errno(int number) {
+    throw std::system_error(number, std::generic_category());
+}
+
+/// True if the file system or kernel does not support flags of renameat2.
+bool not_supported(int number) {
+    return number == EINVAL || number == ENOSYS || number == ENOTSUP;
+}
+
+int rename_with(const fs::path& from, const fs::path& to, [[maybe_unused]] bool exchanging) {
+#ifdef RENAME_EXCHANGE
+    return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(),
+                       exchanging ? RENAME_EXCHANGE : RENAME_NOREPLACE);
+#else
+    errno = ENOSYS;
+    return -1;
+#endif
+}
+
+}  // namespace
+
+RenameTransaction::~RenameTransaction() {
+    static_cast<void>(roll_back());
+}
+
+bool RenameTransaction::undo(const Rename& move) {
+    if (move.exchanged)
+        return rename_with(move.from, move.to, true) == 0;
+    std::error_code error;
+    fs::rename(move.to, move.from, error);
+    return !error;
+}
+
+std::vector<fs::path> RenameTransaction::roll_back() {
+    std::vector<fs::path> left;
+    for (auto move = done_.rbegin(); move != done_.rend(); ++move)
+        if (!undo(*move))
+            left.push_back(move->exchanged ? move->from : move->to);
+    done_.clear();
+    return left;
+}
+
+void RenameTransaction::move(const fs::path& from, const fs::path& to) {
+    done_.reserve(done_.size() + 1);
+    if (rename_with(from, to, false) != 0) {
+        if (!not_supported(errno))
+            throw_errno(errno);
+        if (fs::exists(fs::symlink_status(to)))
+            throw_errno(EEXIST);
+        fs::rename(from, to);
+    }
+    done_.push_back({from, to});
+}
+
+void RenameTransaction::replace(const fs::path& from, const fs::path& to, const fs::path& spare) {
+    done_.reserve(done_.size() + 2);
+    if (rename_with(from, to, true) == 0) {
+        done_.push_back({from, to, true});
+        return;
+    }
+    if (!not_supported(errno))
+        throw_errno(errno);
+    if (fs::is_directory(to)) {
+        RenameTransaction both;
+        both.move(to, spare);
+        both.move(from, to);
+        done_.insert(done_.end(), both.done_.begin(), both.done_.end());
+        both.keep();
+        return;
+    }
+    std::error_code no_links;
+    fs::create_hard_link(to, spare, no_links);
+    if (no_links)
+        fs::copy_file(to, spare);
+    fs::rename(from, to);
+    done_.push_back({to, spare});
+}
+
+void sync_to_disk(const fs::path& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        throw_errno(errno);
+    const int result = ::fsync(file);
+    const int number = errno;
+    ::close(file);
+    // Special file systems do not support fsync.
+    if (result != 0 && number != EINVAL && number != EROFS)
+        throw_errno(number);
+}
 
 namespace {
 
@@ -34,7 +133,7 @@ void take_permissions(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-Staging::Staging(std::string name, fs::path destination)
+StagingFolder::StagingFolder(std::string name, fs::path destination)
     : name_(std::move(name)), destination_(std::move(destination)) {
     const fs::path parent = parent_of(destination_);
     // Leave out the extension, because /vsizip/ would take "a.ods" anywhere in a path for an archive.
@@ -46,14 +145,14 @@ Staging::Staging(std::string name, fs::path destination)
     folder_ = pattern;
 }
 
-Staging::~Staging() {
+StagingFolder::~StagingFolder() {
     moves_.keep();
     std::error_code ignored;
     if (!keeps_old_)
         fs::remove_all(folder_, ignored);
 }
 
-void Staging::copy_in(const std::vector<std::string>& files) {
+void StagingFolder::copy_in(const std::vector<std::string>& files) {
     try {
         if (fs::is_directory(destination_))
             fs::copy(destination_, dataset(), fs::copy_options::recursive);
@@ -65,7 +164,7 @@ void Staging::copy_in(const std::vector<std::string>& files) {
     }
 }
 
-void Staging::seal() {
+void StagingFolder::seal() {
     result_.clear();
     for (const auto& entry : fs::directory_iterator(folder_))
         result_.push_back(entry.path().filename());
@@ -79,7 +178,7 @@ void Staging::seal() {
         take_permissions(parent_of(destination_) / file, folder_ / file);
 }
 
-void Staging::sync() const {
+void StagingFolder::sync() const {
     try {
         for (const auto& entry : fs::recursive_directory_iterator(folder_))
             sync_to_disk(entry.path());
@@ -88,20 +187,20 @@ void Staging::sync() const {
     }
 }
 
-void Staging::publish(const std::vector<std::string>& old_files) {
+void StagingFolder::publish(const std::vector<std::string>& old_files) {
     try {
         if (fs::is_directory(dataset()))
             publish_folder(!old_files.empty());
         else
             publish_files(old_files);
     } catch (const std::system_error& error) {
-        const std::string left = take_back();
+        const std::string left = roll_back();
         throw cannot_write(name_, "the finished result cannot be renamed (" + error.code().message() + ")" +
                                       (left.empty() ? "" : "; " + left));
     }
 }
 
-std::string Staging::confirm() const {
+std::string StagingFolder::confirm() const {
     try {
         sync_to_disk(parent_of(destination_));
     } catch (const std::system_error& error) {
@@ -110,8 +209,8 @@ std::string Staging::confirm() const {
     return "";
 }
 
-std::string Staging::take_back() {
-    const std::vector<fs::path> left = moves_.take_back();
+std::string StagingFolder::roll_back() {
+    const std::vector<fs::path> left = moves_.roll_back();
     if (left.empty())
         return "";
     std::error_code ignored;
@@ -125,7 +224,7 @@ std::string Staging::take_back() {
     return fs::exists(destination_, ignored) ? "\"" + name_ + "\" is there already" : "";
 }
 
-void Staging::publish_folder(bool replaces) {
+void StagingFolder::publish_folder(bool replaces) {
     if (!fs::exists(fs::symlink_status(destination_))) {
         moves_.move(dataset(), destination_);
         return;
@@ -136,7 +235,7 @@ void Staging::publish_folder(bool replaces) {
     moves_.replace(dataset(), destination_, folder_ / "old");
 }
 
-void Staging::publish_files(const std::vector<std::string>& old_files) {
+void StagingFolder::publish_files(const std::vector<std::string>& old_files) {
     std::set<fs::path> old;
     for (const fs::path file : old_files)
         old.insert(file.filename());
@@ -149,6 +248,118 @@ void Staging::publish_files(const std::vector<std::string>& old_files) {
             moves_.replace(folder_ / file, parent / file, folder_ / (file.string() + ".old"));
         else
             moves_.move(folder_ / file, parent / file);
+}
+
+PendingFiles::PendingFiles(Kind kind, const std::string& name, const std::filesystem::path& destination,
+                           ReplacedFiles old, Warnings& warnings)
+    : kind_(kind), name_(name), old_(std::move(old)), warnings_(warnings) {
+    staging_.emplace(name, destination);
+}
+
+void PendingFiles::check() {
+    require_unchanged(name_, old_);
+}
+
+void PendingFiles::confirm() {
+    const std::string doubt = staging_->confirm();
+    if (!doubt.empty())
+        warnings_.add("\"" + name_ +
+                      "\" is written, but may be gone after a power failure: the disk does not confirm its "
+                      "name (" +
+                      doubt + ").");
+}
+
+void require_unchanged(const std::string& name, const ReplacedFiles& old) {
+    if (!old.files.empty() && stamp_of(old.files) != old.stamp)
+        throw OutputError("\"" + name +
+                          "\" has changed while this run was going on and is left alone; run again.");
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class PendingTextFile final : public PendingResult {
+  public:
+    PendingTextFile(fs::path path, const std::string& text);
+    ~PendingTextFile() override;
+
+    [[nodiscard]] Kind kind() const override { return Kind::file; }
+    void show() override;
+    [[nodiscard]] std::string roll_back() override;
+    void keep() override { moves_.keep(); }
+
+  private:
+    [[noreturn]] void fail(const std::system_error& error) const;
+    [[nodiscard]] fs::path spare() const { return hidden_.string() + ".old"; }
+
+    fs::path path_;
+    fs::path hidden_;
+    RenameTransaction moves_;
+};
+
+PendingTextFile::PendingTextFile(fs::path path, const std::string& text)
+    : path_(std::move(path)),
+      // Process ids may coincide between machines, so append a random number.
+      hidden_(path_.parent_path() / ("." + path_.filename().string() + "." + std::to_string(::getpid()) +
+                                     "." + std::to_string(std::random_device()()))) {
+    try {
+        {
+            std::ofstream file(hidden_, std::ios::binary);
+            file << text;
+            file.flush();
+            if (!file)
+                throw std::system_error(errno, std::generic_category());
+        }
+        sync_to_disk(hidden_);
+    } catch (const std::system_error& error) {
+        std::error_code ignored;
+        fs::remove(hidden_, ignored);
+        fail(error);
+    }
+}
+
+PendingTextFile::~PendingTextFile() {
+    moves_.keep();
+    std::error_code ignored;
+    fs::remove(hidden_, ignored);
+    fs::remove(spare(), ignored);
+}
+
+void PendingTextFile::fail(const std::system_error& error) const {
+    throw OutputError("\"" + path_.string() + "\" cannot be written: " + error.code().message() +
+                      "; make room for it, or let it be written to.");
+}
+
+void PendingTextFile::show() {
+    try {
+        try {
+            moves_.move(hidden_, path_);
+        } catch (const std::system_error& error) {
+            if (error.code().value() != EEXIST)
+                throw;
+            moves_.replace(hidden_, path_, spare());
+        }
+    } catch (const std::system_error& error) {
+        fail(error);
+    }
+}
+
+std::string PendingTextFile::roll_back() {
+    return moves_.roll_back().empty() ? "" : "\"" + path_.string() + "\" has been written already";
+}
+
+}  // namespace
+
+std::unique_ptr<PendingResult> prepare_text_file(const fs::path& path, const std::string& text) {
+    return std::make_unique<PendingTextFile>(path, text);
+}
+
+void write_text_file(const fs::path& path, const std::string& text) {
+    const std::unique_ptr<PendingResult> file = prepare_text_file(path, text);
+    CommitList alone;
+    alone.add(*file);
+    alone.publish();
 }
 
 }  // namespace d2b

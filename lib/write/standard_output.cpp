@@ -26,7 +26,7 @@ std::FILE*& stream() {
 }
 
 /// Allocates disk space without changing the length of the file.
-bool has_room_in_file(int file, const struct stat& status, std::uint64_t bytes) {
+bool has_space_in_file(int file, const struct stat& status, std::uint64_t bytes) {
     const int flags = ::fcntl(file, F_GETFL);
     const off_t at = (flags & O_APPEND) != 0 ? status.st_size : ::lseek(file, 0, SEEK_CUR);
     struct rlimit limit {};
@@ -42,7 +42,7 @@ bool has_room_in_file(int file, const struct stat& status, std::uint64_t bytes) 
     return true;
 }
 
-bool has_room(int file, std::uint64_t bytes) {
+bool has_space(int file, std::uint64_t bytes) {
     const int flags = ::fcntl(file, F_GETFL);
     if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
         return false;
@@ -50,7 +50,7 @@ bool has_room(int file, std::uint64_t bytes) {
     if (::fstat(file, &status) != 0)
         return false;
     if (S_ISREG(status.st_mode))
-        return has_room_in_file(file, status, bytes);
+        return has_space_in_file(file, status, bytes);
     // Detects pipes without a reader and devices that accept no data.
     struct pollfd ready {
         file, POLLOUT, 0
@@ -67,27 +67,27 @@ void set_standard_output(std::FILE* output) {
     VSIStdoutSetRedirection(std::fwrite, output);
 }
 
-void refuse_lost_output() {
+void throw_stdout_failure() {
     throw OutputError("Cannot write to stdout; check whether the disk is full or the reader has gone.");
 }
 
-void require_room_on_stdout(std::uint64_t bytes) {
+void require_stdout_space(std::uint64_t bytes) {
     if (bytes > 0 &&
-        (std::ferror(stream()) != 0 || std::fflush(stream()) != 0 || !has_room(::fileno(stream()), bytes)))
-        refuse_lost_output();
+        (std::ferror(stream()) != 0 || std::fflush(stream()) != 0 || !has_space(::fileno(stream()), bytes)))
+        throw_stdout_failure();
 }
 
-HeldOutput::HeldOutput() {
+CapturedOutput::CapturedOutput() {
     // GDAL only passes the stream through, so it can carry a pointer to this object.
-    VSIStdoutSetRedirection(hold, reinterpret_cast<std::FILE*>(this));
+    VSIStdoutSetRedirection(capture, reinterpret_cast<std::FILE*>(this));
 }
 
-HeldOutput::~HeldOutput() {
+CapturedOutput::~CapturedOutput() {
     VSIStdoutSetRedirection(std::fwrite, stream());
 }
 
-std::size_t HeldOutput::hold(const void* data, std::size_t size, std::size_t count, std::FILE* self) {
-    HeldOutput& held = *reinterpret_cast<HeldOutput*>(self);
+std::size_t CapturedOutput::capture(const void* data, std::size_t size, std::size_t count, std::FILE* self) {
+    CapturedOutput& held = *reinterpret_cast<CapturedOutput*>(self);
     try {
         held.spool_.append({static_cast<const std::byte*>(data), size * count});
         held.size_ += size * count;
@@ -98,22 +98,22 @@ std::size_t HeldOutput::hold(const void* data, std::size_t size, std::size_t cou
     }
 }
 
-void HeldOutput::require_kept() const {
+void CapturedOutput::require_captured() const {
     if (failure_)
         std::rethrow_exception(failure_);
 }
 
-void HeldOutput::show() {
+void CapturedOutput::show() {
     constexpr std::uint64_t most = std::uint64_t{1} << 20;
     std::vector<std::byte> bytes;
     for (std::uint64_t at = 0; at < size_; at += bytes.size()) {
         bytes.resize(static_cast<std::size_t>(std::min(most, size_ - at)));
         spool_.read(at, bytes);
         if (std::fwrite(bytes.data(), 1, bytes.size(), stream()) != bytes.size())
-            refuse_lost_output();
+            throw_stdout_failure();
     }
     if (std::fflush(stream()) != 0)
-        refuse_lost_output();
+        throw_stdout_failure();
 }
 
 }  // namespace d2b

@@ -14,30 +14,30 @@ namespace d2b {
 void set_standard_output(std::FILE* output);
 
 /// @throws OutputError always: writing to stdout failed
-[[noreturn]] void refuse_lost_output();
+[[noreturn]] void throw_stdout_failure();
 
 /// Checks as far as possible in advance. @throws OutputError if `bytes` more bytes cannot be written to the
 /// standard output, because it is closed, the disk is full or the reader has gone
-void require_room_on_stdout(std::uint64_t bytes);
+void require_stdout_space(std::uint64_t bytes);
 
 /// Captures output to /vsistdout/ during its lifetime until a CommitList publishes it.
-class HeldOutput final : public PendingResult {
+class CapturedOutput final : public PendingResult {
   public:
-    HeldOutput();
-    HeldOutput(const HeldOutput&) = delete;
-    HeldOutput& operator=(const HeldOutput&) = delete;
-    ~HeldOutput() override;
+    CapturedOutput();
+    CapturedOutput(const CapturedOutput&) = delete;
+    CapturedOutput& operator=(const CapturedOutput&) = delete;
+    ~CapturedOutput() override;
 
     /// @throws OutputError if there was no space for it
-    void require_kept() const;
+    void require_captured() const;
 
     [[nodiscard]] Kind kind() const override { return Kind::stream; }
-    void check() override { require_room_on_stdout(size_); }
+    void check() override { require_stdout_space(size_); }
     void show() override;
-    [[nodiscard]] std::string take_back() override { return "part of it is on stdout already"; }
+    [[nodiscard]] std::string roll_back() override { return "part of it is on stdout already"; }
 
   private:
-    static std::size_t hold(const void* data, std::size_t size, std::size_t count, std::FILE* self);
+    static std::size_t capture(const void* data, std::size_t size, std::size_t count, std::FILE* self);
 
     FileSpool spool_;
     std::uint64_t size_ = 0;

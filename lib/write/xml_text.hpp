@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/utf8_text.hpp"
+#include "core/text.hpp"
 
 namespace d2b {
 

@@ -1,4 +1,4 @@
-"""The weights of the judge (lib/detect/judge.cpp), fitted to objects whose truth is known, and tried on places
+"""The weights of the judge (lib/detect/classify.cpp), fitted to objects whose truth is known, and tried on places
 that took no part."""
 import csv
 import os

@@ -12,8 +12,8 @@
 
 #include <gdal_priv.h>
 
-#include "detect/judged_objects.hpp"
-#include "detect/roof_strictness.hpp"
+#include "detect/candidates.hpp"
+#include "detect/threshold_scale.hpp"
 #include "ground/ground.hpp"
 
 namespace d2b {
@@ -49,13 +49,13 @@ Surface read_surface(const char* path) {
 }
 
 /// The objects as the first look of a run with the defaults finds them, see detect_buildings().
-JudgedObjects objects_of(const Scene& scene, SceneCells& cells, const Options& options,
-                         SurfaceQuality quality, Executor& threads) {
-    constexpr double smallest_m2 = 30;
-    const JudgedObjects first = judged_objects(scene, cells, smallest_m2, quality, threads);
-    quality.strictness =
-        roof_strictness(scene, options.detect, smallest_m2, quality, first, threads).value_or(1);
-    return judged_objects(scene, cells, smallest_m2, quality, threads);
+Candidates objects_of(const Scene& scene, SceneCells& cells, const Options& options, SurfaceQuality quality,
+                      Executor& threads) {
+    constexpr double min_area_m2 = 30;
+    const Candidates first = find_candidates(scene, cells, min_area_m2, quality, threads);
+    quality.threshold_scale =
+        estimate_threshold_scale(scene, options.detect, min_area_m2, quality, first, threads).value_or(1);
+    return find_candidates(scene, cells, min_area_m2, quality, threads);
 }
 
 /// Cells of an object.
@@ -65,7 +65,7 @@ struct Agreement {
 };
 
 /// By label - 1.
-std::vector<Agreement> compare(const JudgedObjects& judged, const MetreGrid& truth) {
+std::vector<Agreement> compare(const Candidates& judged, const MetreGrid& truth) {
     std::vector<Agreement> result(judged.objects.size());
     for (std::int32_t r = 0; r < judged.regions.rows; ++r)
         for (const RegionRun& run : judged.regions.row(r))
@@ -90,18 +90,19 @@ void print_evidence(const char* surface_path, const char* truth_path) {
     const Scene scene{surface.z, terrain.elevation, surface.cell};
     SceneCells known = scene_cells(scene, options.detect, *context.threads);
     const SurfaceQuality quality = surface_quality(scene, known, *context.threads);
-    const JudgedObjects judged = objects_of(scene, known, options, quality, *context.threads);
+    const Candidates judged = objects_of(scene, known, options, quality, *context.threads);
     const std::vector<Agreement> agreement = compare(judged, truth.z);
     std::cout << "right,known,cells,cell_m,smooth,step_m,tilt,segment,walled,fall,"
                  "beside_m,right_angles,area_m2,gentle,compactness,filled,confidence\n";
     for (std::size_t i = 0; i < judged.objects.size(); ++i) {
-        const Evidence& e = judged.evidence[i];
+        const ObjectFeatures& e = judged.features[i];
         const auto cells = static_cast<double>(judged.objects[i].cells);
         std::cout << agreement[i].right / std::max(agreement[i].known, 1.0) << ','
                   << agreement[i].known / cells << ',' << cells << ',' << scene.side() << ',' << e.smooth
                   << ',' << e.step_m << ',' << e.tilt << ',' << e.segment << ',' << e.walled << ',' << e.fall
-                  << ',' << e.beside_m << ',' << e.right_angles << ',' << e.area_m2 << ',' << e.gentle << ','
-                  << e.compactness << ',' << quality.filled << ',' << judged.objects[i].confidence << '\n';
+                  << ',' << e.beside_m << ',' << e.right_angles << ',' << e.area_m2 << ','
+                  << e.low_slope_ratio << ',' << e.compactness << ',' << quality.filled << ','
+                  << judged.objects[i].confidence << '\n';
     }
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "attributes/attribute_table.hpp"
-#include "attributes/records.hpp"
+#include "attributes/record_builder.hpp"
 #include "support/trace_grid.hpp"
 
 namespace d2b {

@@ -1,5 +1,3 @@
-#include "attributes/field_names.hpp"
-
 #include <map>
 #include <set>
 #include <string>

@@ -11,8 +11,7 @@
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings_tiles/plan_file.hpp"
-#include "read/start_gdal.hpp"
-#include "tiles/drawn_contour.hpp"
+#include "read/gdal_setup.hpp"
 #include "tiles/drawn_tile.hpp"
 #include "tiles/found_tile.hpp"
 
@@ -30,16 +29,16 @@ Window house(const Window& own, std::int32_t number) {
             side};
 }
 
-void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses, SealedFiles& files) {
-    FoundTile found{run.no_facts(), {}};
-    const PlacedUnit placed = run.tiles().units_of(tile).at(0);
+void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses, CheckpointBatch& files) {
+    FoundTile found{run.empty_facts(), {}};
+    const NumberedUnit placed = run.tiles().units_of(tile).at(0);
     const Window own = placed.unit.own;
     found.facts.survey.statistics.add({{own.row, 1, 2}, {1, 30}});
     found.facts.sides = {true, true, true};  // nothing lies beside it that there could be too little of
     FoundUnit& unit = found.units.emplace_back();
     for (std::int32_t i = 0; i < houses; ++i) {
         const Window cells = house(own, i);
-        unit.objects.push_back({{0.9, Doubt::rough, cells.points(), -1}, true, 1, cells.points()});
+        unit.objects.push_back({{0.9, CounterEvidence::rough, cells.points(), -1}, true, 1, cells.points()});
         unit.boxes.push_back(cells);
         for (std::int32_t row = cells.row; row < cells.end_row(); ++row)
             unit.runs.push_back({row, cells.col, cells.end_col(), static_cast<Label>(i + 1)});
@@ -74,7 +73,7 @@ FeaturePolygon polygon_of(const Window& cells) {
     return made;
 }
 
-void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses, SealedFiles& files) {
+void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses, CheckpointBatch& files) {
     const Window own = run.tiles().whole(tile).own;
     DrawnTile drawn;
     drawn.levels = levels + 1;
@@ -86,7 +85,7 @@ void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses, Seal
             DrawnContour contour;
             contour.key = {level, {cells.row, cells.col}};
             contour.parent = level == 1 ? -1 : std::int64_t{level - 2} * houses + i;
-            contour.building_place = i;
+            contour.building_index = i;
             contour.record.level = level;
             if (level == 1)
                 contour.building = polygon_of(cells);
@@ -110,7 +109,7 @@ void make(const std::string& work, std::int32_t contours, const std::string& wha
     PlannedSink nowhere(known.plan.layers);
     const TileRun run(known.work, options, inputs.sources(), nowhere, {});
     const bool find = what == "find";
-    SealedFiles files(run.folder(find ? TileStep::find : TileStep::draw));
+    CheckpointBatch files(run.folder(find ? TileStep::find : TileStep::draw));
     for (std::int64_t tile = 0; tile < run.tiles().count(); ++tile)
         (find ? make_found : make_drawn)(run, tile, contours / levels, files);
     files.finish();

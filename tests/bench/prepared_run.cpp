@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/square_area.hpp"
+#include "core/georeference.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
-#include "detect/one_label.hpp"
+#include "detect/detection.hpp"
 #include "elevations/elevation_reader.hpp"
-#include "features/target_frame.hpp"
+#include "features/reprojection.hpp"
 #include "levels/building_levels.hpp"
-#include "levels/quantise.hpp"
+#include "levels/level_plan.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::bench {
@@ -61,7 +61,7 @@ std::int64_t PreparedRun::points() const {
 
 void PreparedRun::read() {
     ElevationReader reader(*source, context);
-    reader.for_each_below(
+    reader.for_each_with_halo(
         rows_above(decided.trace), [](ElevationBand halo, const ElevationBand&, Tally&) { return halo; },
         [this](const ElevationBand& band, ElevationBand halo) {
             bands.emplace_back().elevations = std::make_shared<ElevationBand>(band);
@@ -101,7 +101,7 @@ void PreparedRun::make_levels() {
         BuildingStatistics buildings(found.count(), statistics.fixed_point(),
                                      decided.levels == LevelSource::natural ? metres : 0);
         for (const Rows& band : bands)
-            buildings.add(even_cells(*band.elevations, band.labels));
+            buildings.add(constant_runs(*band.elevations, band.labels));
         plan =
             plan_building_levels(buildings, found.ground, plan, decided.asked.levels, decided.levels, metres);
     }
@@ -114,20 +114,19 @@ void PreparedRun::make_levels() {
 void PreparedRun::trace(ContourSink& sink) const {
     Tracer tracer(frame, decided.trace, sink);
     for (std::size_t i = 0; i < bands.size(); ++i)
-        tracer.trace(take_apart(frame, decided.trace, above[i], bands[i]));
+        tracer.trace(split_into_runs(frame, decided.trace, above[i], bands[i]));
 }
 
 std::unique_ptr<StoredContours> PreparedRun::filter(std::vector<FinishedContour>&& finished) {
     const NoiseRules noise{decided.asked.filter.noise_factor, decided.contour_m2,
                            decided.detects_buildings()};
-    ContourStore store({noise, area, frame.range, frame.fixed, found.footprints.empty()},
-                       std::make_unique<MemorySpool>(), context);
+    ContourArchive store({noise, area, frame.range, frame.fixed, found.footprints.empty()},
+                         std::make_unique<MemorySpool>(), context);
     // The store's names are other ones where it drops what the list keeps.
     std::vector<std::int64_t> names;
     for (FinishedContour& one : finished) {
-        std::erase_if(one.standing_on_it,
-                      [&](std::int64_t i) { return names[static_cast<std::size_t>(i)] < 0; });
-        for (std::int64_t& name : one.standing_on_it)
+        std::erase_if(one.children, [&](std::int64_t i) { return names[static_cast<std::size_t>(i)] < 0; });
+        for (std::int64_t& name : one.children)
             name = names[static_cast<std::size_t>(name)];
         names.push_back(store.take(std::move(one)));
     }

@@ -9,7 +9,7 @@
 #include "core/georeference.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/dem_source.hpp"
-#include "filter/contour_store.hpp"
+#include "filter/contour_archive.hpp"
 #include "levels/level_plan.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"

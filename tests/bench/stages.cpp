@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <utility>
 
-#include "attributes/records.hpp"
+#include "attributes/record_builder.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
 #include "detect/detection.hpp"
-#include "features/polygon_maker.hpp"
+#include "features/contour_drawer.hpp"
 #include "ground/ground.hpp"
 #include "prepared_run.hpp"
 #include "support/memory_io.hpp"
@@ -98,7 +98,7 @@ void attributes(State& state, PreparedRun& run) {
     const AttributeContext given{
         run.plan, run.frame.fixed, run.found.footprints, 1, {{0, 0}, {window.rows, window.cols}}};
     for ([[maybe_unused]] auto _ : state) {
-        const RecordMaker maker(*run.contours, given);
+        const RecordBuilder maker(*run.contours, given);
         for (std::size_t i = 0; i < run.contours->size(); ++i)
             benchmark::DoNotOptimize(maker.contour(i, run.contours->fetch(i)));
     }

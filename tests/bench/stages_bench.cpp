@@ -6,7 +6,7 @@
 
 #include "city_file.hpp"
 #include "dem2buildings/open_sources.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 #include "stages.hpp"
 
 namespace d2b::bench {

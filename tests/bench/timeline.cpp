@@ -14,7 +14,7 @@
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/options.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b::bench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "cli/cli_test_case.hpp"
 #include "cli/geometries.hpp"
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "support/test_name.hpp"
 
 namespace d2b::test {

@@ -5,7 +5,7 @@
 
 #include "cli/cli_test_case.hpp"
 #include "dem2buildings/help.hpp"
-#include "options/contour_options.hpp"
+#include "options/gdal_contour_options.hpp"
 #include "options/option_table.hpp"
 
 namespace d2b::test {
@@ -47,9 +47,9 @@ class ContourOptions : public CliTest {};
 /// What is the same as in gdal_contour is in the table, where every option has a test; the rest is refused.
 TEST_F(ContourOptions, areTakenOrRefusedAsTheTableSays) {
     write(path("dem.tif"), blocks());
-    for (const ContourOption& option : contour_options()) {
+    for (const GdalContourOption& option : gdal_contour_options()) {
         const std::string name(option.name);
-        if (option.fate == Fate::refused)
+        if (option.fate == OptionSupport::refused)
             expect_error(2,
                          "-" + name + " of gdal_contour has no use here: " + std::string(option.note) + ".",
                          {"-" + name, "1", "dem.tif", "out.gpkg"});

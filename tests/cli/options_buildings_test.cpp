@@ -5,7 +5,7 @@
 
 #include "cli/option_effect.hpp"
 #include "cli/town_files.hpp"
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "support/vector_file.hpp"
 
 namespace d2b::test {

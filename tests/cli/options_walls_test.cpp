@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "cli/option_effect.hpp"
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 
 namespace d2b::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/cli_test_case.hpp"
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "support/vector_file.hpp"
 
 namespace d2b::test {

@@ -21,14 +21,14 @@ class NotedResult final : public PendingResult {
     void check() override { note("check"); }
     void show() override { note("show"); }
     void confirm() override { note("confirm"); }
-    [[nodiscard]] std::string take_back() override {
+    [[nodiscard]] std::string roll_back() override {
         note("back");
         return left;
     }
     void keep() override { note("keep"); }
 
     std::string fails;  ///< the step that does
-    std::string left;   ///< what take_back() says
+    std::string left;   ///< what roll_back() says
 
   private:
     void note(const std::string& step) {

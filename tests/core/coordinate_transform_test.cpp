@@ -8,7 +8,7 @@
 #include "core/crs.hpp"
 #include "core/crs_cases.hpp"
 #include "core/ellipsoid.hpp"
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {

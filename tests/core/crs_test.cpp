@@ -180,13 +180,13 @@ TEST(Crs, SuggestsTheCodeThatIsMeant) {
                                      {"25832+7837", "EPSG:25832+7837"},
                                      {"epsg4326", "EPSG:4326"},
                                      {"EPSG 4326", "EPSG:4326"}}) {
-        EXPECT_EQ(code_meant_by(text), code);
+        EXPECT_EQ(guess_epsg_code(text), code);
         EXPECT_EQ(message_of<OptionError>([&, text = text] { Crs crs(text); }),
                   std::string("'") + text + "' is not a coordinate reference system; write " + code +
                       " if that is meant.");
     }
     for (const char* text : {"", " ", "EPSG:4326", "EPSG:", "EPSG", "0", "4326 ", "WGS 84", "+4326", "foo"})
-        EXPECT_EQ(code_meant_by(text), "") << text;
+        EXPECT_EQ(guess_epsg_code(text), "") << text;
 }
 
 TEST(Crs, RequiresAPlane) {

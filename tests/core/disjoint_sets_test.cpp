@@ -28,9 +28,9 @@ TEST(DisjointSets, TheSmallestStandsForThoseThatAreJoined) {
 
 TEST(DisjointSets, OneMayBeChosenToStandForBoth) {
     DisjointSets sets(3);
-    sets.join_into(2, 0);
+    sets.merge_roots(2, 0);
     EXPECT_EQ(sets.find(0), 2U);
-    sets.join_into(1, 2);
+    sets.merge_roots(1, 2);
     EXPECT_EQ(sets.find(0), 1U);
 }
 
@@ -38,7 +38,7 @@ TEST(DisjointSets, ALongChainIsFollowedToItsEnd) {
     constexpr std::uint32_t count = 100000;
     DisjointSets sets(count);
     for (std::uint32_t i = 1; i < count; ++i)
-        sets.join_into(i, i - 1);
+        sets.merge_roots(i, i - 1);
     EXPECT_EQ(sets.find(0), count - 1);
     EXPECT_EQ(sets.find(count / 2), count - 1);
 }

@@ -1,5 +1,3 @@
-#include "core/exact_sum.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/statistics.hpp"
 
 namespace d2b {
 namespace {
@@ -108,8 +108,8 @@ TEST(Moments, OfManyAreThoseOfEach) {
         if (!std::isnan(value))
             each.add(value);
     Moments all;
-    all.add_known(values);
-    all.add_known({});
+    all.add_valid(values);
+    all.add_valid({});
     EXPECT_EQ(all.n, each.n);
     EXPECT_EQ(all.sum.value(), each.sum.value());
     EXPECT_EQ(all.squares.value(), each.squares.value());
@@ -117,7 +117,7 @@ TEST(Moments, OfManyAreThoseOfEach) {
     EXPECT_EQ(all.standard_deviation(), each.standard_deviation());
     // Without the largest, beside which the others count for little.
     Moments rest;
-    rest.add_known(std::span<const double>(values).subspan(12));
+    rest.add_valid(std::span<const double>(values).subspan(12));
     Moments each_of_rest;
     for (const double value : std::span<const double>(values).subspan(12))
         if (!std::isnan(value))

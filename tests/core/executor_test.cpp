@@ -50,7 +50,7 @@ TEST_P(Executors, WorkOnAllThreadsAtOnce) {
 
 TEST_P(Executors, CutARangeIntoPieces) {
     std::vector<int> done(10);
-    threads.for_pieces(done.size(), 4, [&](std::size_t begin, std::size_t end) {
+    threads.for_chunks(done.size(), 4, [&](std::size_t begin, std::size_t end) {
         EXPECT_EQ(begin % 4, 0U);
         for (std::size_t i = begin; i < end; ++i)
             ++done[i];

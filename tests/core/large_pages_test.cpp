@@ -1,10 +1,10 @@
-#include "core/large_pages.hpp"
-
 #include <cstdint>
 #include <limits>
 #include <new>
 
 #include <gtest/gtest.h>
+
+#include "core/block_pool.hpp"
 
 namespace d2b {
 namespace {

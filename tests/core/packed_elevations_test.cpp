@@ -1,11 +1,10 @@
-#include "core/packed_elevations.hpp"
-
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "core/elevation_sample.hpp"
+#include "core/byte_stream.hpp"
+#include "core/statistics.hpp"
 
 namespace d2b {
 namespace {
@@ -24,16 +23,16 @@ TEST(Varints, AreReadAsTheyWereWritten) {
     ByteReader reader = read_again(writer);
     for (const std::uint64_t value : values)
         EXPECT_EQ(reader.take_varint(), value);
-    EXPECT_THROW((void)reader.take_varint(), BrokenRecord);
+    EXPECT_THROW((void)reader.take_varint(), CorruptRecord);
 }
 
 TEST(Varints, ThatAreTooLargeOrEndlessAreBroken) {
     ByteWriter writer;
     writer.put_varint(300);
-    EXPECT_THROW((void)read_again(writer).take_varint(299), BrokenRecord);
+    EXPECT_THROW((void)read_again(writer).take_varint(299), CorruptRecord);
     EXPECT_EQ(read_again(writer).take_varint(300), 300);
     const std::vector<std::byte> endless(11, std::byte{0xff});
-    EXPECT_THROW((void)ByteReader(endless).take_varint(), BrokenRecord);
+    EXPECT_THROW((void)ByteReader(endless).take_varint(), CorruptRecord);
 }
 
 TEST(PackedElevations, TakeHalfTheRoomWhereNothingIsLost) {
@@ -58,14 +57,14 @@ TEST(PackedElevations, TakeHalfTheRoomWhereNothingIsLost) {
         if (!elevations.empty()) {
             ByteReader too_many = read_again(writer);
             EXPECT_THROW((void)take_elevations(too_many, std::span(room).first(elevations.size() - 1)),
-                         BrokenRecord);
+                         CorruptRecord);
         }
     }
     ByteWriter cut;
     cut.put_varint(2 * 5 + 1);
     cut.put(1.0F);
     ByteReader reader = read_again(cut);
-    EXPECT_THROW((void)take_elevations(reader), BrokenRecord);
+    EXPECT_THROW((void)take_elevations(reader), CorruptRecord);
 }
 
 /// @return what its percentiles are when it has been read again

@@ -5,8 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/elevation_sample.hpp"
-#include "core/point_stats.hpp"
+#include "core/statistics.hpp"
 
 namespace d2b {
 namespace {

@@ -1,8 +1,8 @@
-#include "core/row_bands.hpp"
-
 #include <atomic>
 
 #include <gtest/gtest.h>
+
+#include "core/grid.hpp"
 
 namespace d2b {
 namespace {
@@ -33,7 +33,7 @@ TEST_P(BandCopies, HoldRowsAsTheyWereWhileTheGridIsChanged) {
             for (std::int32_t j = 0; j < cols; ++j)
                 expected.at(i, j) += grid.at(y, j);
     Executor threads(GetParam());
-    for_band_copies(threads, grid, reach, [&](const BandCopy<int>& old) {
+    for_bands_with_halo(threads, grid, reach, [&](const HaloBand<int>& old) {
         for (std::int32_t i = old.band.begin; i < old.band.end; ++i) {
             std::fill(grid.row(i).begin(), grid.row(i).end(), 0);
             for (std::int32_t y = std::max(i - reach, 0); y <= std::min(i + reach, rows - 1); ++y)
@@ -47,7 +47,7 @@ TEST_P(BandCopies, HoldRowsAsTheyWereWhileTheGridIsChanged) {
 TEST_P(BandCopies, GoBackIntoTheGridWithoutTheRowsAround) {
     Grid<int> grid(40, 1 << 16, 5);
     Executor threads(GetParam());
-    for_band_copies(threads, grid, 3, [&](BandCopy<int>& copy) {
+    for_bands_with_halo(threads, grid, 3, [&](HaloBand<int>& copy) {
         for (std::int32_t i = 0; i < copy.rows.rows; ++i) {
             const std::int32_t row = copy.first + i;
             const bool around = row < copy.band.begin || row >= copy.band.end;
@@ -66,7 +66,7 @@ TEST_P(BandCopies, EachThreadHasARoomOfItsOwn) {
     };
     Executor threads(GetParam());
     std::atomic<int> done = 0;
-    threads.for_each_in_room<Room>(2000, [&](std::size_t, Room& room) {
+    threads.for_each_with_scratch<Room>(2000, [&](std::size_t, Room& room) {
         EXPECT_EQ(++room.inside, 1);
         ++done;
         --room.inside;

@@ -1,10 +1,10 @@
-#include "core/row_slabs.hpp"
-
 #include <algorithm>
 #include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "core/band.hpp"
 
 namespace d2b {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/point_stats.hpp"
+#include "core/statistics.hpp"
 
 namespace d2b {
 namespace {
@@ -31,15 +31,15 @@ double two_pass(const std::vector<double>& values) {
 TEST(Scatter, OfWholeNumbersIsExact) {
     const FixedPoint fixed(9);
     const PointStats stats = stats_of({2, 4, 4, 4, 5, 5, 7, 9}, fixed);
-    EXPECT_EQ(fixed.scatter(stats), 32);
+    EXPECT_EQ(fixed.sum_of_squared_deviations(stats), 32);
     EXPECT_DOUBLE_EQ(fixed.standard_deviation(stats), std::sqrt(32 / 7.0));
 }
 
 TEST(Scatter, OfNothingAndOfEqualPointsIsZero) {
     const FixedPoint fixed(8848.86);
-    EXPECT_EQ(fixed.scatter(PointStats{}), 0);
-    EXPECT_EQ(fixed.scatter(stats_of({8848.86}, fixed)), 0);
-    EXPECT_EQ(fixed.scatter(stats_of(std::vector<double>(1000, 8848.86), fixed)), 0);
+    EXPECT_EQ(fixed.sum_of_squared_deviations(PointStats{}), 0);
+    EXPECT_EQ(fixed.sum_of_squared_deviations(stats_of({8848.86}, fixed)), 0);
+    EXPECT_EQ(fixed.sum_of_squared_deviations(stats_of(std::vector<double>(1000, 8848.86), fixed)), 0);
     EXPECT_EQ(fixed.standard_deviation(stats_of(std::vector<double>(3, -417.3), fixed)), 0);
 }
 
@@ -57,7 +57,8 @@ TEST(Scatter, KeepsItsDigitsOnLargeOffsets) {
         const double expected = two_pass(values);
         // Some 30 binary digits of each elevation are kept; what is cut off is no more than that.
         const double cut = std::ldexp(largest, -29);
-        EXPECT_NEAR(fixed.scatter(stats_of(values, fixed)), expected, 20000 * (cut * 3 * 0.1 + cut * cut))
+        EXPECT_NEAR(fixed.sum_of_squared_deviations(stats_of(values, fixed)), expected,
+                    20000 * (cut * 3 * 0.1 + cut * cut))
             << offset;
         EXPECT_NEAR(fixed.standard_deviation(stats_of(values, fixed)), std::sqrt(expected / 19999), cut)
             << offset;
@@ -69,8 +70,9 @@ TEST(Scatter, OfParts) {
     const std::vector<double> values{499.5, 12.25, -300.125, 0.1, 77};
     PointStats merged = stats_of({499.5, 12.25}, fixed);
     merged.merge(stats_of({77, -300.125, 0.1}, fixed));
-    EXPECT_EQ(fixed.scatter(merged), fixed.scatter(stats_of(values, fixed)));
-    EXPECT_NEAR(fixed.scatter(merged), two_pass(values), 1e-3);
+    EXPECT_EQ(fixed.sum_of_squared_deviations(merged),
+              fixed.sum_of_squared_deviations(stats_of(values, fixed)));
+    EXPECT_NEAR(fixed.sum_of_squared_deviations(merged), two_pass(values), 1e-3);
 }
 
 TEST(Scatter, OfManyPointsDoesNotOverflow) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/byte_record.hpp"
+#include "core/byte_stream.hpp"
 #include "support/spool_checks.hpp"
 
 namespace d2b {

@@ -1,11 +1,11 @@
-#include "core/undeclared_values.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "core/invalid_elevations.hpp"
 
 namespace d2b {
 namespace {
@@ -28,7 +28,7 @@ double land(int r, int c) {
     return 20 + 0.01 * std::sin(7.0 * r + 3.0 * c) + (house ? 8 : 0);
 }
 
-UndeclaredValues found_in(const std::vector<double>& values, double step = 2, double breadth = 60) {
+UndeclaredNodata found_in(const std::vector<double>& values, double step = 2, double breadth = 60) {
     const Window window{5, 7, side, side};
     const ReadValues read = [&](const Window& part, std::span<double> to) {
         for (std::int32_t r = 0; r < part.rows; ++r)
@@ -36,7 +36,7 @@ UndeclaredValues found_in(const std::vector<double>& values, double step = 2, do
                 values.begin() + std::ptrdiff_t{part.row - window.row + r} * side + part.col - window.col,
                 part.cols, to.begin() + std::ptrdiff_t{r} * part.cols);
     };
-    return find_undeclared(window, read_border(window, read), {step, breadth}, read);
+    return find_undeclared_nodata(window, read_border(window, read), {step, breadth}, read);
 }
 
 /// What is taken for no data in land of which a part has a value.
@@ -44,7 +44,7 @@ std::vector<double> taken(const std::function<bool(int, int)>& is_in, double val
     return found_in(grid([&](int r, int c) { return is_in(r, c) ? value : land(r, c); })).values();
 }
 
-TEST(UndeclaredValues, AreTakenAtAnyElevation) {
+TEST(UndeclaredNodata, AreTakenAtAnyElevation) {
     for (const double value : {0.0, 255.0, -1.0, 1e-3, 8000.0, 17.0}) {
         const std::vector<double> one{value};
         EXPECT_EQ(taken([](int, int c) { return c < 12; }, value), one);
@@ -57,17 +57,17 @@ TEST(UndeclaredValues, AreTakenAtAnyElevation) {
     EXPECT_TRUE(taken([](int, int c) { return c < 12; }, 19).empty()) << "a step of 1 m";
 }
 
-TEST(UndeclaredValues, AreCountedWhereTheyReachTheEdge) {
-    const UndeclaredValues found = found_in(
+TEST(UndeclaredNodata, AreCountedWhereTheyReachTheEdge) {
+    const UndeclaredNodata found = found_in(
         grid([](int r, int c) { return c < 12 || (r > 90 && r < 95 && c > 90 && c < 95) ? 0 : land(r, c); }));
     ASSERT_EQ(found.taken.size(), 1U);
     EXPECT_EQ(found.taken[0].cells, 1200);
     EXPECT_TRUE(found.named.empty());
 }
 
-TEST(UndeclaredValues, SmallerOnesAreNamedAlone) {
+TEST(UndeclaredNodata, SmallerOnesAreNamedAlone) {
     for (const int columns : {1, 9}) {
-        const UndeclaredValues found =
+        const UndeclaredNodata found =
             found_in(grid([&](int r, int c) { return c < columns ? 0 : land(r, c); }));
         EXPECT_TRUE(found.taken.empty());
         ASSERT_EQ(found.named.size(), 1U);
@@ -77,23 +77,23 @@ TEST(UndeclaredValues, SmallerOnesAreNamedAlone) {
     EXPECT_TRUE(found_in(grid([](int r, int c) { return c < 1 && r < 99 ? 0 : land(r, c); })).none());
 }
 
-TEST(UndeclaredValues, SeveralAreTakenAtATime) {
-    const UndeclaredValues found = found_in(grid([](int r, int c) {
+TEST(UndeclaredNodata, SeveralAreTakenAtATime) {
+    const UndeclaredNodata found = found_in(grid([](int r, int c) {
         return c < 15 ? 0 : c >= 85 ? 255 : r < 2 ? -7 : land(r, c);
     }));
     EXPECT_EQ(found.values().size(), 2U);
     EXPECT_EQ(found.named.size(), 1U);
 }
 
-TEST(UndeclaredValues, CellsOfDeclaredNoDataCountForNothing) {
-    const UndeclaredValues found = found_in(grid([](int r, int c) {
+TEST(UndeclaredNodata, CellsOfDeclaredNoDataCountForNothing) {
+    const UndeclaredNodata found = found_in(grid([](int r, int c) {
         return c >= 20 && c < 70 && r > 2 ? none : c < 6 ? 0 : land(r, c);
     }));
     ASSERT_EQ(found.taken.size(), 1U);  // 600 of 5,150 valid cells
     EXPECT_EQ(found.taken[0].cells, 600);
 }
 
-TEST(UndeclaredValues, ASeaWithAShoreStays) {
+TEST(UndeclaredNodata, ASeaWithAShoreStays) {
     const auto coast = [](double slope) {
         return found_in(grid([=](int r, int c) {
             return c < 40 ? 0 : slope * (c - 39) + 0.01 * std::sin(7.0 * r + 3.0 * c) + 0.02;
@@ -108,7 +108,7 @@ TEST(UndeclaredValues, ASeaWithAShoreStays) {
                 })).none());
 }
 
-TEST(UndeclaredValues, APlainWithHousesStays) {
+TEST(UndeclaredNodata, APlainWithHousesStays) {
     const auto houses = [](int r, int c) { return r % 25 > 8 && r % 25 < 20 && c % 30 > 8 && c % 30 < 24; };
     EXPECT_TRUE(found_in(grid([&](int r, int c) { return houses(r, c) ? land(r, c) : 0; })).none());
     EXPECT_TRUE(found_in(grid([&](int r, int c) { return houses(r, c) ? 9 : 0; })).none());
@@ -116,7 +116,7 @@ TEST(UndeclaredValues, APlainWithHousesStays) {
     EXPECT_TRUE(found_in(grid([&](int r, int c) { return one(r, c) ? land(r, c) : 0; })).none());
 }
 
-TEST(UndeclaredValues, WhatDoesNotReachTheEdgeStays) {
+TEST(UndeclaredNodata, WhatDoesNotReachTheEdgeStays) {
     EXPECT_TRUE(found_in(grid([](int r, int c) {
                     return r > 20 && r < 80 && c > 20 && c < 80 ? 0 : land(r, c);
                 })).none());
@@ -124,12 +124,12 @@ TEST(UndeclaredValues, WhatDoesNotReachTheEdgeStays) {
     EXPECT_TRUE(found_in(std::vector<double>(side * side, none)).none());
 }
 
-TEST(UndeclaredValues, OfAModelNothingStandsOnNeedNotSurroundMuch) {
+TEST(UndeclaredNodata, OfAModelNothingStandsOnNeedNotSurroundMuch) {
     const std::vector<double> values = grid([](int r, int c) { return r + c < 150 ? 0 : land(r, c); });
     EXPECT_EQ(found_in(values, 2, 0).taken.size(), 1U);
 }
 
-TEST(UndeclaredValues, ALevelTerrainIsLand) {
+TEST(UndeclaredNodata, ALevelTerrainIsLand) {
     const auto found = [](int columns) {
         return found_in(grid([=](int, int c) { return c < columns ? 0 : 300; }), 2, 0);
     };
@@ -140,7 +140,7 @@ TEST(UndeclaredValues, ALevelTerrainIsLand) {
     EXPECT_TRUE(found(4).taken.empty());
 }
 
-TEST(UndeclaredValues, RoundedElevationsHaveNone) {
+TEST(UndeclaredNodata, RoundedElevationsHaveNone) {
     EXPECT_TRUE(found_in(grid([](int r, int c) { return std::floor(20 + 0.05 * r + 0.03 * c); })).none());
 }
 

@@ -1,11 +1,11 @@
-#include "core/utf8_text.hpp"
-
 #include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+
+#include "core/text.hpp"
 
 namespace d2b::test {
 namespace {

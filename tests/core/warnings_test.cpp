@@ -30,14 +30,14 @@ TEST(Warnings, OneOfAFloodOfQuotesSaysThatMoreAreLeftOut) {
     Texts heard;
     Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     for (int i = 0; i < 30; ++i) {
-        warnings.add_quote("GDAL", "block " + std::to_string(i));
-        warnings.add_quote("GDAL", "block 3");
+        warnings.add_library_message("GDAL", "block " + std::to_string(i));
+        warnings.add_library_message("GDAL", "block 3");
     }
     ASSERT_EQ(heard.size(), 21U);
     EXPECT_EQ(heard[0], "GDAL: block 0.");
     EXPECT_EQ(heard[20], "GDAL: further warnings are left out.");
     warnings.add("of our own");
-    warnings.add_quote("PROJ", "no grid");
+    warnings.add_library_message("PROJ", "no grid");
     EXPECT_EQ(heard.size(), 23U);
 }
 

@@ -1,5 +1,3 @@
-#include "detect/attached_crowns.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "detect/smoothness.hpp"
+#include "detect/tree_crowns.hpp"
 #include "detect_case.hpp"
 
 namespace d2b::test {
@@ -51,15 +50,16 @@ struct Leaning {
         Executor threads(thread_count);
         const Scene scene = town.scene();
         const Mask elevated = elevated_cells(scene, 0.4, threads);
-        const Grid<std::uint8_t> flags = smoothness(scene.surface, smooth_limits(scene.side(), {}), threads);
-        JudgedObjects judged;
+        const Grid<std::uint8_t> flags =
+            smoothness(scene.surface, smoothness_thresholds(scene.side(), {}), threads);
+        Candidates judged;
         judged.regions = connected_regions(elevated, 1, 0, threads);
         for (Label label = 1; label <= judged.regions.count(); ++label) {
-            judged.objects.push_back({0.25 * label, Doubt::rough, judged.regions.cells[label]});
-            judged.evidence.push_back({});
+            judged.objects.push_back({0.25 * label, CounterEvidence::rough, judged.regions.cells[label]});
+            judged.features.push_back({});
         }
-        crowns = take_crowns_off(scene, smooth_segments(scene, elevated, flags, threads), flags, 30, elevated,
-                                 judged, threads);
+        crowns = remove_attached_crowns(scene, smooth_segments(scene, elevated, flags, threads), flags, 30,
+                                        elevated, judged, threads);
         objects = judged.objects;
         return mask_of(judged.regions, threads);
     }

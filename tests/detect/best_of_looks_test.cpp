@@ -1,11 +1,10 @@
-#include "detect/best_of_looks.hpp"
-
 #include <random>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "detect/detection_passes.hpp"
 #include "looks_case.hpp"
 #include "support/test_threads.hpp"
 
@@ -17,37 +16,37 @@ using test::judged;
 using test::threads;
 using Rows = std::vector<std::string>;
 
-Rows drawing_of(const JudgedObjects& judged) {
+Rows drawing_of(const Candidates& judged) {
     return drawing(mask_of(judged.regions, threads()));
 }
 
 TEST(BestOfLooks, AHouseWithoutItsCrownIsBetterThanWithIt) {
     // 4 ln 9 = 8.8 is more than 8 ln 2 = 5.5.
-    const std::vector<JudgedObjects> looks{judged({"##..", "##.."}, {0.9}),
-                                           judged({"####", "####"}, {2.0 / 3})};
-    const JudgedObjects best = best_of_looks(looks, 1, threads());
+    const std::vector<Candidates> passes{judged({"##..", "##.."}, {0.9}),
+                                         judged({"####", "####"}, {2.0 / 3})};
+    const Candidates best = select_candidates(passes, 1, threads());
     EXPECT_EQ(drawing_of(best), (Rows{"##..", "##.."}));
     ASSERT_EQ(best.objects.size(), 1U);
     EXPECT_EQ(best.objects[0].confidence, 0.9);
     EXPECT_EQ(best.objects[0].cells, 4);
-    EXPECT_EQ(best.evidence[0].smooth, 0.9);
+    EXPECT_EQ(best.features[0].smooth, 0.9);
 }
 
 TEST(BestOfLooks, AWholeHouseIsBetterThanItsPieces) {
     // 8 ln 2 = 5.5 is more than twice 2 ln 3 = 2.2.
-    const std::vector<JudgedObjects> looks{judged({"#..#", "#..#"}, {0.75, 0.75}),
-                                           judged({"####", "####"}, {2.0 / 3})};
-    const JudgedObjects best = best_of_looks(looks, 0, threads());
+    const std::vector<Candidates> passes{judged({"#..#", "#..#"}, {0.75, 0.75}),
+                                         judged({"####", "####"}, {2.0 / 3})};
+    const Candidates best = select_candidates(passes, 0, threads());
     EXPECT_EQ(drawing_of(best), (Rows{"####", "####"}));
     ASSERT_EQ(best.objects.size(), 1U);
     EXPECT_EQ(best.objects[0].confidence, 2.0 / 3);
 }
 
 TEST(BestOfLooks, WhatIsDoubtedAtTheUsualLookStaysDoubtfulUnlessItTouchesWhatIsChosen) {
-    const std::vector<JudgedObjects> looks{
+    const std::vector<Candidates> passes{
         judged({"##......", "##......", "........", "......##"}, {0.9, 0.4}),
         judged({"###..##.", "##...##.", "........", "#......."}, {0.4, 0.2, 0.3})};
-    const JudgedObjects best = best_of_looks(looks, 1, threads());
+    const Candidates best = select_candidates(passes, 1, threads());
     EXPECT_EQ(drawing_of(best), (Rows{"##...##.", "##...##.", "........", "#......."}));
     ASSERT_EQ(best.objects.size(), 3U);
     EXPECT_EQ(best.objects[0].confidence, 0.9);
@@ -56,25 +55,25 @@ TEST(BestOfLooks, WhatIsDoubtedAtTheUsualLookStaysDoubtfulUnlessItTouchesWhatIsC
 }
 
 TEST(BestOfLooks, ChosenOnesThatTouchAreOneAsTheLargerIs) {
-    const std::vector<JudgedObjects> looks{judged({"##....", "##...."}, {0.9}),
-                                           judged({"..####", "..####"}, {0.8})};
-    const JudgedObjects best = best_of_looks(looks, 0, threads());
+    const std::vector<Candidates> passes{judged({"##....", "##...."}, {0.9}),
+                                         judged({"..####", "..####"}, {0.8})};
+    const Candidates best = select_candidates(passes, 0, threads());
     ASSERT_EQ(best.objects.size(), 1U);
     EXPECT_EQ(best.objects[0].confidence, 0.8);
     EXPECT_EQ(best.objects[0].cells, 12);
-    EXPECT_EQ(best.evidence[0].smooth, 0.8);
+    EXPECT_EQ(best.features[0].smooth, 0.8);
 }
 
 TEST(BestOfLooks, WhatIsFoundAfterAllIsNotLeftOut) {
-    std::vector<JudgedObjects> looks{judged({"##....", "##...."}, {0.9}), judged({"......", "......"}, {})};
-    looks[1].left_out.small = {{0, 1}, {1, 5}};
-    looks[1].left_out.crowns = {{{1, 0}, 3}, {{0, 4}, 2}};
-    looks[1].left_out.low = {{0, 0}};
-    const LeftOut left_out = best_of_looks(looks, 1, threads()).left_out;
-    EXPECT_EQ(left_out.small, (std::vector<FirstCell>{{1, 5}}));
-    ASSERT_EQ(left_out.crowns.size(), 1U);
-    EXPECT_EQ(left_out.crowns[0].cells, 2);
-    EXPECT_EQ(left_out.low, (std::vector<FirstCell>{{0, 0}}));
+    std::vector<Candidates> passes{judged({"##....", "##...."}, {0.9}), judged({"......", "......"}, {})};
+    passes[1].rejected.small = {{0, 1}, {1, 5}};
+    passes[1].rejected.crowns = {{{1, 0}, 3}, {{0, 4}, 2}};
+    passes[1].rejected.low = {{0, 0}};
+    const RejectedObjects rejected = select_candidates(passes, 1, threads()).rejected;
+    EXPECT_EQ(rejected.small, (std::vector<FirstCell>{{1, 5}}));
+    ASSERT_EQ(rejected.crowns.size(), 1U);
+    EXPECT_EQ(rejected.crowns[0].cells, 2);
+    EXPECT_EQ(rejected.low, (std::vector<FirstCell>{{0, 0}}));
 }
 
 TEST(BestOfLooks, IsTheSameOnAnyNumberOfThreads) {
@@ -84,19 +83,19 @@ TEST(BestOfLooks, IsTheSameOnAnyNumberOfThreads) {
     for (std::size_t i = 0; i < wide.size(); ++i)
         if (random() % 3 == 0)
             wide.values[i] = 1;
-    std::vector<JudgedObjects> looks;
+    std::vector<Candidates> passes;
     for (const Mask& mask : {strict, wide}) {
-        JudgedObjects& found = looks.emplace_back();
+        Candidates& found = passes.emplace_back();
         found.regions = connected_regions(mask, 1, 0, threads());
         for (std::size_t label = 1; label < found.regions.cells.size(); ++label)
-            found.objects.push_back(
-                {static_cast<double>(random() % 99 + 1) / 100, Doubt::rough, found.regions.cells[label]});
-        found.evidence.resize(found.objects.size());
+            found.objects.push_back({static_cast<double>(random() % 99 + 1) / 100, CounterEvidence::rough,
+                                     found.regions.cells[label]});
+        found.features.resize(found.objects.size());
     }
     Executor one(1);
     Executor several(5);
-    const JudgedObjects alone = best_of_looks(looks, 0, one);
-    const JudgedObjects shared = best_of_looks(looks, 0, several);
+    const Candidates alone = select_candidates(passes, 0, one);
+    const Candidates shared = select_candidates(passes, 0, several);
     EXPECT_EQ(drawing_of(alone), drawing_of(shared));
     ASSERT_EQ(alone.objects.size(), shared.objects.size());
     for (std::size_t i = 0; i < alone.objects.size(); ++i)

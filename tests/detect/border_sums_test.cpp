@@ -1,9 +1,8 @@
-#include "detect/border_sums.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "detect/object_features.hpp"
 #include "detect_case.hpp"
 
 namespace d2b {

@@ -1,10 +1,9 @@
-#include "detect/cut_by_parcels.hpp"
-
 #include <cmath>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "detect/divide_buildings.hpp"
 #include "detect/regions.hpp"
 #include "detect_case.hpp"
 
@@ -27,11 +26,11 @@ ParcelGrid grid_of(const Town& town, const Parcels& parcels) {
 }
 
 Detection detect_cut(const Town& town, const ParcelGrid& parcels, const DetectOptions& options = {},
-                     double smallest_m2 = smallest_building_m2) {
+                     double min_area_m2 = default_min_building_m2) {
     Context context;
     Scene scene = town.scene();
     scene.parcels = &parcels;
-    return detect_buildings(scene, options, smallest_m2, context);
+    return detect_buildings(scene, options, min_area_m2, context);
 }
 
 /// Cells that detection sees in the box, with another label than the rest of it.
@@ -70,7 +69,7 @@ TEST(CutByParcels, ATerraceBecomesHouses) {
             if (const Label label = found.labels.at(r, c); label != 0) {
                 EXPECT_EQ(found.objects[label - 1].parcel, house_of(r, c));
             }
-    EXPECT_TRUE(found.left_out.parts.empty());
+    EXPECT_TRUE(found.rejected.parts.empty());
 }
 
 TEST(CutByParcels, LinesCutWhereTheyCross) {
@@ -85,7 +84,7 @@ TEST(CutByParcels, LinesCutWhereTheyCross) {
     EXPECT_EQ(found.objects[0].cells, 198);
     EXPECT_EQ(found.objects[1].cells, 398);
     for (const DetectedObject& object : found.objects)
-        EXPECT_EQ(object.parcel, ParcelCell::nobody);
+        EXPECT_EQ(object.parcel, ParcelCell::no_parcel);
 }
 
 /// The alley behind all houses reaches a cell into the block.
@@ -96,8 +95,8 @@ TEST(CutByParcels, ASliverGoesBackToTheHousesBesideIt) {
     ASSERT_EQ(found.buildings, 6U);
     for (std::int64_t i = 0; i < 6; ++i)
         EXPECT_EQ(found.objects[static_cast<std::size_t>(i)].cells, i == 0 || i == 5 ? 98 : 100) << i;
-    EXPECT_EQ(found.left_out.parts.size(), 1U);
-    EXPECT_EQ(found.left_out.parts.front(), (FirstCell{19, 11}));
+    EXPECT_EQ(found.rejected.parts.size(), 1U);
+    EXPECT_EQ(found.rejected.parts.front(), (FirstCell{19, 11}));
     DetectOptions all;
     all.split_width = 0;
     EXPECT_EQ(
@@ -127,7 +126,7 @@ TEST(CutByParcels, ASmallPartGoesToTheNeighbourItSharesMostWith) {
     const Detection found = detect_cut(town, grid_of(town, parcels), {}, 20);
     ASSERT_EQ(found.buildings, 6U);
     EXPECT_EQ(cells_of(found, 3), 100);
-    EXPECT_EQ(found.left_out.parts.size(), 1U);
+    EXPECT_EQ(found.rejected.parts.size(), 1U);
     EXPECT_EQ(detect_cut(town, grid_of(town, parcels), {}, 10).buildings, 7U);
 }
 
@@ -158,7 +157,7 @@ TEST(CutByParcels, ANarrowBuildingStaysWhole) {
     wide.split_width = 12;
     const Detection found = detect_cut(town, grid_of(town, house_of), wide);
     ASSERT_EQ(found.buildings, 1U);
-    EXPECT_EQ(found.left_out.parts.size(), 5U);
+    EXPECT_EQ(found.rejected.parts.size(), 5U);
 }
 
 TEST(CutByParcels, StepsDivideThePartsFurther) {

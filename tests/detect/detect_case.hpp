@@ -114,9 +114,9 @@ struct Town {
 };
 
 inline Detection detect(const Town& town, const DetectOptions& options = {},
-                        double smallest_m2 = smallest_building_m2) {
+                        double min_area_m2 = default_min_building_m2) {
     Context context;
-    return detect_buildings(town.scene(), options, smallest_m2, context);
+    return detect_buildings(town.scene(), options, min_area_m2, context);
 }
 
 inline Mask cells_with(const Grid<Label>& labels, const std::function<bool(Label)>& chosen) {

@@ -169,7 +169,7 @@ TEST(Detection, LooksOnlyWhereItIsAllowedTo) {
         test::Block part = house_block;
         part.right = 20;
         expected = without_corners(std::move(expected), {part});
-        EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, smallest_building_m2, context))),
+        EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, default_min_building_m2, context))),
                   drawing(expected));
     }
 }
@@ -184,21 +184,21 @@ TEST(Detection, GreenIsLessLikelyAndRoughGreenLeftOut) {
     Scene scene = town.scene();
     scene.greenness = &greenness;
     Context context;
-    const Detection not_known = detect_buildings(scene, {}, smallest_building_m2, context);
+    const Detection not_known = detect_buildings(scene, {}, default_min_building_m2, context);
     EXPECT_EQ(not_known.labels.values, without.labels.values);
     EXPECT_EQ(not_known.objects[0].confidence, without.objects[0].confidence);
     EXPECT_EQ(without.labels.at(14, 33), 1U) << "joined to the house as dormers would be";
     for (std::int32_t r = 0; r < 36; ++r)
         for (std::int32_t c = 32; c < 60; ++c)
             greenness.at(r, c) = 0.6F;
-    EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, smallest_building_m2, context))),
+    EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, default_min_building_m2, context))),
               drawing(house));
     std::fill(greenness.values.begin(), greenness.values.end(), 0.6F);
-    const Detection green = detect_buildings(scene, {}, smallest_building_m2, context);
+    const Detection green = detect_buildings(scene, {}, default_min_building_m2, context);
     // Corners bend every way and are plants: their neighbours see five of nine and stay.
     EXPECT_EQ(drawing(building_mask(green)), drawing(house)) << "smooth: a green roof";
     EXPECT_LT(green.objects[0].confidence, without.objects[0].confidence);
-    EXPECT_EQ(green.objects[0].doubt, Doubt::green);
+    EXPECT_EQ(green.objects[0].doubt, CounterEvidence::green);
 }
 
 TEST(Detection, DoubtfulObjectsFollowBuildings) {
@@ -252,7 +252,7 @@ TEST(Detection, EveryCellRaisedIsOneBuilding) {
     const Detection found = detect(town);
     EXPECT_EQ(found.objects.size(), 1U);
     EXPECT_EQ(found.objects[0].cells, 600);
-    EXPECT_EQ(found.objects[0].doubt, Doubt::no_step);
+    EXPECT_EQ(found.objects[0].doubt, CounterEvidence::no_step);
 }
 
 TEST(Detection, DoesNotDependOnTheOrientation) {

@@ -1,11 +1,10 @@
-#include "detect/evidence.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "detect/object_features.hpp"
 #include "detect/smoothness.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
@@ -18,9 +17,9 @@ using test::Shape;
 
 /// Where the logarithm of the segments' cells says nothing.
 constexpr double even_cells = 48;
-constexpr Evidence as_well_a_tree{0.4, 2.2, 0.4, even_cells, 0};
+constexpr ObjectFeatures as_well_a_tree{0.4, 2.2, 0.4, even_cells, 0};
 
-TEST(Evidence, SumsOfAHandMadeObject) {
+TEST(ObjectFeatures, SumsOfAHandMadeObject) {
     // A house of 3 by 4 cells, 5 m high, and one beside it of 2 by 2 that has nothing in common with it.
     const Mask cells = drawn({".........",  //
                               ".####....",  //
@@ -49,46 +48,47 @@ TEST(Evidence, SumsOfAHandMadeObject) {
                             {{100, 0.48}, {20, 0.08}}};
     Scene scene = town.scene();
     scene.greenness = &greenness;
-    const DetectedObjects objects{cells, connected_regions(cells, 1, 0, test::threads())};
-    const std::vector<Evidence> evidence = collect_evidence(scene, objects, segments, flags, test::threads());
-    ASSERT_EQ(evidence.size(), 2U);
-    EXPECT_NEAR(evidence[0].smooth, 3 / 12.0, 1e-12);
-    EXPECT_NEAR(evidence[0].green, 2 / 12.0, 1e-12);
+    const ObjectRegions objects{cells, connected_regions(cells, 1, 0, test::threads())};
+    const std::vector<ObjectFeatures> features =
+        compute_features(scene, objects, segments, flags, test::threads());
+    ASSERT_EQ(features.size(), 2U);
+    EXPECT_NEAR(features[0].smooth, 3 / 12.0, 1e-12);
+    EXPECT_NEAR(features[0].green, 2 / 12.0, 1e-12);
     // Ten of the twelve cells are on the border. Three of them meet the cell that is not known.
-    EXPECT_NEAR(evidence[0].step_m, (7 * 5 + 3 * 15) / 10.0, 1e-6);
+    EXPECT_NEAR(features[0].step_m, (7 * 5 + 3 * 15) / 10.0, 1e-6);
     // Three cells on the first piece, two on the second.
-    EXPECT_NEAR(evidence[0].tilt, std::pow(std::pow(0.5, 3) * std::pow(0.1, 2), 0.2), 1e-12);
-    EXPECT_NEAR(evidence[0].segment, std::pow(std::pow(100.0, 3) * std::pow(20.0, 2), 0.2), 1e-9);
-    EXPECT_NEAR(evidence[1].smooth, 0, 1e-12);
-    EXPECT_NEAR(evidence[1].green, 0, 1e-12);
-    EXPECT_NEAR(evidence[1].step_m, 3, 1e-6);
-    EXPECT_NEAR(evidence[1].tilt, 1, 1e-12) << "no pieces";
-    EXPECT_NEAR(evidence[1].segment, 1, 1e-12);
+    EXPECT_NEAR(features[0].tilt, std::pow(std::pow(0.5, 3) * std::pow(0.1, 2), 0.2), 1e-12);
+    EXPECT_NEAR(features[0].segment, std::pow(std::pow(100.0, 3) * std::pow(20.0, 2), 0.2), 1e-9);
+    EXPECT_NEAR(features[1].smooth, 0, 1e-12);
+    EXPECT_NEAR(features[1].green, 0, 1e-12);
+    EXPECT_NEAR(features[1].step_m, 3, 1e-6);
+    EXPECT_NEAR(features[1].tilt, 1, 1e-12) << "no pieces";
+    EXPECT_NEAR(features[1].segment, 1, 1e-12);
     // Cells are of 1 m.
-    EXPECT_EQ(evidence[0].area_m2, 12);
-    EXPECT_NEAR(evidence[0].compactness, 3 / std::numbers::pi, 1e-9) << "a rectangle";
-    EXPECT_EQ(evidence[0].gentle, 1);
-    EXPECT_EQ(evidence[1].beside_m, 0);
+    EXPECT_EQ(features[0].area_m2, 12);
+    EXPECT_NEAR(features[0].compactness, 3 / std::numbers::pi, 1e-9) << "a rectangle";
+    EXPECT_EQ(features[0].low_slope_ratio, 1);
+    EXPECT_EQ(features[1].beside_m, 0);
 }
 
-TEST(Evidence, CellsAtTheRastersBorderAndUnknownCells) {
+TEST(ObjectFeatures, CellsAtTheRastersBorderAndUnknownCells) {
     test::Town town(3, 3);
     town.block(0, 0, 3, 3, 110);
     town.surface.at(1, 1) = test::unknown;
     const Mask cells(3, 3, 1);
-    const std::vector<Evidence> evidence =
-        collect_evidence(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())},
+    const std::vector<ObjectFeatures> features =
+        compute_features(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())},
                          {connected_regions(Mask(3, 3), 1, 0, test::threads()), {}},
                          Grid<std::uint8_t>(3, 3, smooth_enough), test::threads());
-    ASSERT_EQ(evidence.size(), 1U);
+    ASSERT_EQ(features.size(), 1U);
     // All eight other cells are on the border, and the ground in the middle is below all of them.
-    EXPECT_NEAR(evidence[0].step_m, 10, 1e-6);
-    EXPECT_NEAR(evidence[0].smooth, 1, 1e-12);
-    EXPECT_NEAR(evidence[0].green, 0, 1e-12) << "no NDVI";
+    EXPECT_NEAR(features[0].step_m, 10, 1e-6);
+    EXPECT_NEAR(features[0].smooth, 1, 1e-12);
+    EXPECT_NEAR(features[0].green, 0, 1e-12) << "no NDVI";
 }
 
 /// A slope that is taken for an object along the raster's right border, as its ground lies below.
-Evidence of_a_slope(float rise, double side, const Shape& more = {}) {
+ObjectFeatures of_a_slope(float rise, double side, const Shape& more = {}) {
     test::Town town(40, 60, {side, side});
     town.build([&](std::int32_t r, std::int32_t c) {
         return 100 +
@@ -100,15 +100,15 @@ Evidence of_a_slope(float rise, double side, const Shape& more = {}) {
     for (std::int32_t r = 0; r < 40; ++r)
         std::fill(cells.row(r).begin() + 45, cells.row(r).end(), std::uint8_t{1});
     const Regions none = connected_regions(Mask(40, 60), 1, 0, test::threads());
-    return collect_evidence(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())},
+    return compute_features(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())},
                             {none, {}}, Grid<std::uint8_t>(40, 60, smooth_enough), test::threads())
         .at(0);
 }
 
-TEST(Evidence, ASlopeHasNoWallsHoweverSteep) {
+TEST(ObjectFeatures, ASlopeHasNoWallsHoweverSteep) {
     for (const float rise : {0.6F, 1.0F, 3.0F})
         for (const double side : {0.5, 1.0, 2.5}) {
-            const Evidence slope = of_a_slope(rise, side);
+            const ObjectFeatures slope = of_a_slope(rise, side);
             EXPECT_EQ(slope.walled, 0) << rise << " " << side;
             // Of eight directions the steepest is at most 22.5 degrees off.
             EXPECT_LE(slope.fall, static_cast<double>(rise) * 1.001);
@@ -123,7 +123,7 @@ TEST(Evidence, ASlopeHasNoWallsHoweverSteep) {
     EXPECT_NEAR(of_a_slope(0.6F, 0.5, half).walled, 20 / 38.0, 1e-12);
 }
 
-TEST(Evidence, SmearedWallsAreWalls) {
+TEST(ObjectFeatures, SmearedWallsAreWalls) {
     // A house of 24 x 24 m and 5 m high in cells of 0.5 m, whose walls take 8 m along a cosine.
     test::Town town(80, 80, {0.5, 0.5});
     town.build([](std::int32_t r, std::int32_t c) {
@@ -136,66 +136,66 @@ TEST(Evidence, SmearedWallsAreWalls) {
     EXPECT_GT(found.objects[0].confidence, 0.9);
 }
 
-TEST(Evidence, WallsAreNotKnownWhereAllBorderIsTheRasters) {
+TEST(ObjectFeatures, WallsAreNotKnownWhereAllBorderIsTheRasters) {
     const test::Town town(5, 5);
     const Mask cells(5, 5, 1);
     const Regions none = connected_regions(Mask(5, 5), 1, 0, test::threads());
-    const auto evidence =
-        collect_evidence(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())}, {none, {}},
+    const auto features =
+        compute_features(town.scene(), {cells, connected_regions(cells, 1, 0, test::threads())}, {none, {}},
                          Grid<std::uint8_t>(5, 5, smooth_enough), test::threads());
-    EXPECT_EQ(evidence.at(0).walled, 1);
+    EXPECT_EQ(features.at(0).walled, 1);
 }
 
 TEST(Judge, NoTermNoOpinion) {
-    EXPECT_NEAR(judge(as_well_a_tree).confidence, 0.5, 1e-12);
+    EXPECT_NEAR(classify(as_well_a_tree).confidence, 0.5, 1e-12);
 }
 
 TEST(Judge, EachTermCounts) {
-    const auto log_odds = [](const Evidence& evidence) {
-        const double p = judge(evidence).confidence;
+    const auto log_odds = [](const ObjectFeatures& features) {
+        const double p = classify(features).confidence;
         return std::log(p / (1 - p));
     };
-    Evidence evidence = as_well_a_tree;
-    evidence.smooth = 0.9;
-    EXPECT_NEAR(log_odds(evidence), 4.3 * 0.5, 1e-9);
-    evidence = as_well_a_tree;
-    evidence.green = 0.25;
-    EXPECT_NEAR(log_odds(evidence), -1, 1e-9);
-    evidence = as_well_a_tree;
-    evidence.step_m = 2.2 * std::exp(1);
-    EXPECT_NEAR(log_odds(evidence), 1.3, 1e-9);
-    evidence.step_m = -3;
-    EXPECT_NEAR(log_odds(evidence), 1.3 * std::log(0.1 / 2.2), 1e-9) << "no less than at 0.1 m";
-    evidence = as_well_a_tree;
-    evidence.tilt = 0.4 * std::exp(-1);
-    EXPECT_NEAR(log_odds(evidence), 0.4, 1e-9);
-    evidence = as_well_a_tree;
-    evidence.segment = even_cells * std::exp(2);
-    EXPECT_NEAR(log_odds(evidence), 2, 1e-9);
-    evidence.segment = 0;
-    EXPECT_NEAR(log_odds(evidence), -std::log(even_cells), 1e-9) << "no less than with one cell";
-    evidence = as_well_a_tree;
-    evidence.right_angles = 0.7;
-    EXPECT_NEAR(log_odds(evidence), 1, 1e-9);
+    ObjectFeatures features = as_well_a_tree;
+    features.smooth = 0.9;
+    EXPECT_NEAR(log_odds(features), 4.3 * 0.5, 1e-9);
+    features = as_well_a_tree;
+    features.green = 0.25;
+    EXPECT_NEAR(log_odds(features), -1, 1e-9);
+    features = as_well_a_tree;
+    features.step_m = 2.2 * std::exp(1);
+    EXPECT_NEAR(log_odds(features), 1.3, 1e-9);
+    features.step_m = -3;
+    EXPECT_NEAR(log_odds(features), 1.3 * std::log(0.1 / 2.2), 1e-9) << "no less than at 0.1 m";
+    features = as_well_a_tree;
+    features.tilt = 0.4 * std::exp(-1);
+    EXPECT_NEAR(log_odds(features), 0.4, 1e-9);
+    features = as_well_a_tree;
+    features.segment = even_cells * std::exp(2);
+    EXPECT_NEAR(log_odds(features), 2, 1e-9);
+    features.segment = 0;
+    EXPECT_NEAR(log_odds(features), -std::log(even_cells), 1e-9) << "no less than with one cell";
+    features = as_well_a_tree;
+    features.right_angles = 0.7;
+    EXPECT_NEAR(log_odds(features), 1, 1e-9);
 }
 
 TEST(Judge, PartsOfARoofAreNotJudgedByTheirRightAngles) {
-    Evidence part = as_well_a_tree;
+    ObjectFeatures part = as_well_a_tree;
     part.smooth = 0.6;
-    const double likeness = roof_likeness(part);
+    const double likeness = roof_score(part);
     part.right_angles = 0.9;
-    EXPECT_EQ(roof_likeness(part), likeness);
+    EXPECT_EQ(roof_score(part), likeness);
 }
 
 TEST(Judge, WeightsOfThinPointsTakeOverAsCellsAreFilled) {
     // A house of 12 cells of 2.5 m: few of its cells are smooth, and its segments are small.
-    Evidence house{0.5, 3, 0.3, 9, 0, 1};
+    ObjectFeatures house{0.5, 3, 0.3, 9, 0, 1};
     house.beside_m = 0.8;
     house.right_angles = 0.5;
     house.area_m2 = 75;
-    house.gentle = 0.9;
+    house.low_slope_ratio = 0.9;
     const auto log_odds = [&](double filled) {
-        const double p = judge(house, filled).confidence;
+        const double p = classify(house, filled).confidence;
         return std::log(p / (1 - p));
     };
     const double usual = 4.3 * 0.1 + 1.3 * std::log(3 / 2.2) - 0.4 * std::log(0.3 / 0.4) +
@@ -213,12 +213,12 @@ TEST(Judge, WeightsOfThinPointsTakeOverAsCellsAreFilled) {
 }
 
 TEST(Judge, SmallHousesOfThinPointsAreCompact) {
-    Evidence house{0.5, 3, 0.3, 9, 0, 1};
+    ObjectFeatures house{0.5, 3, 0.3, 9, 0, 1};
     house.area_m2 = 75;
     const auto log_odds = [&](double compactness, double filled) {
-        Evidence formed = house;
+        ObjectFeatures formed = house;
         formed.compactness = compactness;
-        const double p = judge(formed, filled).confidence;
+        const double p = classify(formed, filled).confidence;
         return std::log(p / (1 - p));
     };
     const double even = log_odds(0.905, 0.2);
@@ -233,27 +233,27 @@ TEST(Judge, SmallHousesOfThinPointsAreCompact) {
     house.area_m2 = 300;
     EXPECT_EQ(log_odds(0.5, 0.2), log_odds(0.905, 0.2));
     house.area_m2 = 75;
-    house.gentle = 0.9;
+    house.low_slope_ratio = 0.9;
     house.right_angles = 0.5;
     house.compactness = 0.5;
-    EXPECT_EQ(doubt_name(judge(house, 0.2).doubt), "ragged form");
+    EXPECT_EQ(counter_evidence_name(classify(house, 0.2).doubt), "ragged form");
 }
 
 TEST(Judge, AmongCrownsNothingThinIsABuilding) {
     // A piece of a forest: as the house above, but for what stands beside it.
-    Evidence crown{0.5, 3, 0.3, 9, 0, 0.9};
+    ObjectFeatures crown{0.5, 3, 0.3, 9, 0, 0.9};
     crown.beside_m = 9;
     crown.right_angles = 0.2;
     crown.area_m2 = 150;
-    crown.gentle = 0.4;
-    EXPECT_LT(judge(crown, 0.2).confidence, 0.1);
-    EXPECT_EQ(judge(crown, 0.2).doubt, Doubt::rough);
+    crown.low_slope_ratio = 0.4;
+    EXPECT_LT(classify(crown, 0.2).confidence, 0.1);
+    EXPECT_EQ(classify(crown, 0.2).doubt, CounterEvidence::rough);
     // A wood is no likelier to be a house for being large.
-    Evidence wood = crown;
+    ObjectFeatures wood = crown;
     wood.area_m2 = 3000;
-    Evidence grove = crown;
+    ObjectFeatures grove = crown;
     grove.area_m2 = 300;
-    EXPECT_EQ(judge(wood, 0.2).confidence, judge(grove, 0.2).confidence);
+    EXPECT_EQ(classify(wood, 0.2).confidence, classify(grove, 0.2).confidence);
 }
 
 TEST(Judge, Monotone) {
@@ -263,66 +263,68 @@ TEST(Judge, Monotone) {
     double tilt = 1;
     double green = 1;
     for (int i = 1; i <= 20; ++i) {
-        const auto next = [](double& before, const Evidence& evidence, bool rises) {
-            const double now = judge(evidence).confidence;
+        const auto next = [](double& before, const ObjectFeatures& features, bool rises) {
+            const double now = classify(features).confidence;
             EXPECT_GT(now, 0);
             EXPECT_LT(now, 1);
             EXPECT_EQ(now > before, rises);
             EXPECT_NE(now, before);
             before = now;
         };
-        Evidence evidence = as_well_a_tree;
-        evidence.smooth = i / 20.0;
-        next(smooth, evidence, true);
-        evidence = as_well_a_tree;
-        evidence.step_m = i;
-        next(step, evidence, true);
-        evidence = as_well_a_tree;
-        evidence.segment = 10.0 * i;
-        next(segment, evidence, true);
-        evidence = as_well_a_tree;
-        evidence.tilt = i / 10.0;
-        next(tilt, evidence, false);
-        evidence = as_well_a_tree;
-        evidence.green = i / 20.0;
-        next(green, evidence, false);
+        ObjectFeatures features = as_well_a_tree;
+        features.smooth = i / 20.0;
+        next(smooth, features, true);
+        features = as_well_a_tree;
+        features.step_m = i;
+        next(step, features, true);
+        features = as_well_a_tree;
+        features.segment = 10.0 * i;
+        next(segment, features, true);
+        features = as_well_a_tree;
+        features.tilt = i / 10.0;
+        next(tilt, features, false);
+        features = as_well_a_tree;
+        features.green = i / 20.0;
+        next(green, features, false);
     }
 }
 
 TEST(Judge, NamesTheWorstTerm) {
-    const auto doubt = [](const Evidence& evidence) { return doubt_name(judge(evidence).doubt); };
+    const auto doubt = [](const ObjectFeatures& features) {
+        return counter_evidence_name(classify(features).doubt);
+    };
     EXPECT_EQ(doubt({0.1, 2.2, 0.4, even_cells, 0}), "rough surface");
     EXPECT_EQ(doubt({0.4, 0.2, 0.4, even_cells, 0}), "no step at its border");
     EXPECT_EQ(doubt({0.4, 2.2, 3.0, even_cells, 0}), "steep");
     EXPECT_EQ(doubt({0.4, 2.2, 0.4, 9, 0}), "small pieces");
     EXPECT_EQ(doubt({0.4, 2.2, 0.4, even_cells, 1}), "green");
-    EXPECT_EQ(judge({0.4, 2.2, 0.4, even_cells, 1}).doubt, Doubt::green);
-    Evidence round = as_well_a_tree;
+    EXPECT_EQ(classify({0.4, 2.2, 0.4, even_cells, 1}).doubt, CounterEvidence::green);
+    ObjectFeatures round = as_well_a_tree;
     round.right_angles = 0.1;
     EXPECT_EQ(doubt(round), "no right angles");
 }
 
 TEST(Judge, WhatIsNotGreenIsNotDoubtedForIt) {
     // All terms speak for it, the tilt least.
-    Evidence roof{0.9, 8, 0.35, 4 * even_cells, 0};
+    ObjectFeatures roof{0.9, 8, 0.35, 4 * even_cells, 0};
     roof.right_angles = 0.7;
-    EXPECT_EQ(judge(roof).doubt, Doubt::steep);
+    EXPECT_EQ(classify(roof).doubt, CounterEvidence::steep);
     roof.green = 0.01;
-    EXPECT_EQ(judge(roof).doubt, Doubt::green);
+    EXPECT_EQ(classify(roof).doubt, CounterEvidence::green);
 }
 
 TEST(Judge, WithoutWallsNothingIsABuilding) {
-    const Evidence roof{1, 8, 0.1, 5000, 0, 0.1};
-    Evidence slope = roof;
+    const ObjectFeatures roof{1, 8, 0.1, 5000, 0, 0.1};
+    ObjectFeatures slope = roof;
     slope.walled = 0.09;
-    EXPECT_GT(judge(roof).confidence, 0.99);
-    EXPECT_EQ(judge(slope).confidence, 0);
-    EXPECT_EQ(judge(slope).doubt, Doubt::no_step);
+    EXPECT_GT(classify(roof).confidence, 0.99);
+    EXPECT_EQ(classify(slope).confidence, 0);
+    EXPECT_EQ(classify(slope).doubt, CounterEvidence::no_step);
     slope.tilt = 0.6;
     slope.fall = 0.6;
-    EXPECT_EQ(judge(slope).confidence, 0);
+    EXPECT_EQ(classify(slope).confidence, 0);
     slope.fall = 2.4;  // 6 m, smeared over 2.5
-    EXPECT_GT(judge(slope).confidence, 0.9);
+    EXPECT_GT(classify(slope).confidence, 0.9);
 }
 
 }  // namespace

@@ -1,5 +1,3 @@
-#include "detect/filled_share.hpp"
-
 #include <cmath>
 #include <limits>
 #include <random>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "detect/smoothness.hpp"
+#include "detect/surface_quality.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b {
@@ -40,8 +39,8 @@ MetreGrid crowns(double filled, double rounded_to = 0) {
 }
 
 double share_of(const MetreGrid& surface, std::uint8_t elevated = 1) {
-    return filled_share(surface, Mask(surface.rows, surface.cols, elevated),
-                        Grid<std::uint8_t>(surface.rows, surface.cols), test::threads());
+    return interpolated_fraction(surface, Mask(surface.rows, surface.cols, elevated),
+                                 Grid<std::uint8_t>(surface.rows, surface.cols), test::threads());
 }
 
 TEST(FilledShare, IsThatOfTheCellsThatTookANeighboursHeight) {
@@ -62,7 +61,7 @@ TEST(FilledShare, LooksAtWhatIsElevatedRoughAndValid) {
     MetreGrid surface = crowns(0.2);
     EXPECT_EQ(share_of(surface, 0), 0.0);
     const Grid<std::uint8_t> smooth(300, 300, smooth_enough);
-    EXPECT_EQ(filled_share(surface, Mask(300, 300, 1), smooth, test::threads()), 0.0);
+    EXPECT_EQ(interpolated_fraction(surface, Mask(300, 300, 1), smooth, test::threads()), 0.0);
     const double expected = share_of(surface);
     MetreGrid wider(300, 400, 7.0F);
     Mask elevated(300, 400);
@@ -72,13 +71,13 @@ TEST(FilledShare, LooksAtWhatIsElevatedRoughAndValid) {
             elevated.at(r, c) = 1;
         }
     const Grid<std::uint8_t> rough(300, 400);
-    EXPECT_EQ(filled_share(wider, elevated, rough, test::threads()), expected);
+    EXPECT_EQ(interpolated_fraction(wider, elevated, rough, test::threads()), expected);
     for (std::int32_t r = 0; r < 300; ++r)
         for (std::int32_t c = 300; c < 400; ++c) {
             wider.at(r, c) = std::numeric_limits<float>::quiet_NaN();
             elevated.at(r, c) = 1;
         }
-    EXPECT_EQ(filled_share(wider, elevated, rough, test::threads()), expected);
+    EXPECT_EQ(interpolated_fraction(wider, elevated, rough, test::threads()), expected);
 }
 
 TEST(FilledShare, NeedsThreeHundredPairs) {

@@ -1,7 +1,6 @@
-#include "detect/gentle_pairs.hpp"
-
 #include <gtest/gtest.h>
 
+#include "detect/object_features.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
@@ -9,7 +8,7 @@ namespace d2b {
 namespace {
 
 double share_of(const test::Town& town, const Mask& objects) {
-    GentlePairs pairs;
+    LowSlopePairs pairs;
     const Regions regions = connected_regions(objects, 1, 0, test::threads());
     for (std::int32_t r = 0; r < regions.rows; ++r)
         for (const RegionRun& run : regions.row(r))
@@ -17,7 +16,7 @@ double share_of(const test::Town& town, const Mask& objects) {
     return pairs.share();
 }
 
-TEST(GentlePairs, SlopesOfNeighboursWithin) {
+TEST(LowSlopePairs, SlopesOfNeighboursWithin) {
     // Six cells have seven pairs: three to the right of which one rises by 2 m, two of four further down.
     test::Town town(4, 4, {2, 4});
     town.block(1, 1, 3, 4, 105);
@@ -33,14 +32,14 @@ TEST(GentlePairs, SlopesOfNeighboursWithin) {
     EXPECT_EQ(share_of(town, objects), 1);
 }
 
-TEST(GentlePairs, WhatIsNotKnownIsNearToNothing) {
+TEST(LowSlopePairs, WhatIsNotKnownIsNearToNothing) {
     test::Town town(1, 3);
     town.surface.at(0, 1) = test::unknown;
     EXPECT_EQ(share_of(town, Mask(1, 3, 1)), 0);
     EXPECT_EQ(share_of(town, test::drawn({"#.#"})), 1) << "no pairs";
 }
 
-TEST(GentlePairs, AtTheRastersBorder) {
+TEST(LowSlopePairs, AtTheRastersBorder) {
     test::Town town(2, 2);
     town.surface.at(1, 1) = 150;
     EXPECT_EQ(share_of(town, Mask(2, 2, 1)), 0.5);

@@ -1,10 +1,9 @@
-#include "detect/left_out.hpp"
-
 #include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include "detect/detection.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
@@ -31,55 +30,55 @@ DetectOptions least(double height) {
     return options;
 }
 
-TEST(LeftOut, SmallRegionsGoAndAreToldByTheirFirstCells) {
+TEST(RejectedObjects, SmallRegionsGoAndAreToldByTheirFirstCells) {
     Regions regions = connected_regions(test::drawn({"##..#",  //
                                                      "##...",  //
                                                      "....#",  //
                                                      ".####"}),
                                         1, 0, test::threads());
-    EXPECT_EQ(take_small_out(regions, 4), (Cells{{0, 4}}));
+    EXPECT_EQ(remove_small(regions, 4), (Cells{{0, 4}}));
     EXPECT_EQ(test::drawing(mask_of(regions, test::threads())),
               (std::vector<std::string>{"##...", "##...", "....#", ".####"}));
-    EXPECT_EQ(take_small_out(regions, 5), (Cells{{0, 0}}));
-    EXPECT_EQ(take_small_out(regions, 6), (Cells{{2, 4}}));
+    EXPECT_EQ(remove_small(regions, 5), (Cells{{0, 0}}));
+    EXPECT_EQ(remove_small(regions, 6), (Cells{{2, 4}}));
 }
 
-TEST(LeftOut, BelowTheSmallestArea) {
+TEST(RejectedObjects, BelowTheSmallestArea) {
     const Town town = three_roofs();
-    EXPECT_EQ(detect(town, least(1), 30).left_out.small, Cells{});
+    EXPECT_EQ(detect(town, least(1), 30).rejected.small, Cells{});
     const Detection none = detect(town, least(1), 500);
-    EXPECT_EQ(none.left_out.small, (Cells{{5, 11}, {25, 11}, {45, 11}}));  // corners are rounded off
+    EXPECT_EQ(none.rejected.small, (Cells{{5, 11}, {25, 11}, {45, 11}}));  // corners are rounded off
     EXPECT_TRUE(none.objects.empty());
 }
 
-TEST(LeftOut, BelowTheSmallestHeight) {
+TEST(RejectedObjects, BelowTheSmallestHeight) {
     const Town town = three_roofs();
-    EXPECT_EQ(detect(town, least(1), 30).left_out.low, Cells{});
-    EXPECT_EQ(detect(town, least(2), 30).left_out.low, (Cells{{45, 10}}));
-    EXPECT_EQ(detect(town, least(6), 30).left_out.low, (Cells{{25, 10}, {45, 10}}));
-    EXPECT_EQ(detect(town, least(50), 30).left_out.low, (Cells{{5, 10}, {25, 10}, {45, 10}}));
-    EXPECT_EQ(detect(town, least(50), 150).left_out.low, Cells{}) << "smaller than a building";
+    EXPECT_EQ(detect(town, least(1), 30).rejected.low, Cells{});
+    EXPECT_EQ(detect(town, least(2), 30).rejected.low, (Cells{{45, 10}}));
+    EXPECT_EQ(detect(town, least(6), 30).rejected.low, (Cells{{25, 10}, {45, 10}}));
+    EXPECT_EQ(detect(town, least(50), 30).rejected.low, (Cells{{5, 10}, {25, 10}, {45, 10}}));
+    EXPECT_EQ(detect(town, least(50), 150).rejected.low, Cells{}) << "smaller than a building";
 }
 
-TEST(LeftOut, NotWhereNoBuildingMayBe) {
+TEST(RejectedObjects, NotWhereNoBuildingMayBe) {
     const Town town = three_roofs();
     Mask upper(60, 40);
     std::fill(upper.row(0).begin(), upper.row(39).end(), std::uint8_t{1});
     Scene scene = town.scene();
     scene.allowed = &upper;
     Context context;
-    EXPECT_EQ(detect_buildings(scene, least(50), 30, context).left_out.low, (Cells{{5, 10}, {25, 10}}));
+    EXPECT_EQ(detect_buildings(scene, least(50), 30, context).rejected.low, (Cells{{5, 10}, {25, 10}}));
 }
 
 TEST(Scene, CellsForAnArea) {
-    EXPECT_EQ(cells_for(30, {1, 1}), 30);
-    EXPECT_EQ(cells_for(30, {0.5, 0.5}), 120);
-    EXPECT_EQ(cells_for(30.1, {0.5, 0.5}), 121);
-    EXPECT_EQ(cells_for(30, {1, 2, 0.5}), 30) << "a sheared cell of 1 m2";
-    EXPECT_EQ(cells_for(0, {1, 1}), 0);
+    EXPECT_EQ(cells_covering(30, {1, 1}), 30);
+    EXPECT_EQ(cells_covering(30, {0.5, 0.5}), 120);
+    EXPECT_EQ(cells_covering(30.1, {0.5, 0.5}), 121);
+    EXPECT_EQ(cells_covering(30, {1, 2, 0.5}), 30) << "a sheared cell of 1 m2";
+    EXPECT_EQ(cells_covering(0, {1, 1}), 0);
     // More than any raster has, and no overflow.
     for (const double area : {1e19, 1e308, std::numeric_limits<double>::infinity()})
-        EXPECT_GT(cells_for(area, {0.5, 0.5}), std::int64_t{1} << 60) << area;
+        EXPECT_GT(cells_covering(area, {0.5, 0.5}), std::int64_t{1} << 60) << area;
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "detect/judged_objects.hpp"
+#include "detect/candidates.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::test {
 
-inline constexpr double smallest_m2 = 30;
+inline constexpr double min_area_m2 = 30;
 inline constexpr Block smooth_house{4, 4, 10, 10};
 inline constexpr Block rough_house{15, 20, 21, 26};
 
@@ -36,14 +36,15 @@ inline Town two_houses() {
 }
 
 /// Objects of a drawing with confidences, in scan order.
-inline JudgedObjects judged(const std::vector<std::string>& rows, const std::vector<double>& confidences) {
-    JudgedObjects result;
+inline Candidates judged(const std::vector<std::string>& rows, const std::vector<double>& confidences) {
+    Candidates result;
     result.regions = connected_regions(drawn(rows), 1, 0, threads());
     for (const double confidence : confidences) {
-        Evidence evidence;
-        evidence.smooth = confidence;
-        result.evidence.push_back(evidence);
-        result.objects.push_back({confidence, Doubt::rough, result.regions.cells[result.objects.size() + 1]});
+        ObjectFeatures features;
+        features.smooth = confidence;
+        result.features.push_back(features);
+        result.objects.push_back(
+            {confidence, CounterEvidence::rough, result.regions.cells[result.objects.size() + 1]});
     }
     return result;
 }

@@ -1,9 +1,8 @@
-#include "detect/majority.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "detect/morphology.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 

@@ -1,10 +1,10 @@
-#include "detect/mask_runs.hpp"
-
 #include <random>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "detect/regions.hpp"
 
 namespace d2b {
 namespace {

@@ -1,15 +1,12 @@
-#include "detect/merge_units.hpp"
-
 #include <gtest/gtest.h>
 
-#include "detect/label_rows.hpp"
-#include "detect/unit_seams.hpp"
+#include "detect/units.hpp"
 
 namespace d2b {
 namespace {
 
 SeenObject seen(double confidence, std::int64_t own_cells) {
-    return {{confidence, Doubt::rough, 1000}, confidence >= 0.5, 100 * confidence, own_cells};
+    return {{confidence, CounterEvidence::rough, 1000}, confidence >= 0.5, 100 * confidence, own_cells};
 }
 
 using Row = std::vector<Label>;

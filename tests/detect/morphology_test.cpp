@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "detect/element.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
@@ -57,10 +56,10 @@ TEST(Morphology, OpenedAndErodedByDefinition) {
                                      : test::random_blocks(rows, cols, 30, random);
         const CellSize& cell = sizes[i % sizes.size()];
         for (const double radius : {1.5, 3.0, 1.0}) {
-            ASSERT_EQ(drawing(opened(mask, radius, cell, test::threads())),
+            ASSERT_EQ(drawing(open_mask(mask, radius, cell, test::threads())),
                       drawing(opened_by_definition(mask, radius, cell)))
                 << i << " radius " << radius;
-            ASSERT_EQ(drawing(eroded(mask, radius, cell, test::threads())),
+            ASSERT_EQ(drawing(erode(mask, radius, cell, test::threads())),
                       drawing(where_all(mask, offsets_within(radius, cell), 1, 1)))
                 << i << " radius " << radius;
         }
@@ -75,18 +74,18 @@ TEST(Morphology, OpeningCutsBridgesAndKeepsHouses) {
                              ".####.####",  //
                              ".....#....",  //
                              ".....#...."});
-    EXPECT_EQ(drawing(opened(mask, 1.5, {1, 1}, test::threads())), drawing(drawn({"..........",  //
-                                                                                  ".####.####",  //
-                                                                                  ".####.####",  //
-                                                                                  ".####.####",  //
-                                                                                  ".####.####",  //
-                                                                                  "..........",  //
-                                                                                  ".........."})));
+    EXPECT_EQ(drawing(open_mask(mask, 1.5, {1, 1}, test::threads())), drawing(drawn({"..........",  //
+                                                                                     ".####.####",  //
+                                                                                     ".####.####",  //
+                                                                                     ".####.####",  //
+                                                                                     ".####.####",  //
+                                                                                     "..........",  //
+                                                                                     ".........."})));
     // Two by two cells where a cell is larger than the radius.
-    EXPECT_EQ(drawing(opened(drawn({"###.", "##..", "...#", "..##"}), 1.5, {2, 2}, test::threads())),
+    EXPECT_EQ(drawing(open_mask(drawn({"###.", "##..", "...#", "..##"}), 1.5, {2, 2}, test::threads())),
               drawing(drawn({"##..", "##..", "...#", "..##"})))
         << "the corner continues beyond the border";
-    EXPECT_EQ(opened(Mask(), 1.5, {1, 1}, test::threads()).size(), 0U);
+    EXPECT_EQ(open_mask(Mask(), 1.5, {1, 1}, test::threads()).size(), 0U);
 }
 
 TEST(Morphology, DiskOfThreeCells) {
@@ -110,7 +109,7 @@ TEST(Morphology, GrownByNeighbours) {
         const Mask mask = test::random_mask(rows, cols, 10, random);
         Mask expected = mask;
         for (int step = 0; step < 3; ++step) {
-            ASSERT_EQ(drawing(grown(mask, within, step, test::threads())), drawing(expected))
+            ASSERT_EQ(drawing(dilate_within(mask, within, step, test::threads())), drawing(expected))
                 << i << " step " << step;
             Mask next = expected;
             for (std::int32_t r = 0; r < rows; ++r)

@@ -1,18 +1,17 @@
-#include "detect/neighbour_prior.hpp"
-
 #include <cstdint>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "detect/priors.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
 
-constexpr SupposedShare half{0.5, 0.5};
+constexpr PriorShare half{0.5, 0.5};
 
 /// Objects of one cell of a metre each, and what is thought of them.
 struct Place {
@@ -21,18 +20,18 @@ struct Place {
     /// In scan order.
     void add(std::int32_t r, std::int32_t c, double confidence) {
         cells.at(r, c) = 1;
-        objects.push_back({confidence, Doubt::rough, 1});
+        objects.push_back({confidence, CounterEvidence::rough, 1});
     }
-    [[nodiscard]] std::vector<double> corrected(const SupposedShare& supposed, Executor& threads) const {
+    [[nodiscard]] std::vector<double> corrected(const PriorShare& prior, Executor& threads) const {
         std::vector<DetectedObject> result = objects;
-        correct_for_neighbours(connected_regions(cells, 1, 0, threads), {1, 1}, supposed, result, threads);
+        apply_spatial_prior(connected_regions(cells, 1, 0, threads), {1, 1}, prior, result, threads);
         std::vector<double> confidences;
         for (const DetectedObject& object : result)
             confidences.push_back(object.confidence);
         return confidences;
     }
-    [[nodiscard]] std::vector<double> corrected(const SupposedShare& supposed) const {
-        return corrected(supposed, test::threads());
+    [[nodiscard]] std::vector<double> corrected(const PriorShare& prior) const {
+        return corrected(prior, test::threads());
     }
 
     Mask cells;
@@ -83,29 +82,30 @@ TEST(CorrectForNeighbours, WhereNothingStands) {
 }
 
 TEST(CorrectForWitnesses, BayesRuleWithTheShareOfOthersAlone) {
-    JudgedObjects witnesses;
-    witnesses.regions = connected_regions(test::drawn({"#...#"}), 1, 0, test::threads());
-    witnesses.objects = {{0.9, Doubt::rough, 1}, {1, Doubt::rough, 1}};  // what is certain is no witness
-    JudgedObjects judged;
+    Candidates reference_objects;
+    reference_objects.regions = connected_regions(test::drawn({"#...#"}), 1, 0, test::threads());
+    reference_objects.objects = {{0.9, CounterEvidence::rough, 1},
+                                 {1, CounterEvidence::rough, 1}};  // what is certain is no witness
+    Candidates judged;
     judged.regions = connected_regions(test::drawn({"..#.#"}), 1, 0, test::threads());
-    judged.objects = {{0.6, Doubt::rough, 1}, {0, Doubt::rough, 1}};
+    judged.objects = {{0.6, CounterEvidence::rough, 1}, {0, CounterEvidence::rough, 1}};
     const CellSize cell{37.5, 37.5};
-    correct_for_witnesses(witnesses, cell, half, judged, test::threads());
+    apply_reference_prior(reference_objects, cell, half, judged, test::threads());
     const double weight = 0.75 * 0.75;  // half of the reach away
     const double share = (0.5 + weight * 0.9) / (1 + weight);
     const double odds = 0.6 / 0.4 * share / (1 - share);
     EXPECT_NEAR(judged.objects[0].confidence, odds / (1 + odds), 1e-12);
     EXPECT_EQ(judged.objects[1].confidence, 0);
-    EXPECT_EQ(witnesses.objects[0].confidence, 0.9);
+    EXPECT_EQ(reference_objects.objects[0].confidence, 0.9);
 }
 
 TEST(CorrectForWitnesses, WhereThereIsNone) {
-    JudgedObjects witnesses;
-    witnesses.regions = connected_regions(test::drawn({"..."}), 1, 0, test::threads());
-    JudgedObjects judged;
+    Candidates reference_objects;
+    reference_objects.regions = connected_regions(test::drawn({"..."}), 1, 0, test::threads());
+    Candidates judged;
     judged.regions = connected_regions(test::drawn({"#.#"}), 1, 0, test::threads());
-    judged.objects = {{0.6, Doubt::rough, 1}, {0.8, Doubt::rough, 1}};
-    correct_for_witnesses(witnesses, {1, 1}, half, judged, test::threads());
+    judged.objects = {{0.6, CounterEvidence::rough, 1}, {0.8, CounterEvidence::rough, 1}};
+    apply_reference_prior(reference_objects, {1, 1}, half, judged, test::threads());
     EXPECT_NEAR(judged.objects[0].confidence, 0.6, 1e-12);
     EXPECT_NEAR(judged.objects[1].confidence, 0.8, 1e-12);
 }

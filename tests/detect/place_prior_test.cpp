@@ -1,11 +1,11 @@
-#include "detect/place_prior.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "detect/priors.hpp"
 
 namespace d2b {
 namespace {
@@ -31,13 +31,13 @@ std::vector<double> ratios_of(double share, int count, unsigned seed) {
 TEST(ShareOfBuildings, IsFoundWithoutLabels) {
     for (const double share : {0.02, 0.1, 0.39, 0.7, 0.95})
         for (const unsigned seed : {1U, 2U, 3U})
-            EXPECT_NEAR(share_of_buildings(ratios_of(share, 5000, seed)), share, 0.03)
+            EXPECT_NEAR(estimate_building_share(ratios_of(share, 5000, seed)), share, 0.03)
                 << share << " " << seed;
 }
 
 TEST(ShareOfBuildings, IsWhatTheCandidatesSayOnTheMean) {
     const std::vector<double> ratios = ratios_of(0.3, 400, 5);
-    const double share = share_of_buildings(ratios);
+    const double share = estimate_building_share(ratios);
     double sum = 50 * usual;
     for (const double ratio : ratios)
         sum += share * ratio / (share * ratio + 1 - share);
@@ -45,17 +45,17 @@ TEST(ShareOfBuildings, IsWhatTheCandidatesSayOnTheMean) {
 }
 
 TEST(ShareOfBuildings, TheUsualOneWhereNothingIsKnown) {
-    EXPECT_NEAR(share_of_buildings({}), usual, 1e-9);
-    EXPECT_NEAR(share_of_buildings(std::vector<double>(1000, 1.0)), usual, 1e-9);
+    EXPECT_NEAR(estimate_building_share({}), usual, 1e-9);
+    EXPECT_NEAR(estimate_building_share(std::vector<double>(1000, 1.0)), usual, 1e-9);
     // Two that say it all move it by a fiftieth each.
-    const double two = share_of_buildings(std::vector<double>(2, 1e-9));
+    const double two = estimate_building_share(std::vector<double>(2, 1e-9));
     EXPECT_NEAR(two, 50 * usual / 52, 1e-6);
 }
 
 std::vector<DetectedObject> objects_of(const std::vector<double>& confidences) {
     std::vector<DetectedObject> objects;
     for (const double confidence : confidences)
-        objects.push_back({confidence, Doubt::rough, 100});
+        objects.push_back({confidence, CounterEvidence::rough, 100});
     return objects;
 }
 
@@ -70,7 +70,7 @@ std::vector<DetectedObject> place(int sure, int likely, int doubtful) {
 
 bool is_changed(std::vector<DetectedObject> objects) {
     const double before = objects.back().confidence;
-    correct_for_place(0, objects);
+    apply_scene_prior(0, objects);
     return objects.back().confidence != before;
 }
 
@@ -85,14 +85,14 @@ TEST(CorrectForPlace, AHundredCandidatesAndAFifthBeyondDoubt) {
 TEST(CorrectForPlace, NotWherePointsAreThin) {
     for (const double filled : {0.1, 0.11}) {
         std::vector<DetectedObject> objects = place(40, 40, 920);
-        correct_for_place(filled, objects);
+        apply_scene_prior(filled, objects);
         EXPECT_EQ(objects.back().confidence != 0.15, filled == 0.1) << filled;
     }
 }
 
 TEST(CorrectForPlace, AmongWoodsLessIsABuilding) {
     std::vector<DetectedObject> objects = place(40, 40, 920);
-    correct_for_place(0, objects);
+    apply_scene_prior(0, objects);
     EXPECT_LT(objects[40].confidence, 0.3);
     EXPECT_GT(objects[0].confidence, 0.95);
     EXPECT_LT(objects.back().confidence, 0.05);
@@ -107,15 +107,15 @@ TEST(CorrectForPlace, EvenOddsStayEvenAtTheUsualShare) {
     std::vector<DetectedObject> objects = place(6190, 0, 3810);
     for (DetectedObject& object : objects)
         object.confidence = object.confidence > 0.5 ? 1 - 1e-9 : 1e-9;
-    objects.push_back({0.5, Doubt::rough, 100});
-    correct_for_place(0, objects);
+    objects.push_back({0.5, CounterEvidence::rough, 100});
+    apply_scene_prior(0, objects);
     EXPECT_NE(objects.back().confidence, 0.5);
     EXPECT_NEAR(objects.back().confidence, 0.5, 2e-3);
 }
 
 TEST(CorrectForPlace, SaysWhatShareConfidencesSupposeThen) {
     std::vector<DetectedObject> woods = place(40, 40, 920);
-    const SupposedShare corrected = correct_for_place(0, woods);
+    const PriorShare corrected = apply_scene_prior(0, woods);
     EXPECT_EQ(corrected.least, corrected.most);
     double sum = 50 * usual;
     for (const DetectedObject& object : woods)
@@ -123,37 +123,37 @@ TEST(CorrectForPlace, SaysWhatShareConfidencesSupposeThen) {
     EXPECT_NEAR(sum / 1050, corrected.least, 1e-5);
     // Not corrected: between the usual share and their mean.
     std::vector<DetectedObject> few = objects_of({0, 0.2, 0.4, 1});
-    const SupposedShare low = correct_for_place(0, few);
+    const PriorShare low = apply_scene_prior(0, few);
     EXPECT_NEAR(low.least, 0.3, 1e-12);
     EXPECT_EQ(low.most, usual);
     few = objects_of({0.8, 0.9});
-    const SupposedShare high = correct_for_place(0, few);
+    const PriorShare high = apply_scene_prior(0, few);
     EXPECT_EQ(high.least, usual);
     EXPECT_NEAR(high.most, 0.85, 1e-12);
     few.clear();
-    EXPECT_EQ(correct_for_place(0, few).least, usual);
+    EXPECT_EQ(apply_scene_prior(0, few).least, usual);
 }
 
 TEST(CorrectForPlace, SaysWhetherBuildingsLookedAsElsewhereBefore) {
     std::vector<DetectedObject> woods = place(40, 40, 920);
-    EXPECT_TRUE(correct_for_place(0, woods).as_elsewhere);
+    EXPECT_TRUE(apply_scene_prior(0, woods).usual_appearance);
     std::vector<DetectedObject> few = place(1, 4, 0);
-    EXPECT_TRUE(correct_for_place(0, few).as_elsewhere);
+    EXPECT_TRUE(apply_scene_prior(0, few).usual_appearance);
     few = place(1, 5, 0);
-    EXPECT_FALSE(correct_for_place(0, few).as_elsewhere);
+    EXPECT_FALSE(apply_scene_prior(0, few).usual_appearance);
 }
 
 TEST(LooksAsElsewhere, AFifthOfTheLikelyAreBeyondDoubt) {
-    EXPECT_TRUE(looks_as_elsewhere({}));
-    EXPECT_TRUE(looks_as_elsewhere(place(1, 4, 50)));
-    EXPECT_FALSE(looks_as_elsewhere(place(1, 5, 0)));
+    EXPECT_TRUE(has_usual_appearance({}));
+    EXPECT_TRUE(has_usual_appearance(place(1, 4, 50)));
+    EXPECT_FALSE(has_usual_appearance(place(1, 5, 0)));
 }
 
 TEST(HardlyAnyIsSure, LessThanATenthOfTheLikelyButForOne) {
-    EXPECT_TRUE(hardly_any_is_sure({}));
-    EXPECT_TRUE(hardly_any_is_sure(place(1, 0, 50))) << "one may be so by chance";
-    EXPECT_FALSE(hardly_any_is_sure(place(2, 8, 50)));
-    EXPECT_TRUE(hardly_any_is_sure(place(2, 9, 50)));
+    EXPECT_TRUE(lacks_certain_buildings({}));
+    EXPECT_TRUE(lacks_certain_buildings(place(1, 0, 50))) << "one may be so by chance";
+    EXPECT_FALSE(lacks_certain_buildings(place(2, 8, 50)));
+    EXPECT_TRUE(lacks_certain_buildings(place(2, 9, 50)));
 }
 
 TEST(CorrectForPlace, SingleTreesOfFieldsAreNoHouses) {
@@ -161,13 +161,13 @@ TEST(CorrectForPlace, SingleTreesOfFieldsAreNoHouses) {
     // and 0.05404. One candidate with the usual share is added.
     std::vector<DetectedObject> trees = place(0, 5, 25);
     std::vector<DetectedObject> others = objects_of({0, 0.55, 1});
-    const SupposedShare supposed = correct_for_place(0.2, trees, others);
-    const double estimated = supposed.most / 2.5;
+    const PriorShare prior = apply_scene_prior(0.2, trees, others);
+    const double estimated = prior.most / 2.5;
     double sum = usual;
     for (const double ratio : {0.8117, 0.05404})
         sum += (ratio > 0.5 ? 5 : 25) * estimated * ratio / (estimated * ratio + 1 - estimated);
     EXPECT_NEAR(sum / 31, estimated, 1e-5);
-    const double change = supposed.most / (1 - supposed.most) * (1 - usual) / usual;
+    const double change = prior.most / (1 - prior.most) * (1 - usual) / usual;
     const double changed = 0.55 / 0.45 * change / (1 + 0.55 / 0.45 * change);
     EXPECT_NEAR(trees[0].confidence, changed, 1e-9);
     EXPECT_LT(changed, 0.1);
@@ -179,7 +179,7 @@ TEST(CorrectForPlace, SingleTreesOfFieldsAreNoHouses) {
 TEST(CorrectForPlace, AFewDoubtsAreNoFields) {
     for (std::vector<DetectedObject> objects : {place(0, 1, 0), place(0, 2, 1), place(2, 3, 25)}) {
         const std::vector<DetectedObject> before = objects;
-        correct_for_place(0.2, objects);
+        apply_scene_prior(0.2, objects);
         for (std::size_t i = 0; i < objects.size(); ++i)
             EXPECT_EQ(objects[i].confidence, before[i].confidence);
     }
@@ -191,19 +191,19 @@ TEST(CorrectForPlace, KeepsTheOrderAndWhatIsCertain) {
         confidences.push_back(i / 200.0);
     std::vector<DetectedObject> objects = objects_of(confidences);
     for (int i = 0; i < 100; ++i)
-        objects.push_back({0.97, Doubt::steep, 5});
+        objects.push_back({0.97, CounterEvidence::steep, 5});
     for (int i = 0; i < 300; ++i)
-        objects.push_back({0.1, Doubt::steep, 5});
-    correct_for_place(0, objects);
+        objects.push_back({0.1, CounterEvidence::steep, 5});
+    apply_scene_prior(0, objects);
     EXPECT_EQ(objects[0].confidence, 0);
     EXPECT_EQ(objects[1].confidence, 1);
     EXPECT_NE(objects[100].confidence, confidences[100]);
     EXPECT_TRUE(std::is_sorted(objects.begin() + 2, objects.begin() + 201,
                                [](const auto& a, const auto& b) { return a.confidence < b.confidence; }));
-    EXPECT_EQ(objects.back().doubt, Doubt::steep);
+    EXPECT_EQ(objects.back().doubt, CounterEvidence::steep);
     EXPECT_EQ(objects.back().cells, 5);
     std::vector<DetectedObject> none;
-    correct_for_place(0, none);
+    apply_scene_prior(0, none);
     EXPECT_TRUE(none.empty());
 }
 

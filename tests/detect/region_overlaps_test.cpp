@@ -1,10 +1,9 @@
-#include "detect/region_overlaps.hpp"
-
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "detect/regions.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
@@ -27,14 +26,14 @@ TEST(RegionOverlaps, HolderIsTheOneWithMostCells) {
     const Regions one = regions_of({"#####", ".....", "####.", ".....", "#...."});
     const Regions other = regions_of({"##.##", "...#.", "##.##", ".....", "....#"});
     // Of two with as many cells the first; the last region is in none.
-    EXPECT_EQ(holders(one, other), (std::vector<Label>{0, 1, 3, 0}));
+    EXPECT_EQ(containing_regions(one, other), (std::vector<Label>{0, 1, 3, 0}));
 }
 
 TEST(RegionOverlaps, OfNothingThereAreNone) {
     const Regions none = regions_of({"...", "..."});
     const Regions some = regions_of({"##.", "..."});
     EXPECT_TRUE(region_overlaps(none, some).empty());
-    EXPECT_EQ(holders(some, none), (std::vector<Label>{0, 0}));
+    EXPECT_EQ(containing_regions(some, none), (std::vector<Label>{0, 0}));
 }
 
 }  // namespace

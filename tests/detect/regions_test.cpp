@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "detect/holes.hpp"
-#include "detect/label_sets.hpp"
+#include "detect/morphology.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 

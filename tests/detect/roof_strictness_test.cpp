@@ -1,12 +1,10 @@
-#include "detect/roof_strictness.hpp"
-
 #include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "detect/morphology.hpp"
-#include "detect/roof_samples.hpp"
+#include "detect/threshold_scale.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
@@ -30,9 +28,9 @@ Town town_with(float rough, std::int32_t houses) {
 
 std::optional<double> strictness_of(const Town& town) {
     SceneCells cells = scene_cells(town.scene(), {}, test::threads());
-    const JudgedObjects first =
-        judged_objects(town.scene(), cells, smallest_building_m2, {}, test::threads());
-    return roof_strictness(town.scene(), {}, smallest_building_m2, {}, first, test::threads());
+    const Candidates first =
+        find_candidates(town.scene(), cells, default_min_building_m2, {}, test::threads());
+    return estimate_threshold_scale(town.scene(), {}, default_min_building_m2, {}, first, test::threads());
 }
 
 TEST(RoofStrictness, AsStrictAsTheRoofsAllow) {
@@ -74,10 +72,10 @@ TEST(RoofStrictness, IsFoundFromTheSceneItself) {
     const Town rough = town_with(0.35F, 3);
     EXPECT_EQ(test::detect(rough).buildings, 9U);
     SurfaceQuality other;
-    other.strictness = 0.1;
+    other.threshold_scale = 0.1;
     SceneCells cells = scene_cells(rough.scene(), {}, test::threads());
-    const JudgedObjects judged =
-        judged_objects(rough.scene(), cells, smallest_building_m2, other, test::threads());
+    const Candidates judged =
+        find_candidates(rough.scene(), cells, default_min_building_m2, other, test::threads());
     EXPECT_TRUE(std::ranges::none_of(judged.objects, [](const DetectedObject& object) {
         return object.confidence >= DetectOptions{}.min_confidence;
     }));

@@ -1,5 +1,3 @@
-#include "detect/second_look.hpp"
-
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -8,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "detect/detection_passes.hpp"
 #include "looks_case.hpp"
 #include "support/test_threads.hpp"
 
@@ -18,7 +17,7 @@ using test::build_rough;
 using test::build_smooth;
 using test::drawing;
 using test::judged;
-using test::smallest_m2;
+using test::min_area_m2;
 using test::threads;
 using test::Town;
 using test::two_houses;
@@ -29,13 +28,13 @@ struct Looked {
         const Scene scene = town.scene();
         SceneCells cells = scene_cells(scene, {}, by);
         quality.filled = 0.25;
-        first = judged_objects(scene, cells, smallest_m2, quality, by);
-        second = second_look(scene, cells, smallest_m2, quality, first.regions, by);
+        first = find_candidates(scene, cells, min_area_m2, quality, by);
+        second = relaxed_pass(scene, cells, min_area_m2, quality, first.regions, by);
     }
 
     SurfaceQuality quality;
-    JudgedObjects first;
-    JudgedObjects second;
+    Candidates first;
+    Candidates second;
 };
 
 TEST(SecondLook, FindsWhatWasTooRoughAndNothingTwice) {
@@ -52,7 +51,7 @@ TEST(SecondLook, FindsWhatWasTooRoughAndNothingTwice) {
 TEST(SecondLook, HasLessConfidence) {
     const Looked looked(two_houses());
     ASSERT_EQ(looked.second.objects.size(), 1U);
-    const double plain = judge(looked.second.evidence[0], looked.quality.filled).confidence;
+    const double plain = classify(looked.second.features[0], looked.quality.filled).confidence;
     const double now = looked.second.objects[0].confidence;
     EXPECT_NEAR(std::log(plain / (1 - plain)) - std::log(now / (1 - now)), 0.8, 1e-9);
 }
@@ -77,7 +76,7 @@ TEST(SecondLook, WhatItFindsDoesNotTouchWhatWasFound) {
                 for (const std::int32_t right : {-1, 0, 1})
                     ASSERT_FALSE(second.at(r, c) == 1 && first.at(r + down, c + right) == 1)
                         << r << ", " << c;
-    const JudgedObjects both = united(looked.first, looked.second, threads());
+    const Candidates both = merge_candidates(looked.first, looked.second, threads());
     EXPECT_EQ(both.objects.size(), looked.first.objects.size() + looked.second.objects.size());
 }
 
@@ -93,18 +92,18 @@ TEST(SecondLook, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(SecondLook, IsForThinPointsAlone) {
-    EXPECT_FALSE(deserves_second_look(0));
-    EXPECT_FALSE(deserves_second_look(0.1));
-    EXPECT_TRUE(deserves_second_look(0.11));
+    EXPECT_FALSE(needs_relaxed_pass(0));
+    EXPECT_FALSE(needs_relaxed_pass(0.1));
+    EXPECT_TRUE(needs_relaxed_pass(0.11));
 }
 
 TEST(United, IsInScanOrder) {
-    JudgedObjects one = judged({".##...", ".##...", "......", "..####"}, {0.9, 0.7});
-    one.left_out.small = {{2, 2}};
-    one.left_out.crowns = {{{1, 5}, 3}};
-    JudgedObjects other = judged({"....#.", "....#.", "#.....", "#....."}, {0.4, 0.6});
-    other.left_out.crowns = {{{0, 0}, 2}};
-    const JudgedObjects both = united(one, other, threads());
+    Candidates one = judged({".##...", ".##...", "......", "..####"}, {0.9, 0.7});
+    one.rejected.small = {{2, 2}};
+    one.rejected.crowns = {{{1, 5}, 3}};
+    Candidates other = judged({"....#.", "....#.", "#.....", "#....."}, {0.4, 0.6});
+    other.rejected.crowns = {{{0, 0}, 2}};
+    const Candidates both = merge_candidates(one, other, threads());
     EXPECT_EQ(drawing(mask_of(both.regions, threads())),
               (std::vector<std::string>{".##.#.", ".##.#.", "#.....", "#.####"}));
     ASSERT_EQ(both.objects.size(), 4U);
@@ -112,14 +111,14 @@ TEST(United, IsInScanOrder) {
     const std::vector<std::int64_t> cells{4, 2, 2, 4};
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_EQ(both.objects[i].confidence, confidences[i]);
-        EXPECT_EQ(both.evidence[i].smooth, confidences[i]);
+        EXPECT_EQ(both.features[i].smooth, confidences[i]);
         EXPECT_EQ(both.objects[i].cells, cells[i]);
         EXPECT_EQ(both.regions.cells[i + 1], cells[i]);
     }
-    EXPECT_EQ(both.left_out.small, one.left_out.small);
-    ASSERT_EQ(both.left_out.crowns.size(), 2U);
-    EXPECT_EQ(both.left_out.crowns[0].cells, 3);
-    EXPECT_EQ(both.left_out.crowns[1].cells, 2);
+    EXPECT_EQ(both.rejected.small, one.rejected.small);
+    ASSERT_EQ(both.rejected.crowns.size(), 2U);
+    EXPECT_EQ(both.rejected.crowns[0].cells, 3);
+    EXPECT_EQ(both.rejected.crowns[1].cells, 2);
 }
 
 }  // namespace

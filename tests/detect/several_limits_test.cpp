@@ -1,17 +1,16 @@
-#include "detect/several_limits.hpp"
-
 #include <cmath>
 #include <cstddef>
 
 #include <gtest/gtest.h>
 
+#include "detect/detection_passes.hpp"
 #include "looks_case.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b {
 namespace {
 
-using test::smallest_m2;
+using test::min_area_m2;
 using test::threads;
 using test::Town;
 using test::two_houses;
@@ -21,13 +20,13 @@ struct Chosen {
         const Scene scene = town.scene();
         SceneCells cells = scene_cells(scene, {}, by);
         quality.filled = 0.25;
-        usual = judged_objects(scene, cells, smallest_m2, quality, by);
-        best = chosen_at_several_limits(scene, cells, smallest_m2, quality, usual, by);
+        usual = find_candidates(scene, cells, min_area_m2, quality, by);
+        best = multi_threshold_candidates(scene, cells, min_area_m2, quality, usual, by);
     }
 
     SurfaceQuality quality;
-    JudgedObjects usual;
-    JudgedObjects best;
+    Candidates usual;
+    Candidates best;
 };
 
 TEST(SeveralLimits, FindARoughHouseWithLessConfidence) {
@@ -35,7 +34,7 @@ TEST(SeveralLimits, FindARoughHouseWithLessConfidence) {
     ASSERT_EQ(chosen.usual.objects.size(), 1U);
     ASSERT_EQ(chosen.best.objects.size(), 2U);
     EXPECT_EQ(mask_of(chosen.best.regions, threads()).at(18, 23), 1);
-    const double plain = judge(chosen.best.evidence[1], chosen.quality.filled).confidence;
+    const double plain = classify(chosen.best.features[1], chosen.quality.filled).confidence;
     const double now = chosen.best.objects[1].confidence;
     EXPECT_NEAR(std::log(plain / (1 - plain)) - std::log(now / (1 - now)), 1.1, 1e-9);
 }
@@ -60,10 +59,10 @@ TEST(SeveralLimits, AreTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(SeveralLimits, AreForThinPointsAndCoarseCells) {
-    EXPECT_FALSE(deserves_several_limits(0.5, 0));
-    EXPECT_FALSE(deserves_several_limits(1.5, 0.06));
-    EXPECT_TRUE(deserves_several_limits(0.5, 0.061));
-    EXPECT_TRUE(deserves_several_limits(1.999, 0));
+    EXPECT_FALSE(needs_multi_threshold(0.5, 0));
+    EXPECT_FALSE(needs_multi_threshold(1.5, 0.06));
+    EXPECT_TRUE(needs_multi_threshold(0.5, 0.061));
+    EXPECT_TRUE(needs_multi_threshold(1.999, 0));
 }
 
 TEST(SeveralLimits, FindARoughHouseOnCoarseCellsThatNoneIsWithoutAPoint) {
@@ -77,7 +76,7 @@ TEST(SeveralLimits, FindARoughHouseOnCoarseCellsThatNoneIsWithoutAPoint) {
                       : test::unknown;
         });
         Context context;
-        return detect_buildings(town.scene(), {}, smallest_m2, context).buildings;
+        return detect_buildings(town.scene(), {}, min_area_m2, context).buildings;
     };
     EXPECT_EQ(found(0.1), 1);
     EXPECT_EQ(found(0.36), 1);

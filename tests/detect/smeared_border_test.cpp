@@ -1,8 +1,8 @@
-#include "detect/smeared_border.hpp"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
+
+#include "detect/candidates.hpp"
 
 namespace d2b {
 namespace {
@@ -22,7 +22,7 @@ struct Block {
     }
     [[nodiscard]] std::int64_t left() {
         Executor threads(2);
-        take_smeared_border_off({surface, terrain, {1, 1}}, cells, threads);
+        remove_blurred_edge({surface, terrain, {1, 1}}, cells, threads);
         return std::count(cells.values.begin(), cells.values.end(), 1);
     }
     MetreGrid surface;

@@ -1,5 +1,3 @@
-#include "detect/smooth_segments.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -33,10 +31,10 @@ TEST(Segments, TiltIsThatOfThePlane) {
                        ? static_cast<float>(120 + x * c * cell.across + y * r * cell.down)
                        : test::unknown;
         });
-        const SmoothSegments segments =
-            smooth_segments(town.scene(), test::raised(town),
-                            smoothness(town.surface, smooth_limits(town.scene().side(), {}), test::threads()),
-                            test::threads());
+        const SmoothSegments segments = smooth_segments(
+            town.scene(), test::raised(town),
+            smoothness(town.surface, smoothness_thresholds(town.scene().side(), {}), test::threads()),
+            test::threads());
         ASSERT_EQ(segments.pieces.size(), 1U);
         EXPECT_EQ(segments.pieces[0].cells, 160);
         EXPECT_EQ(drawing(mask_of(segments.regions, test::threads())), drawing(test::raised(town)));
@@ -50,9 +48,9 @@ TEST(Segments, GableIsOnePieceSinceItsRidgeIsStraight) {
         return r >= 3 && r < 17 && c >= 3 && c < 17 ? 112 - 0.5F * std::abs(static_cast<float>(c) - 9.5F)
                                                     : test::unknown;
     });
-    const SmoothSegments segments =
-        smooth_segments(town.scene(), test::raised(town),
-                        smoothness(town.surface, smooth_limits(1, {}), test::threads()), test::threads());
+    const SmoothSegments segments = smooth_segments(
+        town.scene(), test::raised(town),
+        smoothness(town.surface, smoothness_thresholds(1, {}), test::threads()), test::threads());
     ASSERT_EQ(segments.pieces.size(), 1U);
     EXPECT_EQ(segments.pieces[0].cells, 196);
     EXPECT_NEAR(segments.pieces[0].tilt, 0, 1e-6) << "the best plane through both sides";

@@ -12,7 +12,7 @@ namespace d2b {
 namespace {
 
 Grid<std::uint8_t> flags_of(const MetreGrid& surface, double side, double noise = 0) {
-    return smoothness(surface, smooth_limits(side, {.noise = noise}), test::threads());
+    return smoothness(surface, smoothness_thresholds(side, {.noise = noise}), test::threads());
 }
 
 using test::unknown;
@@ -88,21 +88,23 @@ TEST(Smoothness, ThresholdsGrowWithNoise) {
 }
 
 TEST(Smoothness, ThresholdsGrowWhereCellsWereFilled) {
-    const auto limits = [](double side, double filled) { return smooth_limits(side, {.filled = filled}); };
+    const auto limits = [](double side, double filled) {
+        return smoothness_thresholds(side, {.filled = filled});
+    };
     // At 2 m: 0.18, 0.26 and 0.37 m. 0.17 x 2 m x sqrt(0.27 - 0.02) = 0.17 m more.
     EXPECT_NEAR(limits(2, 0.27).line, 0.35, 1e-6);
     EXPECT_NEAR(limits(2, 0.27).any, 0.43, 1e-6);
     EXPECT_NEAR(limits(2, 0.27).enough, 0.54, 1e-6);
     EXPECT_EQ(limits(2, 0.02).line, limits(2, 0).line) << "some are filled in any survey";
-    EXPECT_NEAR(smooth_limits(2, {.filled = 0.27, .strictness = 0.5, .allowance = 3}).line, 0.09 + 3 * 0.17,
-                1e-6);
+    EXPECT_NEAR(smoothness_thresholds(2, {.filled = 0.27, .threshold_scale = 0.5, .margin_scale = 3}).line,
+                0.09 + 3 * 0.17, 1e-6);
     // At 0.5 m: 0.09 m and 0.17 x 0.5 m x 0.5.
     EXPECT_NEAR(limits(0.5, 0.27).line, 0.1325, 1e-6);
 }
 
 TEST(Smoothness, StricterLimitsKeepTheirRoomForNoise) {
     // At 1 m: 0.12, 0.18 and 0.25 m. 17 cm of noise add 15 cm.
-    const SmoothLimits limits = smooth_limits(1, {.noise = 0.17, .strictness = 0.5});
+    const SmoothnessThresholds limits = smoothness_thresholds(1, {.noise = 0.17, .threshold_scale = 0.5});
     EXPECT_NEAR(limits.line, 0.06 + 0.15, 1e-6);
     EXPECT_NEAR(limits.any, 0.09 + 0.15, 1e-6);
     EXPECT_NEAR(limits.enough, 0.125 + 0.15, 1e-6);

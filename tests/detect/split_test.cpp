@@ -1,9 +1,8 @@
-#include "detect/split.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "detect/divide_buildings.hpp"
 #include "detect/regions.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
@@ -132,7 +131,7 @@ TEST(Split, DoubtfulObjectsStayWholeAndKeepTheirPlace) {
         for (std::int32_t c = 26; c < 50; ++c)
             detection.labels.at(r, c) *= 2;
     // Each half has lost two corners.
-    detection.objects.push_back({0.25, Doubt::steep, 568});
+    detection.objects.push_back({0.25, CounterEvidence::steep, 568});
     detection.objects[0].cells = 628;
     split_buildings(town.scene(), 3, 30, detection, test::threads());
     EXPECT_EQ(detection.buildings, 2U);
@@ -140,22 +139,22 @@ TEST(Split, DoubtfulObjectsStayWholeAndKeepTheirPlace) {
     EXPECT_EQ(detection.objects[0].cells, 30 * 21 - 2 - 72);
     EXPECT_EQ(detection.objects[1].cells, 72);
     EXPECT_EQ(detection.objects[2].cells, 568);
-    EXPECT_EQ(detection.objects[2].doubt, Doubt::steep);
+    EXPECT_EQ(detection.objects[2].doubt, CounterEvidence::steep);
     EXPECT_EQ(detection.labels.at(15, 25), 2U);
     EXPECT_EQ(detection.labels.at(15, 26), 3U);
     EXPECT_EQ(detection.labels.at(6, 44), 3U);
 }
 
 /// One building of 8 rows; its columns have these elevations.
-Detection striped(const std::vector<float>& columns, std::int64_t least_cells, Town& town) {
+Detection striped(const std::vector<float>& columns, std::int64_t min_cells, Town& town) {
     const auto cols = static_cast<std::int32_t>(columns.size());
     town = Town(8, cols);
     town.build([&](auto, auto c) { return columns[static_cast<std::size_t>(c)]; });
     Detection detection;
     detection.labels = Grid<Label>(8, cols, 1);
-    detection.objects.push_back({0.9, Doubt::rough, std::int64_t{8} * cols});
+    detection.objects.push_back({0.9, CounterEvidence::rough, std::int64_t{8} * cols});
     detection.buildings = 1;
-    split_buildings(town.scene(), 3, least_cells, detection, test::threads());
+    split_buildings(town.scene(), 3, min_cells, detection, test::threads());
     return detection;
 }
 
@@ -197,7 +196,7 @@ TEST(Split, NoiseIsPartitionedIntoLargeConnectedPieces) {
         detection.labels = label_grid(regions, itself, test::threads());
         detection.buildings = regions.count();
         for (Label label = 1; label <= regions.count(); ++label)
-            detection.objects.push_back({1.0 / label, Doubt::rough, regions.cells[label]});
+            detection.objects.push_back({1.0 / label, CounterEvidence::rough, regions.cells[label]});
         const Grid<Label> before = detection.labels;
         split_buildings(town.scene(), 3, 20, detection, test::threads());
 

@@ -1,7 +1,6 @@
-#include "detect/step_sharpness.hpp"
-
 #include <gtest/gtest.h>
 
+#include "detect/threshold_scale.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 

@@ -1,11 +1,10 @@
-#include "detect/surface_noise.hpp"
-
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "detect/surface_quality.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b {

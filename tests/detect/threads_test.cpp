@@ -53,12 +53,12 @@ TEST(DetectionThreads, TheirNumberDoesNotShow) {
         DetectOptions options;
         options.split_height = now.split_height;
         Context one;
-        const Detection expected = detect_buildings(scene, options, smallest_building_m2, one);
+        const Detection expected = detect_buildings(scene, options, default_min_building_m2, one);
         EXPECT_GT(expected.buildings, 100U);
         for (const int count : {2, 5}) {
             Context context;
             context.threads = std::make_unique<Executor>(count);
-            const Detection found = detect_buildings(scene, options, smallest_building_m2, context);
+            const Detection found = detect_buildings(scene, options, default_min_building_m2, context);
             EXPECT_TRUE(found.labels.values == expected.labels.values) << count;
             EXPECT_EQ(found.buildings, expected.buildings);
             EXPECT_TRUE(std::equal(

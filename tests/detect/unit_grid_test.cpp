@@ -1,9 +1,9 @@
-#include "detect/unit_grid.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "detect/units.hpp"
 
 namespace d2b {
 namespace {

@@ -1,5 +1,3 @@
-#include "detect/value_step.hpp"
-
 #include <cmath>
 #include <limits>
 #include <random>
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "detect/smoothness.hpp"
+#include "detect/surface_quality.hpp"
 
 namespace d2b {
 namespace {
@@ -74,9 +73,9 @@ TEST(ValueStep, IsNoneOfBlocksOfWholeHeights) {
 
 TEST(ValueStep, CountsAddUpInAnyOrder) {
     const MetreGrid surface = rounded(hills(), 0.25, [](double z) { return std::floor(z); });
-    StepCounts whole;
-    StepCounts even;
-    StepCounts odd;
+    StepHistogram whole;
+    StepHistogram even;
+    StepHistogram odd;
     for (int r = 0; r < surface.rows; ++r) {
         whole.add(surface.row(r));
         (r % 2 == 0 ? even : odd).add(surface.row(r));
@@ -88,12 +87,12 @@ TEST(ValueStep, CountsAddUpInAnyOrder) {
 }
 
 TEST(ValueStep, IsSaidAsItWasMeant) {
-    EXPECT_EQ(neat_step(0.0100003), 0.01);
-    EXPECT_EQ(neat_step(0.99997), 1);
-    EXPECT_EQ(neat_step(0.25001), 0.25);
-    EXPECT_EQ(neat_step(2), 2);
-    EXPECT_EQ(neat_step(0.015625), 0.015625);
-    EXPECT_EQ(neat_step(0.3048), 0.3048);
+    EXPECT_EQ(nearest_round_step(0.0100003), 0.01);
+    EXPECT_EQ(nearest_round_step(0.99997), 1);
+    EXPECT_EQ(nearest_round_step(0.25001), 0.25);
+    EXPECT_EQ(nearest_round_step(2), 2);
+    EXPECT_EQ(nearest_round_step(0.015625), 0.015625);
+    EXPECT_EQ(nearest_round_step(0.3048), 0.3048);
 }
 
 TEST(RoundingNoise, IsThatOfAnEvenDistribution) {
@@ -110,11 +109,11 @@ TEST(RoundingNoise, IsThatOfAnEvenDistribution) {
 
 TEST(SurfaceQuality, SaysLittleOfSmoothnessWhereRounded) {
     SurfaceQuality quality;
-    EXPECT_EQ(quality.unseen(), 0);
+    EXPECT_EQ(quality.uninformative_share(), 0);
     quality.rounded_to = 0.5;
-    EXPECT_EQ(quality.unseen(), 0.08);
+    EXPECT_EQ(quality.uninformative_share(), 0.08);
     quality.filled = 0.2;
-    EXPECT_EQ(quality.unseen(), 0.2);
+    EXPECT_EQ(quality.uninformative_share(), 0.2);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "diagnose/empty_result.hpp"
-
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "diagnose/search_warnings.hpp"
 
 namespace d2b {
 namespace {
@@ -27,27 +27,28 @@ LevelPlan thresholds(std::vector<double> values) {
 TEST(EmptyResult, SaysWhatExplainsMost) {
     RunReport nothing = report();
     nothing.valid_points = 0;
-    EXPECT_EQ(empty_result(thresholds({}), 0, {}, nothing), "'dem' has no valid point; the layers are empty");
+    EXPECT_EQ(explain_empty_result(thresholds({}), 0, {}, nothing),
+              "'dem' has no valid point; the layers are empty");
     RunReport flat = report();
     flat.maximum = 100;
-    EXPECT_EQ(empty_result(thresholds({}), 0, {}, flat),
+    EXPECT_EQ(explain_empty_result(thresholds({}), 0, {}, flat),
               "all valid points of 'dem' have the same elevation; no building was found");
-    EXPECT_EQ(empty_result(thresholds({}), 0, {}, report()),
+    EXPECT_EQ(explain_empty_result(thresholds({}), 0, {}, report()),
               "no threshold lies between the lowest and the highest elevation; no building was found");
     DemInfo picture;
     picture.name = "dem";
     picture.bands = 3;
-    EXPECT_TRUE(empty_result(thresholds({110}), 0, picture, report())
+    EXPECT_TRUE(explain_empty_result(thresholds({110}), 0, picture, report())
                     .starts_with("no building was found: 'dem' has 3 bands, like a picture"));
-    EXPECT_EQ(empty_result(thresholds({110}), 0, {}, report()),
+    EXPECT_EQ(explain_empty_result(thresholds({110}), 0, {}, report()),
               "no building was found; a smaller -nf or -min_area, or more levels, may show some");
 }
 
 TEST(EmptyResult, LeavesToTheSearchWhatItKnowsBetter) {
     LevelPlan footprints = thresholds({});
     footprints.footprints = true;
-    EXPECT_EQ(empty_result(footprints, 0, {}, report()), "");
-    EXPECT_EQ(empty_result(thresholds({110}), 1, {}, report()), "");
+    EXPECT_EQ(explain_empty_result(footprints, 0, {}, report()), "");
+    EXPECT_EQ(explain_empty_result(thresholds({110}), 1, {}, report()), "");
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
-#include "diagnose/ground_doubt.hpp"
-
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "diagnose/side_doubt.hpp"
+#include "diagnose/coverage.hpp"
+#include "diagnose/ground_fit.hpp"
 
 namespace d2b {
 namespace {
@@ -19,7 +18,7 @@ GroundFit heights(int bare, float low, int raised, float high, double min_height
 }
 
 std::string doubt(const GroundFit& fit, GroundMode mode) {
-    return ground_doubt(fit, mode, mode == GroundMode::given ? "dtm.tif" : "");
+    return ground_warning(fit, mode, mode == GroundMode::given ? "dtm.tif" : "");
 }
 
 TEST(GroundDoubt, NoneOfATown) {
@@ -70,12 +69,13 @@ TEST(GroundDoubt, NextToNoGroundToEstimateFrom) {
 
 TEST(SurfaceDoubt, OfATerrainModel) {
     EXPECT_EQ(
-        surface_doubt(heights(1000, 0.1F, 0, 0), "dem.tif"),
+        surface_warning(heights(1000, 0.1F, 0, 0), "dem.tif"),
         "none of the cells of 'dem.tif' rise by more than 2 m above their surroundings, as in a terrain "
         "model (DTM), which has no buildings; give the surface model (DSM)");
-    EXPECT_EQ(surface_doubt(heights(10000, 0.1F, 9, 3), "dem.tif").find("less than 0.1 % of the cells"), 0U);
-    EXPECT_EQ(surface_doubt(heights(10000, 0.1F, 100, 3), "dem.tif"), "");
-    EXPECT_EQ(surface_doubt(GroundFit(2), "dem.tif"), "");
+    EXPECT_EQ(surface_warning(heights(10000, 0.1F, 9, 3), "dem.tif").find("less than 0.1 % of the cells"),
+              0U);
+    EXPECT_EQ(surface_warning(heights(10000, 0.1F, 100, 3), "dem.tif"), "");
+    EXPECT_EQ(surface_warning(GroundFit(2), "dem.tif"), "");
 }
 
 TEST(SideDoubt, OfWhatHasNoValidCell) {
@@ -83,17 +83,17 @@ TEST(SideDoubt, OfWhatHasNoValidCell) {
     options.ground.terrain = "t.tif";
     options.detect.mask = "m.tif";
     options.detect.ndvi = "n.tif";
-    EXPECT_EQ(empty_side_doubt({}, options), "");
-    EXPECT_EQ(ndvi_doubt({}, options), "");
+    EXPECT_EQ(empty_auxiliary_warning({}, options), "");
+    EXPECT_EQ(ndvi_warning({}, options), "");
     EXPECT_EQ(
-        empty_side_doubt({false, true, true}, options),
+        empty_auxiliary_warning({false, true, true}, options),
         "the terrain 't.tif' has no valid cell over the DEM; give one of the same place with -ground, or "
         "leave -ground out to have the ground estimated");
     EXPECT_EQ(
-        empty_side_doubt({true, false, true}, options),
+        empty_auxiliary_warning({true, false, true}, options),
         "the mask 'm.tif' has no cell over the DEM that is neither 0 nor NoData; give one with -mask that "
         "marks where buildings may be");
-    EXPECT_EQ(ndvi_doubt({true, true, false}, options),
+    EXPECT_EQ(ndvi_warning({true, true, false}, options),
               "the NDVI 'n.tif' has no valid cell over the DEM, so it shows no plants; give one of the same "
               "place with -ndvi");
 }

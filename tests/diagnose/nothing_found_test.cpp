@@ -1,8 +1,8 @@
-#include "diagnose/nothing_found.hpp"
-
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "diagnose/search_warnings.hpp"
 
 namespace d2b {
 namespace {
@@ -25,8 +25,8 @@ class NothingFound : public ::testing::Test {
     }
     /// The beginning of what is said.
     [[nodiscard]] std::string said(std::size_t length) const {
-        return why_nothing_was_found({dem_, make_run_plan(options_, Layers::both), tally_, fit_, sides_,
-                                      cell_, has_crs_, slope_})
+        return explain_empty_search({dem_, make_run_plan(options_, Layers::both), tally_, fit_, sides_, cell_,
+                                     has_crs_, slope_})
             .substr(0, length);
     }
     void expect(const std::string& beginning) const { EXPECT_EQ(said(beginning.size()), beginning); }
@@ -35,7 +35,7 @@ class NothingFound : public ::testing::Test {
     Options options_;
     Tally tally_;
     GroundFit fit_{2};
-    SidesKnown sides_;
+    AuxiliaryCoverage sides_;
     CellSize cell_;
     bool has_crs_ = true;
     GroundSlope slope_;

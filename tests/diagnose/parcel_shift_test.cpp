@@ -1,5 +1,3 @@
-#include "diagnose/parcel_shift.hpp"
-
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/context.hpp"
+#include "diagnose/parcel_fit.hpp"
 
 namespace d2b {
 namespace {

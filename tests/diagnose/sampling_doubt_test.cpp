@@ -1,21 +1,21 @@
-#include "diagnose/sampling_doubt.hpp"
-
 #include <gtest/gtest.h>
+
+#include "diagnose/warnings.hpp"
 
 namespace d2b {
 namespace {
 
 TEST(SamplingDoubt, IsNoneOfADenseScan) {
-    EXPECT_EQ(thin_doubt({}, 0.5), "");
-    EXPECT_EQ(blur_doubt({}, 0.5), "") << "nothing is known";
+    EXPECT_EQ(sparse_points_warning({}, 0.5), "");
+    EXPECT_EQ(blur_warning({}, 0.5), "") << "nothing is known";
     const SamplingReport good{0.08, 2.5, 2.5, {}};
-    EXPECT_EQ(thin_doubt(good, 1), "");
-    EXPECT_EQ(blur_doubt(good, 1), "");
+    EXPECT_EQ(sparse_points_warning(good, 1), "");
+    EXPECT_EQ(blur_warning(good, 1), "");
 }
 
 TEST(SamplingDoubt, IsOfThinPoints) {
     EXPECT_EQ(
-        thin_doubt({0.197, 1.62, 0.8, {}}, 2.5),
+        sparse_points_warning({0.197, 1.62, 0.8, {}}, 2.5),
         "points are thin: about 1.6 fell into a cell of 2.5 m, and none into 20 % of the cells, so roofs "
         "look "
         "rough, small houses may be missed, and crowns taken for houses; use a denser scan, or look through "
@@ -24,7 +24,7 @@ TEST(SamplingDoubt, IsOfThinPoints) {
 
 TEST(SamplingDoubt, IsOfSmearedWalls) {
     EXPECT_EQ(
-        blur_doubt({0, {}, 4.42, {}}, 2),
+        blur_warning({0, {}, 4.42, {}}, 2),
         "walls are smeared: they fall over 4.4 cells (8.8 m), as in surfaces from satellites or of finer "
         "cells than their data, so gaps and courtyards narrower than that are closed, and corners and small "
         "houses lost; use a surface whose walls fall within two cells");
@@ -34,9 +34,9 @@ TEST(SamplingDoubt, IsOfRoundedElevations) {
     const auto doubt = [](double step, double metres) {
         SamplingReport report;
         report.value_step = step;
-        return rounding_doubt(report, metres);
+        return rounding_warning(report, metres);
     };
-    EXPECT_EQ(rounding_doubt({}, 1), "");
+    EXPECT_EQ(rounding_warning({}, 1), "");
     EXPECT_EQ(doubt(0.01, 1), "");
     EXPECT_EQ(doubt(0.25, 1), "");
     EXPECT_EQ(doubt(1, 0.3048), "") << "a foot";

@@ -105,7 +105,7 @@ TEST(SurfaceSampling, PointsAreAsManyAsFellIntoACell) {
     for (const double points : {1.3, 1.6, 2.0, 2.5, 3.0}) {
         const SamplingReport report = crowns(points).report();
         EXPECT_NEAR(report.points_per_cell.value(), points, 0.25 * points);
-        EXPECT_EQ(report.points_per_cell.value(), -std::log(report.filled_share));
+        EXPECT_EQ(report.points_per_cell.value(), -std::log(report.interpolated_fraction));
     }
     EXPECT_EQ(crowns(8).report().points_per_cell, std::nullopt) << "of so many cells three are empty";
     EXPECT_EQ(Found().report().points_per_cell, std::nullopt) << "nothing is rough";
@@ -120,7 +120,7 @@ TEST(SurfaceSampling, OfAModelsCornersNothingFollows) {
         for (std::int32_t c = 0; c < side; ++c)
             found.surface.at(r, c) = 9;
     ASSERT_GE(found.counted().rough.all, 300);
-    ASSERT_GT(filled_share(found.counted().rough), 0.1);
+    ASSERT_GT(interpolated_fraction(found.counted().rough), 0.1);
     for (const std::int64_t built : {10, 11}) {
         SurfaceSampling sampling = found.counted();
         sampling.built = built * sampling.rough.all;

@@ -1,6 +1,6 @@
-#include "diagnose/unit_memory.hpp"
-
 #include <gtest/gtest.h>
+
+#include "diagnose/warnings.hpp"
 
 namespace d2b {
 namespace {

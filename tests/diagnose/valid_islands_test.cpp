@@ -1,8 +1,8 @@
-#include "diagnose/valid_islands.hpp"
-
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "diagnose/coverage.hpp"
 
 namespace d2b {
 namespace {
@@ -33,12 +33,12 @@ TEST(ValidIslands, AreHousesWithoutTheirGround) {
     EXPECT_EQ(islands.narrow, islands.cells);
     EXPECT_EQ(islands.largest, 12 * 16);
     EXPECT_EQ(
-        missing_ground_doubt(islands, GroundMode::automatic, "dem.tif"),
+        missing_ground_warning(islands, GroundMode::automatic, "dem.tif"),
         "'dem.tif' has elevations in 6 pieces as wide as buildings and NoData around them, so roofs are "
         "taken for the ground; give -ground none where its values are heights above the ground, or a "
         "terrain model with -ground where they are elevations");
-    EXPECT_EQ(missing_ground_doubt(islands, GroundMode::none, "dem.tif"), "");
-    EXPECT_EQ(missing_ground_doubt(islands, GroundMode::given, "dem.tif"), "");
+    EXPECT_EQ(missing_ground_warning(islands, GroundMode::none, "dem.tif"), "");
+    EXPECT_EQ(missing_ground_warning(islands, GroundMode::given, "dem.tif"), "");
 }
 
 TEST(ValidIslands, AreNoneOfASurface) {
@@ -49,8 +49,8 @@ TEST(ValidIslands, AreNoneOfASurface) {
             surface.at(r, c) = none;
     const ValidIslands wide = islands_of(surface);
     EXPECT_EQ(wide.islands, 0) << "an angle, as wide as it is long";
-    EXPECT_EQ(missing_ground_doubt(wide, GroundMode::automatic, "dem.tif"), "");
-    EXPECT_EQ(missing_ground_doubt(islands_of(boxes(1, 2)), GroundMode::automatic, "dem.tif"), "");
+    EXPECT_EQ(missing_ground_warning(wide, GroundMode::automatic, "dem.tif"), "");
+    EXPECT_EQ(missing_ground_warning(islands_of(boxes(1, 2)), GroundMode::automatic, "dem.tif"), "");
     EXPECT_EQ(islands_of(boxes(2, 3), 10).islands, 0) << "wider than buildings";
     EXPECT_EQ(islands_of(boxes(2, 3), 0.1).islands, 0) << "smaller than buildings";
 }

@@ -1,6 +1,6 @@
-#include "diagnose/words.hpp"
-
 #include <gtest/gtest.h>
+
+#include "diagnose/warnings.hpp"
 
 namespace d2b {
 namespace {

@@ -78,7 +78,7 @@ TEST(ElevationReader, GivesEachBandTheRowsAboveIt) {
                 context.threads = std::make_unique<Executor>(threads);
                 ElevationReader reader(source, context, {0, room});
                 for (int pass = 0; pass < 2; ++pass)
-                    reader.for_each_below(
+                    reader.for_each_with_halo(
                         2,
                         [&](ElevationBand above, const ElevationBand& band, Tally&) {
                             EXPECT_EQ(above.shape.first_row + above.shape.rows, band.shape.first_row);
@@ -124,11 +124,11 @@ TEST(ElevationReader, DecidesWhatIsAnElevationAcrossBandsAndForEveryPass) {
             context.threads = std::make_unique<Executor>(threads);
             ElevationReader reader(source, context, {.points = 1, .keep_bytes = room});
             ASSERT_EQ(reader.bands(), 16U);
-            const SiftRules rules{on_land, spikes_m, 1, {}};
+            const ValidityRules rules{land_elevations, spikes_m, 1, {}};
             const ElevationSurvey survey = reader.survey(rules, [](const ElevationBand&) {});
-            EXPECT_EQ(survey.strange.outside.cells(), 15 * 2);
-            EXPECT_EQ(survey.strange.spikes.cells(), 15 * 2 + 2);
-            EXPECT_EQ(survey.strange.spires, 15 * 2);
+            EXPECT_EQ(survey.suspicious.outside.cells(), 15 * 2);
+            EXPECT_EQ(survey.suspicious.spikes.cells(), 15 * 2 + 2);
+            EXPECT_EQ(survey.suspicious.spires, 15 * 2);
             EXPECT_EQ(survey.statistics.moments.n, 30000 - 15 * 4 - 2);
             EXPECT_EQ(survey.statistics.maximum, 200);  // two side by side
             EXPECT_EQ(survey.statistics.minimum, 10);
@@ -161,7 +161,7 @@ TEST(ElevationReader, GivesAnyPartOfTheWindow) {
             Context context;
             context.threads = std::make_unique<Executor>(3);
             ElevationReader reader(source, context, {.points = 1, .keep_bytes = room});
-            (void)reader.survey({on_land, spikes_m, 1, {}}, [](const ElevationBand&) {});
+            (void)reader.survey({land_elevations, spikes_m, 1, {}}, [](const ElevationBand&) {});
             std::vector<double> whole;
             std::vector<std::size_t> spires;
             reader.for_each([&](const ElevationBand& band) {
@@ -229,7 +229,7 @@ TEST(ElevationReader, LendsAllThatItKeepsAsFloats) {
             context.threads = std::make_unique<Executor>(3);
             ElevationReader reader(source, context, {.points = 1, .keep_bytes = room});
             EXPECT_EQ(reader.lend(window).size(), 0U) << "nothing is kept yet";
-            (void)reader.survey({on_land, spikes_m, 1, {}}, [](const ElevationBand&) {});
+            (void)reader.survey({land_elevations, spikes_m, 1, {}}, [](const ElevationBand&) {});
             EXPECT_EQ(reader.lend({30, 4, 899, 25}).size(), 0U);
             if (off == 0 && room > 0)
                 expect_lent(reader, window);

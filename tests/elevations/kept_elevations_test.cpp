@@ -1,8 +1,8 @@
-#include "elevations/kept_elevations.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "elevations/elevation_cache.hpp"
 
 namespace d2b {
 namespace {
@@ -14,7 +14,7 @@ const std::vector<double> floats{1, 2.5, 3, 4, 5, 6};
 const std::vector<double> wide{0.1, 7, 8, 9, 10, 11};  // 0.1 is no float
 
 /// Both bands, the upper one of floats.
-void keep_both(KeptElevations& kept) {
+void keep_both(ElevationCache& kept) {
     Executor threads;
     ASSERT_TRUE(kept.wanted());
     kept.begin(2, threads);
@@ -23,14 +23,14 @@ void keep_both(KeptElevations& kept) {
     kept.end();
 }
 
-std::vector<double> read(const KeptElevations& kept, std::size_t band, const Window& part) {
+std::vector<double> read(const ElevationCache& kept, std::size_t band, const Window& part) {
     std::vector<double> cells{-1};  // stays
     kept.append(band, band == 0 ? upper : lower, part, cells);
     return cells;
 }
 
-TEST(KeptElevations, GivesPartsOfBandsToTheLastBit) {
-    KeptElevations kept(window, 100);
+TEST(ElevationCache, GivesPartsOfBandsToTheLastBit) {
+    ElevationCache kept(window, 100);
     EXPECT_FALSE(kept.complete());
     keep_both(kept);
     EXPECT_TRUE(kept.complete());
@@ -41,30 +41,30 @@ TEST(KeptElevations, GivesPartsOfBandsToTheLastBit) {
     EXPECT_EQ(read(kept, 1, {1, 0, 1, 3}), (std::vector<double>{-1, 9, 10, 11}));
 }
 
-TEST(KeptElevations, KeepsNothingWhereMemoryIsShort) {
-    KeptElevations too_large(window, 12 * sizeof(float) - 1);
+TEST(ElevationCache, KeepsNothingWhereMemoryIsShort) {
+    ElevationCache too_large(window, 12 * sizeof(float) - 1);
     EXPECT_FALSE(too_large.wanted());
     // As floats they would fit; one of them is wide.
-    KeptElevations wider(window, 12 * sizeof(float));
+    ElevationCache wider(window, 12 * sizeof(float));
     keep_both(wider);
     EXPECT_FALSE(wider.complete());
     EXPECT_FALSE(wider.wanted());
-    KeptElevations enough(window, 6 * sizeof(float) + 6 * sizeof(double));
+    ElevationCache enough(window, 6 * sizeof(float) + 6 * sizeof(double));
     keep_both(enough);
     EXPECT_TRUE(enough.complete());
 }
 
-TEST(KeptElevations, LendsFloatsAlone) {
-    KeptElevations mixed(window, 100);
+TEST(ElevationCache, LendsFloatsAlone) {
+    ElevationCache mixed(window, 100);
     keep_both(mixed);
     EXPECT_EQ(mixed.lend().rows, 0);
-    KeptElevations kept({10, 5, 2, 3}, 100);
+    ElevationCache kept({10, 5, 2, 3}, 100);
     Executor threads;
     kept.begin(1, threads);
     kept.put(0, upper, kept.keep({upper, floats}));
     EXPECT_EQ(kept.lend().rows, 0);  // the pass is not over
     kept.end();
-    kept.take_out(0, upper, std::vector<std::size_t>{4});
+    kept.set_invalid(0, upper, std::vector<std::size_t>{4});
     MetreGrid lent = kept.lend();
     ASSERT_EQ(lent.rows, 2);
     EXPECT_EQ(lent.row(0)[1], 2.5F);

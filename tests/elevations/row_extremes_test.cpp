@@ -1,5 +1,3 @@
-#include "elevations/row_extremes.hpp"
-
 #include <cmath>
 #include <limits>
 #include <random>
@@ -7,14 +5,16 @@
 
 #include <gtest/gtest.h>
 
+#include "elevations/statistics.hpp"
+
 namespace d2b {
 namespace {
 
-TEST(RowExtremes, AreThoseOfAllThatAreKnown) {
+TEST(ValueRange, AreThoseOfAllThatAreKnown) {
     std::mt19937 random(3);
     for (std::size_t size = 0; size < 200; ++size) {
         std::vector<double> values;
-        RowExtremes expected;
+        ValueRange expected;
         for (std::size_t i = 0; i < size; ++i) {
             const bool known = random() % 5 != 0;
             const double z = static_cast<double>(random() % 1000) / 7 - 50;
@@ -24,15 +24,15 @@ TEST(RowExtremes, AreThoseOfAllThatAreKnown) {
             expected.lowest = std::fmin(expected.lowest, z);
             expected.highest = std::fmax(expected.highest, z);
         }
-        const RowExtremes found = extremes_of_row(values);
+        const ValueRange found = value_range(values);
         EXPECT_EQ(found.lowest, expected.lowest) << size;
         EXPECT_EQ(found.highest, expected.highest) << size;
     }
 }
 
-TEST(RowExtremes, AreNoneWhereNothingIsKnown) {
+TEST(ValueRange, AreNoneWhereNothingIsKnown) {
     const std::vector<double> values(9, std::numeric_limits<double>::quiet_NaN());
-    const RowExtremes found = extremes_of_row(values);
+    const ValueRange found = value_range(values);
     EXPECT_GT(found.lowest, found.highest);
 }
 

@@ -1,5 +1,3 @@
-#include "elevations/sift.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,8 @@
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "elevations/filter_invalid.hpp"
 
 namespace d2b {
 namespace {
@@ -18,23 +18,23 @@ ElevationBand band_of(std::int32_t rows, std::int32_t cols, std::vector<double> 
     return {{first_row, rows, cols}, std::move(values)};
 }
 
-SiftRules on_land_in(double metres) {
-    return {on_land.times(1 / metres), {100 / metres, 30 / metres}, metres, {}};
+ValidityRules on_land_in(double metres) {
+    return {land_elevations.times(1 / metres), {100 / metres, 30 / metres}, metres, {}};
 }
 
 /// What a sift of one row says.
-StrangeValues seen_in(std::vector<double> values, const SiftRules& rules = on_land_in(1)) {
+SuspiciousValues seen_in(std::vector<double> values, const ValidityRules& rules = on_land_in(1)) {
     const auto cols = static_cast<std::int32_t>(values.size());
     ElevationBand band = band_of(1, cols, std::move(values));
-    StrangeValues seen(rules);
-    (void)sift(band, rules, seen);
+    SuspiciousValues seen(rules);
+    (void)filter_invalid(band, rules, seen);
     return seen;
 }
 
 TEST(Sift, TakesOutWhatIsOutsideOfTheLimitsAndCountsIt) {
     ElevationBand band = band_of(2, 4, {1, -500, 9000, -500.001, none, 9000.5, -9999, -9999});
-    StrangeValues seen(on_land_in(1));
-    (void)sift(band, on_land_in(1), seen);
+    SuspiciousValues seen(on_land_in(1));
+    (void)filter_invalid(band, on_land_in(1), seen);
     EXPECT_EQ(seen.outside.cells(), 4);
     ASSERT_TRUE(seen.outside.most());
     EXPECT_EQ(seen.outside.most()->value, -9999);
@@ -132,14 +132,14 @@ TEST(ValueBins, AgreeWithTheSentenceWhateverTheBands) {
                           : 37.0 * kind * (kind % 2 == 0 ? 1 : 4) +
                                 (kind == 3 ? static_cast<double>(random() % 7) : 0);
         }
-        const SiftRules rules = on_land_in(1);
-        StrangeValues merged(rules);
+        const ValidityRules rules = on_land_in(1);
+        SuspiciousValues merged(rules);
         for (std::int32_t row = 0; row < rows;) {
             const std::int32_t some = std::min(rows - row, 1 + static_cast<std::int32_t>(random() % 5));
             ElevationBand band =
                 band_of(some, cols, {values.begin() + row * cols, values.begin() + (row + some) * cols});
-            StrangeValues seen(rules);
-            (void)sift(band, rules, seen);
+            SuspiciousValues seen(rules);
+            (void)filter_invalid(band, rules, seen);
             merged.merge(seen);
             row += some;
         }
@@ -201,8 +201,8 @@ TEST(Spikes, AreThoseOfTheSentenceWhateverTheBands) {
             const std::int32_t some = std::min(rows - row, 1 + static_cast<std::int32_t>(random() % 4));
             ElevationBand band =
                 band_of(some, cols, {values.begin() + row * cols, values.begin() + (row + some) * cols}, row);
-            StrangeValues seen(on_land_in(1));
-            const std::vector<Stretch> steep = sift(band, on_land_in(1), seen);
+            SuspiciousValues seen(on_land_in(1));
+            const std::vector<ColumnRun> steep = filter_invalid(band, on_land_in(1), seen);
             note(seams.add(band, find_spikes(band, steep, {100, 30})));
             before = row;
             row += some;
@@ -218,9 +218,9 @@ TEST(Spikes, AreThoseOfTheSentenceWhateverTheBands) {
 }
 
 TEST(Sift, CountsTheNoDataValueThatIsNoneAnyMore) {
-    SiftRules rules = on_land_in(1);
-    rules.set_aside_nodata = 7;
-    EXPECT_EQ(seen_in({7, 8, none, 7}, rules).set_aside_nodata, 2);
+    ValidityRules rules = on_land_in(1);
+    rules.overridden_nodata = 7;
+    EXPECT_EQ(seen_in({7, 8, none, 7}, rules).overridden_nodata, 2);
 }
 
 }  // namespace

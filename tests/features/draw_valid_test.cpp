@@ -1,8 +1,7 @@
-#include "features/draw_valid.hpp"
-
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "features/contour_drawer.hpp"
 
 namespace d2b {
 namespace {
@@ -35,7 +34,7 @@ TEST_F(DrawValid, anInvalidPolygonIsRepairedAndCounted) {
     const ValidParts result = check(gives({bowtie}), gives({}));
     EXPECT_EQ(geos_.invalidity(result.parts), "");
     EXPECT_EQ(status_, OutlineStatus::repaired);
-    EXPECT_EQ(result.trouble, "Self-intersection[1 1]");
+    EXPECT_EQ(result.invalid_reason, "Self-intersection[1 1]");
     EXPECT_EQ(tally_.counted(Reason::polygon_repaired), 1);
     EXPECT_EQ(tally_.counted(Reason::polygon_lost), 0);
 }
@@ -43,7 +42,7 @@ TEST_F(DrawValid, anInvalidPolygonIsRepairedAndCounted) {
 TEST_F(DrawValid, anInvalidSimplifiedPolygonKeepsItsTracedForm) {
     const ValidParts result = check(gives({bowtie}), gives({square}));
     EXPECT_EQ(result.parts.at(0).exterior, square.exterior);
-    EXPECT_EQ(result.trouble, "Self-intersection[1 1]");
+    EXPECT_EQ(result.invalid_reason, "Self-intersection[1 1]");
     EXPECT_EQ(status_, OutlineStatus::kept_traced);
     EXPECT_EQ(tally_.counted(Reason::outline_kept_traced), 1);
     EXPECT_EQ(tally_.counted(Reason::polygon_repaired), 0);
@@ -62,7 +61,7 @@ TEST_F(DrawValid, whereTheTracedFormIsInvalidTooItIsRepaired) {
 TEST_F(DrawValid, aValidPolygonIsLeftAlone) {
     const ValidParts result = check(gives({square}), fails);
     EXPECT_EQ(result.parts.at(0).exterior, square.exterior);
-    EXPECT_EQ(result.trouble, "");
+    EXPECT_EQ(result.invalid_reason, "");
     EXPECT_EQ(status_, OutlineStatus::simplified);
 }
 
@@ -75,7 +74,7 @@ TEST_F(DrawValid, whereGeosFailsTheTracedFormStands) {
     status_ = OutlineStatus::traced;
     const ValidParts result = check(fails, gives({square}));
     EXPECT_EQ(result.parts.at(0).exterior, square.exterior);
-    EXPECT_EQ(result.trouble, "GEOS failed on a polygon: TopologyException: side location conflict.");
+    EXPECT_EQ(result.invalid_reason, "GEOS failed on a polygon: TopologyException: side location conflict.");
     EXPECT_EQ(status_, OutlineStatus::kept_traced);
     EXPECT_EQ(tally_.counted(Reason::outline_kept_traced), 1);
 }

@@ -1,13 +1,13 @@
-#include "features/invalid_warnings.hpp"
-
 #include <gtest/gtest.h>
+
+#include "features/feature_writer.hpp"
 
 namespace d2b {
 namespace {
 
-FeaturePolygon made(const std::string& trouble, OutlineStatus status, bool written) {
+FeaturePolygon made(const std::string& invalid_reason, OutlineStatus status, bool written) {
     FeaturePolygon result;
-    result.trouble = trouble;
+    result.invalid_reason = invalid_reason;
     result.status = status;
     if (written)
         result.parts = {{{{0, 0}, {2, 0}, {2, 2}}, {}}};

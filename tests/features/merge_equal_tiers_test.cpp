@@ -1,23 +1,23 @@
-#include "features/merge_equal_tiers.hpp"
-
 #include <gtest/gtest.h>
+
+#include "features/surface_cluster.hpp"
 
 namespace d2b {
 namespace {
 
 /// Tiers of one building, each as wide as is said and 1000 steps deep, beside the western edge.
-DrawnCluster stack(const std::vector<PlanContour>& tiers) {
+DrawnCluster stack(const std::vector<PartitionContour>& tiers) {
     DrawnCluster drawn;
     drawn.cluster.buildings = {{7, 0}};
     drawn.buildings.resize(1);
-    for (const PlanContour& tier : tiers) {
+    for (const PartitionContour& tier : tiers) {
         drawn.levels.push_back(tier.parent < 0 ? 1 : drawn.levels[static_cast<std::size_t>(tier.parent)] + 1);
         drawn.cluster.contours.push_back(tier);
     }
     return drawn;
 }
 
-PlanContour tier(std::int64_t from, std::int64_t to, std::int32_t parent, std::int64_t top) {
+PartitionContour tier(std::int64_t from, std::int64_t to, std::int32_t parent, std::int64_t top) {
     return {{{{0, from}, {1000, from}, {1000, to}, {0, to}}, {}}, parent, 0, top};
 }
 
@@ -29,12 +29,12 @@ struct Left {
     friend bool operator==(const Left&, const Left&) = default;
 };
 
-std::vector<Left> left_of(const std::vector<PlanContour>& tiers) {
+std::vector<Left> left_of(const std::vector<PartitionContour>& tiers) {
     DrawnCluster drawn = stack(tiers);
     merge_equal_tiers(drawn);
     EXPECT_EQ(drawn.levels.size(), drawn.cluster.contours.size());
     std::vector<Left> left;
-    for (const PlanContour& contour : drawn.cluster.contours)
+    for (const PartitionContour& contour : drawn.cluster.contours)
         left.push_back({contour.outline.exterior[2].col, contour.parent, contour.top});
     return left;
 }
@@ -49,7 +49,7 @@ TEST(MergeEqualTiers, theHigherRoofStays) {
 
 /// A courtyard counts.
 TEST(MergeEqualTiers, areasAreThoseWithoutCourtyards) {
-    PlanContour with_courtyard = tier(0, 10000, 0, 60);
+    PartitionContour with_courtyard = tier(0, 10000, 0, 60);
     with_courtyard.outline.interiors = {{{100, 100}, {100, 300}, {300, 300}, {300, 100}}};
     EXPECT_EQ(left_of({tier(0, 10000, -1, 30), with_courtyard}).size(), 2U);
     with_courtyard.outline.interiors = {{{100, 100}, {100, 200}, {200, 200}, {200, 100}}};

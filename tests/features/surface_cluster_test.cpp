@@ -20,7 +20,7 @@ SurfaceCluster blocks(const std::vector<std::int64_t>& tops) {
 
 std::vector<std::int64_t> tops(const SurfaceCluster& cluster) {
     std::vector<std::int64_t> tops;
-    for (const PlanContour& contour : cluster.contours)
+    for (const PartitionContour& contour : cluster.contours)
         tops.push_back(contour.top);
     return tops;
 }
@@ -28,14 +28,14 @@ std::vector<std::int64_t> tops(const SurfaceCluster& cluster) {
 /// 10 m on 9,950 square steps are as much as 10.05 m on what is left of 10,000 of them.
 TEST(FitRoofs, keepsTheVolumeThatPinchesTake) {
     SurfaceCluster cluster = blocks({11000, 21000});
-    EXPECT_TRUE(fit_roofs({9950, 10020}, cluster));
+    EXPECT_TRUE(preserve_volumes({9950, 10020}, cluster));
     EXPECT_EQ(tops(cluster), (std::vector<std::int64_t>{11050, 20960}));
 }
 
 /// What a height in millimetres cannot say, what is not made, and what has another form by now.
 TEST(FitRoofs, leavesOthersAlone) {
     SurfaceCluster cluster = blocks({11000, 11000, 11000, 11000});
-    EXPECT_FALSE(fit_roofs({10000, 9999, 0, 5000}, cluster));
+    EXPECT_FALSE(preserve_volumes({10000, 9999, 0, 5000}, cluster));
     EXPECT_EQ(tops(cluster), (std::vector<std::int64_t>(4, 11000)));
 }
 

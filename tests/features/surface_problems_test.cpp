@@ -1,7 +1,6 @@
-#include "features/surface_problems.hpp"
-
 #include <gtest/gtest.h>
 
+#include "features/problem_layer.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b {
@@ -29,7 +28,7 @@ struct TwoBuildings {
 TEST(SurfaceProblems, havePlaceAndSize) {
     TwoBuildings town;
     MadeSurfaces made;
-    made.mends = {{{-200, 100}, {-197, 104}, false, {1, 0}}, {{-300, 0}, {-302, 0}, true, {1}}};
+    made.repairs = {{{-200, 100}, {-197, 104}, false, {1, 0}}, {{-300, 0}, {-302, 0}, true, {1}}};
     const auto problems = surface_problems(town.drawn.cluster, made, {}, town.frame);
     ASSERT_EQ(problems.size(), 2U);
     EXPECT_EQ(problems[0].record.kind, "surface_corner_cut");

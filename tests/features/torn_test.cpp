@@ -8,8 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
-#include "features/ring_transform.hpp"
-#include "features/target_frame.hpp"
+#include "features/reprojection.hpp"
 #include "pipeline/pipeline_case.hpp"
 #include "support/random_grid.hpp"
 
@@ -28,30 +27,30 @@ WorldRing box_ring(double x, double y, double size) {
     return {{x, y}, {x + size, y}, {x + size, y + size}, {x, y + size}};
 }
 
-RingFate fate_of(WorldRing ring, const char* from, const char* to, double longest) {
+RingProjection fate_of(WorldRing ring, const char* from, const char* to, double longest) {
     return RingTransform(Crs(from), Crs(to), ring, longest).apply(ring);
 }
 
 TEST(RingTransform, knowsWhatIsTorn) {
     // Across 180 degrees, and as far away on either side.
-    EXPECT_EQ(fate_of(box_ring(179.9999, -17, 2e-4), "EPSG:4326", "EPSG:3857", 1), RingFate::torn);
-    EXPECT_EQ(fate_of(box_ring(179.9995, -17, 2e-4), "EPSG:4326", "EPSG:3857", 1), RingFate::whole);
-    EXPECT_EQ(fate_of(box_ring(819780, 8140198, 20), "EPSG:32760", "EPSG:4326", 64), RingFate::torn);
-    EXPECT_EQ(fate_of(box_ring(819740, 8140198, 20), "EPSG:32760", "EPSG:4326", 64), RingFate::whole);
-    EXPECT_EQ(fate_of(box_ring(179.9999, -17, 2e-4), "EPSG:4326", "EPSG:32660", 1), RingFate::whole);
+    EXPECT_EQ(fate_of(box_ring(179.9999, -17, 2e-4), "EPSG:4326", "EPSG:3857", 1), RingProjection::split);
+    EXPECT_EQ(fate_of(box_ring(179.9995, -17, 2e-4), "EPSG:4326", "EPSG:3857", 1), RingProjection::whole);
+    EXPECT_EQ(fate_of(box_ring(819780, 8140198, 20), "EPSG:32760", "EPSG:4326", 64), RingProjection::split);
+    EXPECT_EQ(fate_of(box_ring(819740, 8140198, 20), "EPSG:32760", "EPSG:4326", 64), RingProjection::whole);
+    EXPECT_EQ(fate_of(box_ring(179.9999, -17, 2e-4), "EPSG:4326", "EPSG:32660", 1), RingProjection::whole);
     // Over a pole, and beside it.
-    EXPECT_EQ(fate_of(box_ring(-10, -10, 20), "EPSG:3413", "EPSG:4326", 64), RingFate::torn);
-    EXPECT_EQ(fate_of(box_ring(-10, -10, 20), "EPSG:3413", "EPSG:3857", 64), RingFate::torn);
-    EXPECT_EQ(fate_of(box_ring(2, -40, 20), "EPSG:3413", "EPSG:4326", 64), RingFate::whole);
+    EXPECT_EQ(fate_of(box_ring(-10, -10, 20), "EPSG:3413", "EPSG:4326", 64), RingProjection::split);
+    EXPECT_EQ(fate_of(box_ring(-10, -10, 20), "EPSG:3413", "EPSG:3857", 64), RingProjection::split);
+    EXPECT_EQ(fate_of(box_ring(2, -40, 20), "EPSG:3413", "EPSG:4326", 64), RingProjection::whole);
     // What has no image.
-    EXPECT_EQ(fate_of(box_ring(10, 80, 20), "EPSG:4326", "EPSG:25832", 64), RingFate::without_image);
+    EXPECT_EQ(fate_of(box_ring(10, 80, 20), "EPSG:4326", "EPSG:25832", 64), RingProjection::no_image);
 }
 
 /// Beside a pole a straight edge is a curve in longitude and latitude: it is followed.
 TEST(RingTransform, followsEdgesThatBend) {
     WorldRing ring = box_ring(1, -8, 16);  // its left side passes the pole at a distance of 1 m
     RingTransform transform(Crs("EPSG:3413"), Crs("EPSG:4326"), ring, 64);
-    ASSERT_EQ(transform.apply(ring), RingFate::whole);
+    ASSERT_EQ(transform.apply(ring), RingProjection::whole);
     EXPECT_GT(ring.size(), 8U);
     const auto nearest = std::ranges::max_element(ring, {}, &Position::y);
     EXPECT_NEAR((90 - nearest->y) * 111694 * 0.97, 1, 0.05);  // the map is to a scale of 0.97 there
@@ -63,7 +62,7 @@ TEST(RingTransform, cutsSharedEdgesAlike) {
         RingTransform transform(Crs("EPSG:3413"), Crs("EPSG:4326"), ring, 3);
         WorldRing ends{ring[0], ring[1]};
         EXPECT_TRUE(transform.apply_to_positions(ends));
-        EXPECT_EQ(transform.apply(ring), RingFate::whole);
+        EXPECT_EQ(transform.apply(ring), RingProjection::whole);
         return WorldRing(ring.begin(), std::ranges::find(ring, ends[1]) + 1);
     };
     const WorldRing there = edge_of({{1, -8}, {1, 8}, {20, 0}});
@@ -77,7 +76,7 @@ TEST(RingTransform, cutsSharedEdgesAlike) {
 TEST(RingTransform, cutsNoMoreThanIsAskedFor) {
     WorldRing ring = box_ring(500000, 5700000, 1000);
     RingTransform transform(Crs("EPSG:25832"), Crs("EPSG:4326"), ring, 1e-9);
-    EXPECT_EQ(transform.apply(ring), RingFate::whole);
+    EXPECT_EQ(transform.apply(ring), RingProjection::whole);
     EXPECT_LE(ring.size(), std::size_t{4} << 20);
 }
 
@@ -127,7 +126,7 @@ TEST(TargetFrame, whatIsWholeIsNot) {
         Options options = cells({10});
         options.outline.target_crs = target;
         EXPECT_NO_THROW(static_cast<void>(
-            require_whole_frame(source.info(), make_run_plan(options, Layers::both), Crs(crs), Crs(target))))
+            require_projectable(source.info(), make_run_plan(options, Layers::both), Crs(crs), Crs(target))))
             << crs << " to " << target;
     }
 }
@@ -163,10 +162,10 @@ TEST(Pipeline, RepairedOutlinesHaveTheAreasOfTheGround) {
 
 /// Cells of 1 km on the northern ice, the pole 3 km beyond the corner: Mercator's projection holds the most
 /// of it, and tears or blows up what is nearest.
-class TornWarnings : public ::testing::Test {
+class ProjectionSplitWarnings : public ::testing::Test {
   protected:
     static constexpr int n = 200;
-    TornWarnings() : source_(n, n, elevations()) {
+    ProjectionSplitWarnings() : source_(n, n, elevations()) {
         source_.edit().transform = {3000, 1000, 0, -3000, 0, -1000};
         source_.edit().crs_wkt = Crs("EPSG:3413").wkt();
     }
@@ -187,7 +186,7 @@ class TornWarnings : public ::testing::Test {
     MemorySource source_;
 };
 
-TEST_F(TornWarnings, areLeftOutAndNamed) {
+TEST_F(ProjectionSplitWarnings, areLeftOutAndNamed) {
     Result all;
     run_to("", all);
     Result some;
@@ -217,7 +216,7 @@ TEST_F(TornWarnings, areLeftOutAndNamed) {
     }
 }
 
-TEST_F(TornWarnings, whereAllAreTheRunIsRefused) {
+TEST_F(ProjectionSplitWarnings, whereAllAreTheRunIsRefused) {
     std::vector<double> z(std::size_t{n} * n, 0);
     z[1] = z[n] = z[0] = z[n + 1] = 20;  // in the corner alone
     MemorySource source(n, n, z);

@@ -12,12 +12,12 @@
 #include <gtest/gtest.h>
 
 #include "core/disjoint_sets.hpp"
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "flow/flow_faults.hpp"
 #include "flow/needless_corners.hpp"
 #include "surface/label_contours.hpp"
 #include "surface/partition.hpp"
-#include "surface/take_apart_pinches.hpp"
+#include "surface/resolve_nonmanifold.hpp"
 
 namespace d2b {
 namespace {
@@ -39,8 +39,8 @@ FineRing ring(const std::vector<std::pair<int, int>>& corners) {
     return result;
 }
 
-PlanContour house(const std::vector<std::pair<int, int>>& corners, std::int32_t building,
-                  std::vector<FineRing> holes = {}, std::int32_t parent = -1) {
+PartitionContour house(const std::vector<std::pair<int, int>>& corners, std::int32_t building,
+                       std::vector<FineRing> holes = {}, std::int32_t parent = -1) {
     return {{ring(corners), std::move(holes)}, parent, building, 10};
 }
 
@@ -73,8 +73,8 @@ std::size_t left(const FlowReady& ready) {
 }
 
 TEST(FlowReady, whatIsReadyStays) {
-    const std::vector<PlanContour> town{house({{0, 0}, {2000, 0}, {2000, 1000}, {0, 1000}}, 0),
-                                        house({{2100, 0}, {4000, 0}, {4000, 1000}, {2100, 1000}}, 1)};
+    const std::vector<PartitionContour> town{house({{0, 0}, {2000, 0}, {2000, 1000}, {0, 1000}}, 0),
+                                             house({{2100, 0}, {4000, 0}, {4000, 1000}, {2100, 1000}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     EXPECT_TRUE(ready.outlines.empty());
     EXPECT_TRUE(ready.problems.empty());
@@ -82,7 +82,7 @@ TEST(FlowReady, whatIsReadyStays) {
 
 TEST(FlowReady, aShortWallGoes) {
     // A step of 20 cm in a wall of 20 m.
-    const std::vector<PlanContour> town{
+    const std::vector<PartitionContour> town{
         house({{0, 0}, {500, 0}, {500, 20}, {2000, 20}, {2000, 3000}, {0, 3000}}, 0)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 1U);
@@ -99,7 +99,7 @@ TEST(FlowReady, aShortWallGoes) {
 /// A house of 10 x 10 m with a step of half a metre in the middle of a wall: moving 5 m of wall would take
 /// more than its square metre, so a slanted wall of a metre takes the step's place.
 TEST(FlowReady, aShortWallBetweenLongOnesBecomesASlantedOne) {
-    const std::vector<PlanContour> town{
+    const std::vector<PartitionContour> town{
         house({{0, 0}, {500, 0}, {500, 50}, {1000, 50}, {1000, 1000}, {0, 1000}}, 0)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 1U);
@@ -121,7 +121,7 @@ TEST(FlowReady, allChangesTogetherAreWithinTheShare) {
     }
     corners.emplace_back(6000, 400);
     corners.emplace_back(0, 400);
-    const std::vector<PlanContour> town{house(corners, 0)};
+    const std::vector<PartitionContour> town{house(corners, 0)};
     FlowLimits wanted = limits(1, 1);
     wanted.share = 0.1;
     const FlowReady all = make_flow_ready(town, wanted);
@@ -139,8 +139,9 @@ TEST(FlowReady, allChangesTogetherAreWithinTheShare) {
 
 /// The tip of one stands 40 cm from a long wall of the other, and is cut off.
 TEST(FlowReady, aCornerNearAWallIsCutOff) {
-    const std::vector<PlanContour> town{house({{0, 0}, {4000, 0}, {4000, 1000}, {0, 1000}}, 0),
-                                        house({{2000, 1040}, {3000, 2040}, {2000, 3040}, {1000, 2040}}, 1)};
+    const std::vector<PartitionContour> town{
+        house({{0, 0}, {4000, 0}, {4000, 1000}, {0, 1000}}, 0),
+        house({{2000, 1040}, {3000, 2040}, {2000, 3040}, {1000, 2040}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
@@ -154,15 +155,15 @@ TEST(FlowReady, aCornerNearAWallIsCutOff) {
 
 /// A wall with places on it that are no corners is as long as all of it.
 TEST(FlowReady, aShortWallInPiecesIsSeen) {
-    const std::vector<PlanContour> town{
+    const std::vector<PartitionContour> town{
         house({{0, 0}, {2000, 0}, {2000, 2000}, {1400, 2000}, {1420, 2020}, {1450, 2050}, {0, 3500}}, 0)};
-    const auto faults = find_faults(PlanEditor(make_partition(town).plan), town, limits(0, 1));
+    const auto faults = find_faults(PartitionEditor(make_partition(town).plan), town, limits(0, 1));
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_NEAR(faults[0].size, std::hypot(0.5, 0.5), 1e-9);
 }
 
 TEST(FlowReady, whatIsFrozenStays) {
-    const std::vector<PlanContour> town{
+    const std::vector<PartitionContour> town{
         house({{0, 0}, {1000, 0}, {1000, 50}, {2000, 50}, {2000, 3000}, {0, 3000}}, 0)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1), {true});
     EXPECT_TRUE(ready.outlines.empty());
@@ -170,19 +171,19 @@ TEST(FlowReady, whatIsFrozenStays) {
 }
 
 TEST(FlowReady, onlyWhatIsAskedFor) {
-    const std::vector<PlanContour> step{
+    const std::vector<PartitionContour> step{
         house({{0, 0}, {1000, 0}, {1000, 50}, {2000, 50}, {2000, 3000}, {0, 3000}}, 0)};
     EXPECT_TRUE(make_flow_ready(step, limits(1, 0)).problems.empty());
     EXPECT_TRUE(make_flow_ready(step, limits(1, 0.4)).problems.empty());
-    const std::vector<PlanContour> gap{house({{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, 0),
-                                       house({{4050, 0}, {8000, 0}, {8000, 4000}, {4050, 4000}}, 1)};
+    const std::vector<PartitionContour> gap{house({{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, 0),
+                                            house({{4050, 0}, {8000, 0}, {8000, 4000}, {4050, 4000}}, 1)};
     EXPECT_TRUE(make_flow_ready(gap, limits(0, 1)).problems.empty());
 }
 
 /// Two houses of 40 x 40 m that are 30 cm apart share a wall then.
 TEST(FlowReady, aGapIsClosed) {
-    const std::vector<PlanContour> town{house({{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, 0),
-                                        house({{4030, 0}, {8000, 0}, {8000, 4000}, {4030, 4000}}, 1)};
+    const std::vector<PartitionContour> town{house({{0, 0}, {4000, 0}, {4000, 4000}, {0, 4000}}, 0),
+                                             house({{4030, 0}, {8000, 0}, {8000, 4000}, {4030, 4000}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
@@ -202,7 +203,7 @@ TEST(FlowReady, aGapIsClosed) {
 /// than its hundredth.
 TEST(FlowReady, aCourtyardThatIsTooLargeIsLeft) {
     const auto with_yard = [](int length) {
-        return std::vector<PlanContour>{
+        return std::vector<PartitionContour>{
             house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0,
                   {ring({{100, 1000}, {100, 1050}, {100 + length, 1050}, {100 + length, 1000}})})};
     };
@@ -225,7 +226,7 @@ std::vector<std::pair<int, int>> dumbbell(int length) {
 
 /// A part of 0.5 by 3 m becomes 1.02 m wide, which adds 0.52 by 3 m.
 TEST(FlowReady, aNarrowPartIsWidened) {
-    const std::vector<PlanContour> town{house(dumbbell(300), 0)};
+    const std::vector<PartitionContour> town{house(dumbbell(300), 0)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 1U);
     EXPECT_EQ(left(ready), 0U);
@@ -236,8 +237,8 @@ TEST(FlowReady, aNarrowPartIsWidened) {
 }
 
 TEST(FlowReady, aNarrowPartOfATierIsWidened) {
-    const std::vector<PlanContour> town{house({{-500, -500}, {5000, -500}, {5000, 3000}, {-500, 3000}}, 0),
-                                        house(dumbbell(300), 0, {}, 0)};
+    const std::vector<PartitionContour> town{
+        house({{-500, -500}, {5000, -500}, {5000, 3000}, {-500, 3000}}, 0), house(dumbbell(300), 0, {}, 0)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
@@ -247,7 +248,7 @@ TEST(FlowReady, aNarrowPartOfATierIsWidened) {
 
 /// Widening 60 m by half a metre at either end would be more than a hundredth of 830 m2.
 TEST(FlowReady, aNarrowPartThatIsTooLongIsLeft) {
-    const std::vector<PlanContour> town{house(dumbbell(6000), 0)};
+    const std::vector<PartitionContour> town{house(dumbbell(6000), 0)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     EXPECT_TRUE(ready.outlines.empty());
     ASSERT_FALSE(ready.problems.empty());
@@ -262,17 +263,17 @@ TEST(FlowReady, aNarrowPartThatIsTooLongIsLeft) {
 /// The tip of a notch is 60 cm from the wall behind it and 105 cm from another house, so that the wall
 /// yields: it gets a corner 42 cm farther out.
 TEST(FlowReady, theWallAcrossANotchYields) {
-    const std::vector<PlanContour> town{house({{-9000, 0},
-                                               {9000, 0},
-                                               {9000, 6000},
-                                               {3000, 6000},
-                                               {3000, 950},
-                                               {0, 60},
-                                               {-3000, 950},
-                                               {-3000, 6000},
-                                               {-9000, 6000}},
-                                              0),
-                                        house({{0, 165}, {1600, 6000}, {-1600, 6000}}, 1)};
+    const std::vector<PartitionContour> town{house({{-9000, 0},
+                                                    {9000, 0},
+                                                    {9000, 6000},
+                                                    {3000, 6000},
+                                                    {3000, 950},
+                                                    {0, 60},
+                                                    {-3000, 950},
+                                                    {-3000, 6000},
+                                                    {-9000, 6000}},
+                                                   0),
+                                             house({{0, 165}, {1600, 6000}, {-1600, 6000}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
@@ -284,8 +285,9 @@ TEST(FlowReady, theWallAcrossANotchYields) {
 
 /// The corner of one is cut back from the other, by a metre at least.
 TEST(FlowReady, housesThatTouchInACorner) {
-    const std::vector<PlanContour> town{house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0),
-                                        house({{2000, 2000}, {4000, 2000}, {4000, 4000}, {2000, 4000}}, 1)};
+    const std::vector<PartitionContour> town{
+        house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0),
+        house({{2000, 2000}, {4000, 2000}, {4000, 4000}, {2000, 4000}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
@@ -298,8 +300,8 @@ TEST(FlowReady, housesThatTouchInACorner) {
 
 /// Of 36 m2 not more than 0.36 are cut off, so that the gap stays narrower than it should be, and is named.
 TEST(FlowReady, smallHousesThatTouchInACorner) {
-    const std::vector<PlanContour> town{house({{0, 0}, {600, 0}, {600, 600}, {0, 600}}, 0),
-                                        house({{600, 600}, {1200, 600}, {1200, 1200}, {600, 1200}}, 1)};
+    const std::vector<PartitionContour> town{house({{0, 0}, {600, 0}, {600, 600}, {0, 600}}, 0),
+                                             house({{600, 600}, {1200, 600}, {1200, 1200}, {600, 1200}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     for (const FinePolygon& outline : ready.outlines) {
@@ -318,7 +320,7 @@ TEST(FlowReady, smallHousesThatTouchInACorner) {
 
 /// A spike of 5 degrees that stands 10 m out of a house.
 TEST(FlowReady, aSharpCornerIsCutOff) {
-    const std::vector<PlanContour> town{
+    const std::vector<PartitionContour> town{
         house({{0, 0}, {3000, 0}, {3000, 1000}, {4000, 1044}, {3000, 1087}, {3000, 3000}, {0, 3000}}, 0)};
     const FlowReady ready = make_flow_ready(town, limits(0.5, 0.5));
     ASSERT_EQ(ready.outlines.size(), 1U);
@@ -329,7 +331,7 @@ TEST(FlowReady, aSharpCornerIsCutOff) {
 
 /// A tier keeps to its footprint when a wall of both moves.
 TEST(FlowReady, tiersNest) {
-    const std::vector<PlanContour> town{
+    const std::vector<PartitionContour> town{
         house({{0, 0}, {1000, 0}, {1000, 50}, {2000, 50}, {2000, 3000}, {0, 3000}}, 0),
         house({{500, 0}, {1000, 0}, {1000, 50}, {1500, 50}, {1500, 500}, {500, 500}}, 0, {}, 0)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
@@ -338,8 +340,9 @@ TEST(FlowReady, tiersNest) {
 }
 
 TEST(FlowReady, outlinesThatCrossAreLeft) {
-    const std::vector<PlanContour> town{house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0),
-                                        house({{1000, 1000}, {3000, 1000}, {3000, 3000}, {1000, 3000}}, 1)};
+    const std::vector<PartitionContour> town{
+        house({{0, 0}, {2000, 0}, {2000, 2000}, {0, 2000}}, 0),
+        house({{1000, 1000}, {3000, 1000}, {3000, 3000}, {1000, 3000}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     EXPECT_TRUE(ready.outlines.empty());
     ASSERT_EQ(ready.problems.size(), 1U);
@@ -356,7 +359,7 @@ std::map<std::uint32_t, double> block_areas(const SurfaceCluster& cluster,
             contour = cluster.contours[static_cast<std::size_t>(contour)].parent;
         return static_cast<std::uint32_t>(contour);
     };
-    for (const PlanEdge& edge : make_partition(cluster.contours).plan.edges)
+    for (const PartitionEdge& edge : make_partition(cluster.contours).plan.edges)
         if (edge.left != open_ground && edge.right != open_ground)
             blocks.join(root(edge.left), root(edge.right));
     std::map<std::uint32_t, double> areas;
@@ -370,7 +373,7 @@ std::map<std::uint32_t, double> block_areas(const SurfaceCluster& cluster,
 void expect_little_changed(const SurfaceCluster& cluster, const FlowReady& ready, double cell_m,
                            const std::string& what) {
     std::vector<FinePolygon> before;
-    for (const PlanContour& contour : cluster.contours)
+    for (const PartitionContour& contour : cluster.contours)
         before.push_back(contour.outline);
     const auto after = block_areas(cluster, ready.outlines);
     for (const auto& [block, cells] : block_areas(cluster, before))
@@ -383,21 +386,21 @@ void expect_ready(const SurfaceCluster& cluster, double cell_m, const std::strin
     wanted.gap = wanted.wall = 1;
     wanted.metric = {cell_m / 1024, 0, 0, -cell_m / 1024};
     const FlowReady ready = make_flow_ready(cluster.contours, wanted);
-    std::vector<PlanContour> contours = cluster.contours;
+    std::vector<PartitionContour> contours = cluster.contours;
     if (!ready.outlines.empty()) {
         ASSERT_EQ(ready.outlines.size(), contours.size()) << what;
         for (std::size_t i = 0; i < contours.size(); ++i)
             contours[i].outline = ready.outlines[i];
         expect_little_changed(cluster, ready, cell_m, what);
     }
-    Partition partition = make_partition(contours);
-    ASSERT_TRUE(partition.at_odds.empty()) << what;
-    const auto faults = find_faults(PlanEditor(partition.plan), contours, wanted);
+    PartitionResult partition = make_partition(contours);
+    ASSERT_TRUE(partition.conflicting.empty()) << what;
+    const auto faults = find_faults(PartitionEditor(partition.plan), contours, wanted);
     if (!ready.outlines.empty()) {
         ASSERT_EQ(faults.size(), left(ready)) << what;
-        for (PlanContour& contour : contours)
+        for (PartitionContour& contour : contours)
             contour.top = contour.parent < 0 ? 1 : contours[static_cast<std::size_t>(contour.parent)].top + 1;
-        ASSERT_TRUE(take_apart_pinches(partition.plan, contours).mends.empty()) << what;
+        ASSERT_TRUE(resolve_nonmanifold_vertices(partition.plan, contours).repairs.empty()) << what;
     } else {
         ASSERT_LE(faults.size(), left(ready)) << what;
     }
@@ -433,7 +436,7 @@ TEST(FlowReady, randomTowns) {
 /// Looking again at what lies near changes finds what looking at all finds.
 TEST(FlowFaults, followChanges) {
     std::mt19937 random(36);
-    const StopRequest stop;
+    const StopToken stop;
     for (int i = 0; i < 60; ++i) {
         LetterGrid grid;
         const std::string text = random_rows(random, i % 2 == 0 ? "aab " : "ab  ", grid);
@@ -442,13 +445,13 @@ TEST(FlowFaults, followChanges) {
         wanted.gap = i % 3 == 0 ? 1 : 2.5;
         wanted.wall = i % 3 == 1 ? 0 : 1.5;
         wanted.metric = {0.7 / 1024, 0, 0, -0.7 / 1024};
-        PlanEditor plan(make_partition(cluster.contours).plan);
+        PartitionEditor plan(make_partition(cluster.contours).plan);
         FlowFaults known(plan, cluster.contours, wanted, stop);
         for (int step = 0; step < 12 && !plan.edges().empty(); ++step) {
             const auto edge = static_cast<std::uint32_t>(random() % plan.edges().size());
             if (!plan.is_edge(edge))
                 continue;
-            const PlanEdge e = plan.edges()[edge];
+            const PartitionEdge e = plan.edges()[edge];
             const FinePoint a = plan.at(e.from);
             const FinePoint b = plan.at(e.to);
             if (step % 3 == 0)
@@ -483,7 +486,7 @@ TEST(FlowReady, endsWhereThatIsAskedFor) {
     wanted.gap = wanted.wall = 2;
     wanted.metric = {0.2 / 1024, 0, 0, -0.2 / 1024};
     int asked = 0;
-    static_cast<void>(make_flow_ready(cluster.contours, wanted, {}, StopRequest([&] {
+    static_cast<void>(make_flow_ready(cluster.contours, wanted, {}, StopToken([&] {
                                           ++asked;
                                           return false;
                                       })));
@@ -491,7 +494,7 @@ TEST(FlowReady, endsWhereThatIsAskedFor) {
     for (const int share : {1, 3, 5, 7, 9}) {
         int left = asked * share / 10;
         EXPECT_THROW(static_cast<void>(make_flow_ready(cluster.contours, wanted, {},
-                                                       StopRequest([&] { return --left < 0; }))),
+                                                       StopToken([&] { return --left < 0; }))),
                      Cancelled);
         EXPECT_EQ(left, -1);
     }
@@ -501,12 +504,12 @@ TEST(FlowReady, endsWhereThatIsAskedFor) {
 /// Many corners that go do not bend a wall by more.
 TEST(FlowReady, cornersInStraightWallsGo) {
     FlowMetric metric{0.0001, 0, 0, -0.0001};
-    const std::vector<PlanContour> town{
+    const std::vector<PartitionContour> town{
         house(
             {{0, 0}, {1000, 0}, {20000, -5}, {30000, 0}, {35000, 20}, {40000, 0}, {40000, 40000}, {0, 40000}},
             0),
         house({{0, 40000}, {10000, 40000}, {10000, 60000}, {0, 60000}}, 1)};
-    PlanEditor plan(make_partition(town).plan);
+    PartitionEditor plan(make_partition(town).plan);
     const std::size_t before = plan.plan().nodes.size();
     take_needless_corners(plan, metric, [](std::uint32_t) { return true; });
     EXPECT_EQ(plan.plan().nodes.size(),
@@ -515,17 +518,17 @@ TEST(FlowReady, cornersInStraightWallsGo) {
     std::vector<std::pair<int, int>> bow{{100000, 100000}, {0, 100000}};
     for (int i = 0; i <= 100; ++i)
         bow.emplace_back(i * 1000, -4 * i * (100 - i));
-    const std::vector<PlanContour> round{house(bow, 0)};
-    PlanEditor curved(make_partition(round).plan);
+    const std::vector<PartitionContour> round{house(bow, 0)};
+    PartitionEditor curved(make_partition(round).plan);
     take_needless_corners(curved, metric, [](std::uint32_t) { return true; });
-    const Plan left = curved.plan();
+    const PlanarPartition left = curved.plan();
     for (const auto& [x, y] : bow) {
         double least = 1e9;
-        for (const PlanEdge& edge : left.edges)
+        for (const PartitionEdge& edge : left.edges)
             least = std::min(least, metric.distance_to({-y, x}, left.nodes[edge.from], left.nodes[edge.to]));
         EXPECT_LE(least, 0.0011) << x;
     }
-    PlanEditor kept(make_partition(town).plan);
+    PartitionEditor kept(make_partition(town).plan);
     take_needless_corners(kept, metric, [](std::uint32_t) { return false; });
     EXPECT_EQ(kept.plan().nodes.size(), before);
 }
@@ -533,8 +536,9 @@ TEST(FlowReady, cornersInStraightWallsGo) {
 /// A mend that comes to nothing leaves no corner behind: a block may change by less than closing its gap
 /// takes.
 TEST(FlowReady, whatCannotBeMendedGetsNoCorners) {
-    const std::vector<PlanContour> town{house({{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}}, 0),
-                                        house({{1050, -20}, {2000, -20}, {2000, 1040}, {1050, 1040}}, 1)};
+    const std::vector<PartitionContour> town{
+        house({{0, 0}, {1000, 0}, {1000, 1000}, {0, 1000}}, 0),
+        house({{1050, -20}, {2000, -20}, {2000, 1040}, {1050, 1040}}, 1)};
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     EXPECT_GT(left(ready), 0U);
     if (!ready.outlines.empty()) {

@@ -3,7 +3,7 @@
 
 #include "fuzz/bytes.hpp"
 #include "geometry/geos.hpp"
-#include "outline/noding.hpp"
+#include "outline/arc_graph.hpp"
 #include "outline/outline.hpp"
 #include "support/outline_checks.hpp"
 #include "trace/reference.hpp"

@@ -31,7 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const RandomGridCase c = grid_of(bytes, 20);
     d2b::Context context;
     const ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
-    const d2b::Drawing drawing = walls ? d2b::Drawing::regularized : d2b::Drawing::simplified;
+    const d2b::OutlineMethod drawing =
+        walls ? d2b::OutlineMethod::regularized : d2b::OutlineMethod::simplified;
     const d2b::Outliner outliner(*set.list, drawing, rules, unit_grid, 1, context);
     demand_none(nesting_fault(set, outliner));
     return 0;

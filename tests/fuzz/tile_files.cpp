@@ -4,10 +4,8 @@
 #include <vector>
 
 #include "fuzz/bytes.hpp"
-#include "tiles/drawn_contour.hpp"
 #include "tiles/drawn_tile.hpp"
-#include "tiles/joined_tile.hpp"
-#include "tiles/numbered_tile.hpp"
+#include "tiles/found_tile.hpp"
 #include "tiles/traced_tile.hpp"
 
 namespace d2b::test {
@@ -41,8 +39,8 @@ void demand_same(const Record& record, std::span<const std::byte> taken, Same sa
 }
 
 std::size_t read_found(std::span<const std::byte> bytes) {
-    ByteReader reader = after([](ByteWriter& writer) { no_facts().save(writer); }, bytes);
-    const FoundTile tile = load_found_tile(reader, no_facts(), {tile_window});
+    ByteReader reader = after([](ByteWriter& writer) { empty_facts().save(writer); }, bytes);
+    const FoundTile tile = load_found_tile(reader, empty_facts(), {tile_window});
     const FoundUnit& unit = tile.units.at(0);
     demand(unit.boxes.size() == unit.objects.size(), "every object has a box");
     for (const LabelRun& run : unit.runs) {
@@ -83,7 +81,7 @@ std::size_t read_drawn(std::span<const std::byte> bytes) {
         const ContourHead& head = tile.left[i].head;
         demand(head.parent < static_cast<std::int64_t>(i), "a contour stands on one before");
         demand(static_cast<std::size_t>(head.key.level) <=
-                   tile.left_buildings.at(head.label - 1).thresholds.size(),
+                   tile.deferred_buildings.at(head.label - 1).thresholds.size(),
                "a contour has a threshold");
     }
     return reader.left();
@@ -140,15 +138,15 @@ std::size_t read_lines(std::span<const std::byte> bytes) {
 std::size_t read_traced(std::span<const std::byte> bytes) {
     ByteReader reader = after([](ByteWriter& writer) { writer.put(Tally()); }, bytes);
     const TracedTile tile = load_traced_tile(reader);
-    demand((tile.lines + TracedTile::lines_a_block - 1) / TracedTile::lines_a_block == tile.blocks.size(),
+    demand((tile.lines + TracedTile::lines_per_block - 1) / TracedTile::lines_per_block == tile.blocks.size(),
            "there are as many blocks as lines need");
     return reader.left();
 }
 
 }  // namespace
 
-FoundFacts no_facts() {
-    return FoundFacts({on_land, spikes_m, 1, {}}, 2);
+FoundFacts empty_facts() {
+    return FoundFacts({land_elevations, spikes_m, 1, {}}, 2);
 }
 
 std::size_t read_tile_file(std::span<const std::byte> file) {

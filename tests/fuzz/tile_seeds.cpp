@@ -9,10 +9,8 @@
 #include <string>
 
 #include "fuzz/tile_files.hpp"
-#include "tiles/drawn_contour.hpp"
 #include "tiles/drawn_tile.hpp"
-#include "tiles/joined_tile.hpp"
-#include "tiles/numbered_tile.hpp"
+#include "tiles/found_tile.hpp"
 #include "tiles/traced_tile.hpp"
 
 namespace d2b::test {
@@ -36,10 +34,11 @@ constexpr auto nothing = [](ByteWriter&) {};
 
 /// Two objects, of which one lies on the seam on the right.
 FoundTile found() {
-    FoundTile tile{no_facts(), {}};
+    FoundTile tile{empty_facts(), {}};
     FoundUnit& unit = tile.units.emplace_back();
     const Window& w = tile_window;
-    unit.objects = {{{0.9, Doubt::rough, 6, -1}, true, 1.5, 6}, {{0.4, Doubt::green, 4, -1}, false, 2, 4}};
+    unit.objects = {{{0.9, CounterEvidence::rough, 6, -1}, true, 1.5, 6},
+                    {{0.4, CounterEvidence::green, 4, -1}, false, 2, 4}};
     unit.boxes = {{w.row + 1, w.col + 1, 2, 3}, {w.row + 4, w.end_col() - 2, 2, 2}};
     for (std::int32_t row = 1; row < 3; ++row)
         unit.runs.push_back({w.row + row, w.col + 1, w.col + 4, 1});
@@ -53,7 +52,8 @@ FoundTile found() {
 
 JoinedTile joined() {
     JoinedTile tile;
-    tile.buildings = {{true, Doubt::rough, 1.5, 0.9, -1}, {false, Doubt::green, 2, 0.4, -1}};
+    tile.buildings = {{true, CounterEvidence::rough, 1.5, 0.9, -1},
+                      {false, CounterEvidence::green, 2, 0.4, -1}};
     tile.window = tile_window;
     tile.units = {{0, {0, 1, 2}}, {2, {0, 3}}};
     return tile;
@@ -63,9 +63,9 @@ JoinedTile joined() {
 DrawnTile drawn() {
     DrawnTile tile;
     tile.levels = 2;
-    tile.left_buildings = {{{true, Doubt::rough, 1.5, 0.9, -1}, {2.5, 4}}};
+    tile.deferred_buildings = {{{true, CounterEvidence::rough, 1.5, 0.9, -1}, {2.5, 4}}};
     for (std::int32_t level = 1; level <= 2; ++level) {
-        LeftContour left;
+        DeferredContour left;
         left.head.key = {level, {level, level}};
         left.head.label = 1;
         left.head.parent = level - 2;
@@ -110,7 +110,7 @@ DrawnContour contour() {
     DrawnContour drawn;
     drawn.key = {1, {3, 4}};
     drawn.parent = -1;
-    drawn.building_place = 0;
+    drawn.building_index = 0;
     drawn.record.level = 1;
     FeaturePolygon made;
     WorldPolygon& part = made.parts.emplace_back();
@@ -134,7 +134,7 @@ void write(const fs::path& folder, const std::string& name, TileFile kind, const
 
 void write_all(const fs::path& folder) {
     write(folder, "found", TileFile::found,
-          after(found(), [](ByteWriter& writer) { no_facts().save(writer); }));
+          after(found(), [](ByteWriter& writer) { empty_facts().save(writer); }));
     write(folder, "joined", TileFile::joined, after(joined(), nothing));
     write(folder, "drawn", TileFile::drawn, after(drawn(), [](ByteWriter& writer) {
               writer.put(Tally());
@@ -145,7 +145,7 @@ void write_all(const fs::path& folder) {
     write(folder, "numbered", TileFile::numbered, after(numbered(), nothing));
     write(folder, "numbered_whole", TileFile::numbered_whole, after(numbered_whole(), nothing));
     write(folder, "lines", TileFile::lines, lines());
-    const TracedTile traced{{}, TracedTile::lines_a_block + 1, {{300, 17}, {20, 18}}};
+    const TracedTile traced{{}, TracedTile::lines_per_block + 1, {{300, 17}, {20, 18}}};
     write(folder, "traced", TileFile::traced, after(traced, [](ByteWriter& writer) { writer.put(Tally()); }));
     write(folder, "contour", TileFile::contour, after(contour(), nothing));
 }
@@ -158,7 +158,7 @@ bool check(const fs::path& file) {
         if (read_tile_file(std::as_bytes(std::span(bytes))) == 0)
             return true;
         std::cerr << file << ": more is there than is read\n";
-    } catch (const BrokenRecord& broken) {
+    } catch (const CorruptRecord& broken) {
         std::cerr << file << ": " << broken.what() << '\n';
     }
     return false;

@@ -16,7 +16,7 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "fuzz/bytes.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b::test {
 namespace {

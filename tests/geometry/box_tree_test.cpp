@@ -33,14 +33,14 @@ TEST(BoxTree, findsTheBoxesThatMeetAnother) {
         std::set<std::size_t> found;
         tree.query(wanted, [&](std::size_t i) { EXPECT_TRUE(found.insert(i).second); });
         EXPECT_EQ(found, expected);
-        EXPECT_EQ(tree.meets_any(wanted), !expected.empty());
+        EXPECT_EQ(tree.intersects_any(wanted), !expected.empty());
     }
 }
 
 TEST(BoxTree, mayBeEmpty) {
     const BoxTree tree({});
     tree.query({0, 0, 1, 1}, [](std::size_t) { FAIL(); });
-    EXPECT_FALSE(tree.meets_any({0, 0, 1, 1}));
+    EXPECT_FALSE(tree.intersects_any({0, 0, 1, 1}));
 }
 
 TEST(BoxTree, holdsBoxesThatAreAllTheSame) {
@@ -54,7 +54,7 @@ TEST(BoxTree, holdsBoxesThatAreAllTheSame) {
 TEST(Box, isEmptyUntilSomethingIsAdded) {
     Box box;
     EXPECT_TRUE(box.empty());
-    EXPECT_FALSE(box.meets({-1e9, -1e9, 1e9, 1e9}));
+    EXPECT_FALSE(box.intersects({-1e9, -1e9, 1e9, 1e9}));
     box.add(Position{3, 4});
     EXPECT_FALSE(box.empty());
     EXPECT_EQ(box.squared_distance({0, 0}), 25);

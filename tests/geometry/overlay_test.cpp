@@ -37,7 +37,7 @@ TEST(Overlay, tellsWhatIsValid) {
 
 TEST(Overlay, makesABowTieTwoTriangles) {
     Overlay overlay;
-    const Polygons made = overlay.made_valid({{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}});
+    const Polygons made = overlay.make_valid({{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}});
     EXPECT_EQ(made.size(), 2U);
     EXPECT_DOUBLE_EQ(area_of(made), 2);  // two triangles with a base of 2 and a height of 1
     EXPECT_TRUE(overlay.valid(made));
@@ -46,20 +46,20 @@ TEST(Overlay, makesABowTieTwoTriangles) {
 TEST(Overlay, repairsAsTheOutputIsRepaired) {
     Overlay overlay;
     const Polygons overlapping{box(0, 0, 2, 2), box(1, 1, 3, 3)};
-    EXPECT_NEAR(area_of(overlay.made_valid(overlapping)), 4 + 4 - 1, 1e-12);
+    EXPECT_NEAR(area_of(overlay.make_valid(overlapping)), 4 + 4 - 1, 1e-12);
     const Polygons hole_outside{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{3, 1}, {3, 3}, {6, 3}, {6, 1}}}}};
-    EXPECT_NEAR(area_of(overlay.made_valid(hole_outside)), 16 - 2, 1e-12);
+    EXPECT_NEAR(area_of(overlay.make_valid(hole_outside)), 16 - 2, 1e-12);
     for (const Polygons& polygons : {overlapping, hole_outside})
-        EXPECT_EQ(area_of(Geos().repaired(polygons)), area_of(overlay.made_valid(polygons)));
+        EXPECT_EQ(area_of(Geos().repaired(polygons)), area_of(overlay.make_valid(polygons)));
 }
 
 TEST(Overlay, leavesOutWhatBoundsNothing) {
     Overlay overlay;
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_TRUE(overlay.made_valid({{{{0, 0}, {1, 1}}, {}}}).empty());
-    EXPECT_TRUE(overlay.made_valid({}).empty());
+    EXPECT_TRUE(overlay.make_valid({{{{0, 0}, {1, 1}}, {}}}).empty());
+    EXPECT_TRUE(overlay.make_valid({}).empty());
     // The position that is not finite goes, a triangle stays; so goes the hole of one point.
-    const Polygons made = overlay.made_valid({{{{0, 0}, {4, 0}, {nan, 1}, {0, 4}}, {{{1, 1}}}}});
+    const Polygons made = overlay.make_valid({{{{0, 0}, {4, 0}, {nan, 1}, {0, 4}}, {{{1, 1}}}}});
     EXPECT_DOUBLE_EQ(area_of(made), 8);
 }
 
@@ -129,14 +129,15 @@ TEST(Overlay, cutsRings) {
     Overlay overlay;
     const Polygons frame{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{2, 2}, {2, 8}, {8, 8}, {8, 2}}}}};
     // Of the outer ring 5 + 10 + 5, of the inner one 3 + 6 + 3.
-    EXPECT_NEAR(length(overlay.rings_within(frame, {box(5, -1, 11, 11)})), 32, 1e-12);
-    EXPECT_NEAR(length(overlay.rings_within(frame, {box(0, 0, 10, 10)})), 64, 1e-12);  // the border, too
+    EXPECT_NEAR(length(overlay.clip_rings(frame, {box(5, -1, 11, 11)})), 32, 1e-12);
+    EXPECT_NEAR(length(overlay.clip_rings(frame, {box(0, 0, 10, 10)})), 64, 1e-12);  // the border, too
 }
 
 TEST(Overlay, tellsWhatTouches) {
     Overlay overlay;
     const std::vector<Polygons> features{{box(0, 0, 1, 1)}, {box(1, 1, 2, 2)}, {box(3, 3, 4, 4)}, {}};
-    EXPECT_EQ(overlay.touching(features, {box(-1, -1, 1, 1)}), (std::vector<bool>{true, true, false, false}));
+    EXPECT_EQ(overlay.intersecting(features, {box(-1, -1, 1, 1)}),
+              (std::vector<bool>{true, true, false, false}));
 }
 
 TEST(Overlay, findsWhatHoldsAPolygon) {
@@ -144,11 +145,11 @@ TEST(Overlay, findsWhatHoldsAPolygon) {
     const Polygons outers{{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{{2, 2}, {2, 8}, {8, 8}, {8, 2}}}},
                           box(3, 3, 7, 7)};
     const Polygons inners{box(0, 0, 1, 1), box(4, 4, 5, 5), box(7.2, 7.2, 7.8, 7.8)};
-    const auto holders = overlay.holders(inners, outers);
-    ASSERT_EQ(holders.size(), 3U);
-    EXPECT_EQ(holders[0], 0U);
-    EXPECT_EQ(holders[1], 1U);
-    EXPECT_FALSE(holders[2]);  // in the courtyard, beside the box in it
+    const auto containing_polygons = overlay.containing_polygons(inners, outers);
+    ASSERT_EQ(containing_polygons.size(), 3U);
+    EXPECT_EQ(containing_polygons[0], 0U);
+    EXPECT_EQ(containing_polygons[1], 1U);
+    EXPECT_FALSE(containing_polygons[2]);  // in the courtyard, beside the box in it
 }
 
 TEST(Overlay, countsVerticesAfterSimplification) {

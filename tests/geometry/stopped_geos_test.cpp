@@ -44,7 +44,7 @@ TEST(StoppedGeos, EndsWithACancelledInTheMidstOfACall) {
     int asked = 0;
     bool stops = false;
     const int first = asks_seldom() ? 2 : 100;  // which is more than before and after the call
-    Geos geos(StopRequest([&] { return ++asked > first && stops; }));
+    Geos geos(StopToken([&] { return ++asked > first && stops; }));
     EXPECT_EQ(geos.invalidity({saw(many())}), "");
     EXPECT_GT(asked, asks_seldom() ? 4 : 1000);
     stops = true;
@@ -64,12 +64,12 @@ TEST(StoppedGeos, AThreadIsNotStoppedByAnother) {
     std::atomic<int> stopped = 0;
     std::thread other([&] {
         while (!ends) {
-            Geos geos(StopRequest([] { return true; }));
+            Geos geos(StopToken([] { return true; }));
             EXPECT_THROW(static_cast<void>(geos.invalidity({saw(200)})), Cancelled);
             ++stopped;
         }
     });
-    Geos geos(StopRequest([] { return false; }));
+    Geos geos(StopToken([] { return false; }));
     for (int i = 0; i < 200 || stopped < 200; ++i)
         EXPECT_EQ(geos.invalidity({saw(200)}), "");
     ends = true;
@@ -79,7 +79,7 @@ TEST(StoppedGeos, AThreadIsNotStoppedByAnother) {
 TEST(StoppedGeos, WhoElseRegisteredACallbackKeepsIt) {
     // A second object, an end of the first: GEOS still asks.
     int asked = 0;
-    const StopRequest stop([&] {
+    const StopToken stop([&] {
         ++asked;
         return false;
     });

@@ -1,10 +1,9 @@
 #define GEOS_USE_ONLY_R_API
-#include "geometry/vast_polygons.hpp"
-
 #include <gtest/gtest.h>
 
 #include "geometry/geos.hpp"
-#include "geometry/geos_polygons.hpp"
+#include "geometry/geos_converter.hpp"
+#include "geometry/validity.hpp"
 #include "support/box.hpp"
 
 namespace d2b {
@@ -35,8 +34,8 @@ WorldPolygon comb() {
 }
 
 bool geos_says_valid(const std::vector<WorldPolygon>& polygons) {
-    const GeosPolygons geos;
-    return geos.answer(GEOSisValid_r(geos.context(), geos.multi_polygon(polygons).get()));
+    const GeosConverter geos;
+    return geos.predicate(GEOSisValid_r(geos.context(), geos.multi_polygon(polygons).get()));
 }
 
 struct Change {
@@ -50,7 +49,7 @@ class VastPolygon : public testing::TestWithParam<Change> {};
 TEST_P(VastPolygon, IsJudgedAsGeosWould) {
     WorldPolygon polygon = comb();
     GetParam().make(polygon);
-    ASSERT_TRUE(is_vast(polygon));
+    ASSERT_TRUE(needs_inside_out_check(polygon));
     const std::string reason = Geos().invalidity({polygon});
     EXPECT_EQ(reason.empty(), geos_says_valid({polygon})) << reason;
     EXPECT_EQ(reason.substr(0, reason.find('[')), GetParam().reason);

@@ -1,8 +1,7 @@
-#include "ground/connect.hpp"
-
 #include <gtest/gtest.h>
 
-#include "ground/line_pass.hpp"
+#include "ground/connected_ground.hpp"
+#include "ground/rank_filter.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::ground {

@@ -1,9 +1,8 @@
-#include "ground/fill.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "ground/gap_filling.hpp"
 #include "ground/random_surface.hpp"
 #include "support/test_threads.hpp"
 
@@ -93,9 +92,9 @@ TEST(Fill, WhatAPyramidHeldBeforeDoesNotShow) {
     }
 }
 
-TEST(Between, FindsTheCentresOfCoarseCells) {
+TEST(InterpolationWeights, FindsTheCentresOfCoarseCells) {
     // Fine cells -1 to 4 in coarse cells of three, -1, 0 and 1; centres of coarse cells: -2, 1, 4.
-    const Between places(-1, 6, -1, 3, 3);
+    const InterpolationWeights places(-1, 6, -1, 3, 3);
     const float expected[] = {1.0F / 3, 2.0F / 3, 0, 1.0F / 3, 2.0F / 3, 0};
     const std::int32_t near[] = {0, 0, 1, 1, 1, 2};
     for (std::int32_t j = 0; j < 6; ++j) {

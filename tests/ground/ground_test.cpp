@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/estimate.hpp"
 #include "ground/scene.hpp"
 
 namespace d2b {

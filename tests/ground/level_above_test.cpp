@@ -1,10 +1,9 @@
-#include "ground/level_above.hpp"
-
 #include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "ground/gap_filling.hpp"
 #include "ground/random_surface.hpp"
 #include "support/test_threads.hpp"
 
@@ -12,7 +11,7 @@ namespace d2b::ground {
 namespace {
 
 /// Cell by cell, by the places of centres; bit by bit, since nothing else is added up.
-TEST(LevelAbove, FillsGapsBetweenTheCentresOfItsBlocks) {
+TEST(CoarserLevel, FillsGapsBetweenTheCentresOfItsBlocks) {
     for (std::int32_t cols = 1; cols < 24; ++cols)
         for (const std::int32_t first_col : {-3, -2, 0, 5}) {
             AlignedGrid fine;
@@ -22,10 +21,10 @@ TEST(LevelAbove, FillsGapsBetweenTheCentresOfItsBlocks) {
             AlignedGrid coarse = blocks_of(fine, twice, 0.0F, test::threads());
             for (std::size_t k = 0; k < coarse.grid.size(); ++k)
                 coarse.grid.values[k] = static_cast<float>(k * k % 37) / 7.0F;
-            const Between down(fine.first_row, 7, coarse.first_row, coarse.grid.rows, 2);
-            const Between across(fine.first_col, cols, coarse.first_col, coarse.grid.cols, 2);
-            const LevelAbove above(fine, coarse);
-            LevelAbove::Room room;
+            const InterpolationWeights down(fine.first_row, 7, coarse.first_row, coarse.grid.rows, 2);
+            const InterpolationWeights across(fine.first_col, cols, coarse.first_col, coarse.grid.cols, 2);
+            const CoarserLevel above(fine, coarse);
+            CoarserLevel::Buffers room;
             for (std::int32_t i = 0; i < 7; ++i) {
                 std::vector<std::uint8_t> gap;
                 std::vector<float> expected;

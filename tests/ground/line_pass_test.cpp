@@ -1,5 +1,3 @@
-#include "ground/line_pass.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ground/random_surface.hpp"
+#include "ground/rank_filter.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::ground {
@@ -38,10 +37,10 @@ std::int16_t step_of(float z) {
 
 void expect_every_window(const MetreGrid& grid, Line line, Extremum which, std::int32_t radius) {
     MetreGrid found(grid.rows, grid.cols);
-    line_pass(grid, found, line, which, radius);
+    rank_filter(grid, found, line, which, radius);
     Grid<std::int16_t> steps(grid.rows, grid.cols), found_steps = steps;
     std::ranges::transform(grid.values, steps.values.begin(), step_of);
-    line_pass(steps, found_steps, line, which, radius);
+    rank_filter(steps, found_steps, line, which, radius);
     for (std::int32_t i = 0; i < grid.rows; ++i)
         for (std::int32_t j = 0; j < grid.cols; ++j) {
             const float expected = extremum_of_window(grid, i, j, line, which, radius);
@@ -86,11 +85,11 @@ void expect_two_passes(const Grid<T>& grid, Line line, Extremum first, std::int3
     const Extremum second = first == Extremum::lowest ? Extremum::highest : Extremum::lowest;
     const auto change = [](T z) { return z == no_value_of<T> ? T{7} : static_cast<T>(-z); };
     Grid<T> once(grid.rows, grid.cols), expected = once, found = once;
-    line_pass(grid, once, line, first, radius);
+    rank_filter(grid, once, line, first, radius);
     std::ranges::transform(once.values, once.values.begin(), change);
-    line_pass(once, expected, line, second, radius);
+    rank_filter(once, expected, line, second, radius);
     std::int32_t row = 0;
-    double_pass(
+    double_rank_filter(
         grid, found, line, first, radius,
         [&](std::span<T> cells) { std::ranges::transform(cells, cells.begin(), change); },
         [&](std::span<T> cells) { EXPECT_EQ(cells.data(), found.row(row++).data()); });
@@ -119,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(LinesDown, DoublePass,
 TEST(LowestAround, IsTheLowestOfNineCells) {
     MetreGrid grid(4, 4, 7.0F);
     grid.at(1, 1) = 2;
-    const MetreGrid around = lowest_around(grid, test::threads());
+    const MetreGrid around = minimum_3x3(grid, test::threads());
     EXPECT_EQ(around.at(0, 0), 2);
     EXPECT_EQ(around.at(2, 2), 2);
     EXPECT_EQ(around.at(3, 3), 7);

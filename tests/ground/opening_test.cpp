@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/line_pass.hpp"
 #include "ground/random_surface.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -62,7 +62,7 @@ TEST(Opening, ByARectangleIsTheDefinition) {
         const Radius radius{static_cast<std::int32_t>(1 + seed % 4), static_cast<std::int32_t>(1 + seed % 3)};
         const Radius outside{static_cast<std::int32_t>(seed % 3), static_cast<std::int32_t>(seed % 2)};
         MetreGrid opened;
-        open(Element::rectangle, grid, radius, outside, workspace, opened);
+        open(ElementShape::rectangle, grid, radius, outside, workspace, opened);
         ASSERT_EQ(opened.values, opened_by_definition(grid, rectangle(radius), outside).values) << seed;
     }
 }
@@ -80,7 +80,7 @@ TEST(Opening, ByLinesIsTheSecondHighestOfFour) {
                                                opened_by_definition(grid, line(diagonal, 1, 1), outside),
                                                opened_by_definition(grid, line(diagonal, 1, -1), outside)};
         MetreGrid opened;
-        open(Element::lines, grid, {radius, radius}, outside, workspace, opened);
+        open(ElementShape::lines, grid, {radius, radius}, outside, workspace, opened);
         for (std::size_t k = 0; k < grid.size(); ++k) {
             std::array<float, 4> of{by_line[0].values[k], by_line[1].values[k], by_line[2].values[k],
                                     by_line[3].values[k]};
@@ -99,9 +99,9 @@ TEST(Opening, LinesKeepTheEdgeOfATerraceAndCutABlock) {
         }
     Workspace<float> workspace;
     MetreGrid opened;
-    open(Element::lines, terrace, {8, 8}, {8, 8}, workspace, opened);
+    open(ElementShape::lines, terrace, {8, 8}, {8, 8}, workspace, opened);
     EXPECT_EQ(opened.values, terrace.values);
-    open(Element::lines, block, {8, 8}, {0, 0}, workspace, opened);
+    open(ElementShape::lines, block, {8, 8}, {0, 0}, workspace, opened);
     EXPECT_EQ(opened.values, MetreGrid(21, 21, 0.0F).values);
 }
 
@@ -111,12 +111,12 @@ TEST(Closing, FillsWhatIsNarrowerThanItsWindow) {
     grid.at(0, 0) = no_value;
     Workspace<float> workspace;
     MetreGrid closed;
-    closed_by_rectangle(grid, {1, 1}, workspace, closed);
+    close_rectangle(grid, {1, 1}, workspace, closed);
     EXPECT_EQ(closed.at(4, 4), 4);
     for (std::int32_t i = 2; i < 7; ++i)
         for (std::int32_t j = 2; j < 7; ++j)
             grid.at(i, j) = 0;
-    closed_by_rectangle(grid, {1, 1}, workspace, closed);
+    close_rectangle(grid, {1, 1}, workspace, closed);
     EXPECT_EQ(closed.at(4, 4), 0);
 }
 
@@ -137,8 +137,8 @@ TEST(Opening, ClosesWholeNumbersAsItClosesFloats) {
         const Radius radius{static_cast<std::int32_t>(1 + seed % 4), static_cast<std::int32_t>(1 + seed % 3)};
         MetreGrid closed;
         Grid<std::int16_t> closed_whole;
-        closed_by_rectangle(hundredfold, radius, workspace, closed);
-        closed_by_rectangle(whole, radius, narrow, closed_whole);
+        close_rectangle(hundredfold, radius, workspace, closed);
+        close_rectangle(whole, radius, narrow, closed_whole);
         for (std::size_t k = 0; k < closed.size(); ++k) {
             const std::int16_t z = closed_whole.values[k];
             ASSERT_EQ(z == no_value_of<std::int16_t> ? no_value : static_cast<float>(z), closed.values[k]);

@@ -1,5 +1,3 @@
-#include "ground/outliers.hpp"
-
 #include <algorithm>
 #include <random>
 #include <utility>
@@ -7,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/line_pass.hpp"
+#include "ground/low_outliers.hpp"
+#include "ground/rank_filter.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::ground {
@@ -20,17 +19,17 @@ AlignedGrid flat(float height) {
 }
 
 std::size_t outliers(const AlignedGrid& surface) {
-    return find_pits(surface, {}, test::threads()).size();
+    return find_low_outliers(surface, {}, test::threads()).size();
 }
 
-TEST(Outliers, APitIsOne) {
+TEST(OutlierMarker, APitIsOne) {
     AlignedGrid surface = flat(30);
     surface.grid.at(20, 31) = 12;
-    const std::vector<Pit> pits = find_pits(surface, {}, test::threads());
-    ASSERT_EQ(pits.size(), 1U);
-    EXPECT_EQ(pits[0].row, 20);
-    EXPECT_EQ(pits[0].col, 31);
-    EXPECT_EQ(pits[0].limit, 25);
+    const std::vector<LowOutlier> low_outliers = find_low_outliers(surface, {}, test::threads());
+    ASSERT_EQ(low_outliers.size(), 1U);
+    EXPECT_EQ(low_outliers[0].row, 20);
+    EXPECT_EQ(low_outliers[0].col, 31);
+    EXPECT_EQ(low_outliers[0].limit, 25);
 }
 
 /// Cell by cell: what is 5 m below the lowest of an element of 25 cells around it, after elements of one cell
@@ -51,29 +50,29 @@ std::vector<std::pair<std::int32_t, std::int32_t>> pits_by_definition(const Metr
     for (std::int32_t i = 0; i < grid.rows; ++i)
         for (std::int32_t j = 0; j < grid.cols; ++j)
             closed.at(i, j) = extreme(highest, i, j, 1, 1);
-    std::vector<std::pair<std::int32_t, std::int32_t>> pits;
+    std::vector<std::pair<std::int32_t, std::int32_t>> low_outliers;
     for (std::int32_t i = 0; i < grid.rows; ++i)
         for (std::int32_t j = 0; j < grid.cols; ++j)
             if (grid.at(i, j) < extreme(closed, i, j, 25, 1) - 5)
-                pits.emplace_back(i, j);
-    return pits;
+                low_outliers.emplace_back(i, j);
+    return low_outliers;
 }
 
-TEST(Outliers, AreFoundInAllTilesInScanOrder) {
+TEST(OutlierMarker, AreFoundInAllTilesInScanOrder) {
     AlignedGrid surface;
     surface.grid = MetreGrid(70, 1300);
     std::mt19937 random(7);
     for (float& z : surface.grid.values)
         z = random() % 700 == 0 ? static_cast<float>(random() % 20) : static_cast<float>(20 + random() % 3);
     std::vector<std::pair<std::int32_t, std::int32_t>> found;
-    for (const Pit& pit : find_pits(surface, {}, test::threads()))
-        found.emplace_back(pit.row, pit.col);
+    for (const LowOutlier& outlier : find_low_outliers(surface, {}, test::threads()))
+        found.emplace_back(outlier.row, outlier.col);
     EXPECT_GT(found.size(), 50U);
     EXPECT_EQ(found, pits_by_definition(surface.grid));
 }
 
 /// Whole centimetres are compared as such, others as floats.
-TEST(Outliers, AreFoundWhereTheyAreJustDeepEnough) {
+TEST(OutlierMarker, AreFoundWhereTheyAreJustDeepEnough) {
     std::mt19937 random(11);
     for (const float beside : {0.0F, 0.0003F})
         for (const bool deep : {true, false}) {
@@ -85,20 +84,20 @@ TEST(Outliers, AreFoundWhereTheyAreJustDeepEnough) {
                 z = static_cast<float>(steps / 100.0) + beside;
             }
             std::vector<std::pair<std::int32_t, std::int32_t>> found;
-            for (const Pit& pit : find_pits(surface, {}, test::threads()))
-                found.emplace_back(pit.row, pit.col);
+            for (const LowOutlier& outlier : find_low_outliers(surface, {}, test::threads()))
+                found.emplace_back(outlier.row, outlier.col);
             EXPECT_EQ(found, pits_by_definition(surface.grid)) << beside << " " << deep;
             EXPECT_EQ(found.empty(), !deep) << beside;
         }
 }
 
-TEST(Outliers, AShallowPitIsNone) {
+TEST(OutlierMarker, AShallowPitIsNone) {
     AlignedGrid surface = flat(30);
     surface.grid.at(20, 20) = 26;
     EXPECT_EQ(outliers(surface), 0U);
 }
 
-TEST(Outliers, ACourtAmongRoofsIsNone) {
+TEST(OutlierMarker, ACourtAmongRoofsIsNone) {
     AlignedGrid surface = flat(30);
     for (std::int32_t i = 10; i < 30; ++i)
         for (std::int32_t j = 10; j < 30; ++j)
@@ -107,7 +106,7 @@ TEST(Outliers, ACourtAmongRoofsIsNone) {
     EXPECT_EQ(outliers(surface), 0U);
 }
 
-TEST(Outliers, AWideHollowIsNone) {
+TEST(OutlierMarker, AWideHollowIsNone) {
     AlignedGrid surface = flat(30);
     for (std::int32_t i = 20; i < 26; ++i)
         for (std::int32_t j = 20; j < 26; ++j)
@@ -115,7 +114,7 @@ TEST(Outliers, AWideHollowIsNone) {
     EXPECT_EQ(outliers(surface), 0U);
 }
 
-TEST(Outliers, APitInTheMiddleOfNothingIsNotKnownToBeOne) {
+TEST(OutlierMarker, APitInTheMiddleOfNothingIsNotKnownToBeOne) {
     AlignedGrid surface = flat(no_value);
     surface.grid.at(20, 20) = 12;
     EXPECT_EQ(outliers(surface), 0U);

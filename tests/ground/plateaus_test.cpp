@@ -1,5 +1,3 @@
-#include "ground/plateaus.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -7,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/line_pass.hpp"
+#include "ground/connected_ground.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -31,8 +30,8 @@ AlignedGrid heights(const Drawing& rows) {
 }
 
 Mask roofs_of(const AlignedGrid& blocks, double largest = unbounded) {
-    return walled_plateaus(blocks, MetreGrid(blocks.grid.rows, blocks.grid.cols, 7),
-                           Mask(blocks.grid.rows, blocks.grid.cols, 1), {}, largest);
+    return enclosed_plateaus(blocks, MetreGrid(blocks.grid.rows, blocks.grid.cols, 7),
+                             Mask(blocks.grid.rows, blocks.grid.cols, 1), {}, largest);
 }
 
 Drawing picture(const Mask& mask) {
@@ -72,9 +71,9 @@ TEST(Plateaus, OfARoofTheLowerPartsBelongToIt) {
 }
 
 TEST(Plateaus, WhatWasNoObjectIsNotLookedAt) {
-    EXPECT_EQ(picture(walled_plateaus(heights(hall), MetreGrid(5, 10, 9), Mask(5, 10, 1), {}, unbounded)),
+    EXPECT_EQ(picture(enclosed_plateaus(heights(hall), MetreGrid(5, 10, 9), Mask(5, 10, 1), {}, unbounded)),
               Drawing(5, "          "));
-    EXPECT_EQ(picture(walled_plateaus(heights(hall), MetreGrid(5, 10, 7), Mask(5, 10), {}, unbounded)),
+    EXPECT_EQ(picture(enclosed_plateaus(heights(hall), MetreGrid(5, 10, 7), Mask(5, 10), {}, unbounded)),
               Drawing(5, "          "))
         << "nor what is no connected ground";
 }
@@ -130,7 +129,7 @@ TEST(Plateaus, WhatReachesTheRastersBorderMayGoOn) {
                                         "00888.",  //
                                         "000000"}))),
               (Drawing{"      ", "  ### ", "  ### ", "      "}));
-    EXPECT_EQ(walled_plateaus({}, {}, {}, {}, unbounded).size(), 0U);
+    EXPECT_EQ(enclosed_plateaus({}, {}, {}, {}, unbounded).size(), 0U);
 }
 
 TEST(Plateaus, DoNotDependOnWhereTheyAreEntered) {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "ground/either_pass.hpp"
 #include "ground/random_surface.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -11,20 +11,20 @@ using Pass = void (*)(const Grid<T>&, Grid<T>&, Line, Extremum, std::int32_t);
 
 template <typename T>
 void any(const Grid<T>& from, Grid<T>& into, Line line, Extremum which, std::int32_t radius) {
-    either_pass(from, into, line, which, radius);
+    rank_filter_impl(from, into, line, which, radius);
 }
 
 #ifdef __x86_64__
 template <typename T>
 __attribute__((target("sse4.2"), flatten)) void second(const Grid<T>& from, Grid<T>& into, Line line,
                                                        Extremum which, std::int32_t radius) {
-    either_pass(from, into, line, which, radius);
+    rank_filter_impl(from, into, line, which, radius);
 }
 
 template <typename T>
 __attribute__((target("avx2"), flatten)) void third(const Grid<T>& from, Grid<T>& into, Line line,
                                                     Extremum which, std::int32_t radius) {
-    either_pass(from, into, line, which, radius);
+    rank_filter_impl(from, into, line, which, radius);
 }
 
 bool supports_second() {
@@ -45,7 +45,7 @@ void expect_same(const Grid<T>& grid, Pass<T> pass) {
                 any<T>(grid, expected, line, which, radius);
                 pass(grid, found, line, which, radius);
                 ASSERT_EQ(found.values, expected.values) << static_cast<int>(line) << " " << radius;
-                line_pass(grid, found, line, which, radius);  // the build of this processor
+                rank_filter(grid, found, line, which, radius);  // the build of this processor
                 ASSERT_EQ(found.values, expected.values) << static_cast<int>(line) << " " << radius;
             }
 }

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "core/grid.hpp"
-#include "ground/line_pass.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::test {
 

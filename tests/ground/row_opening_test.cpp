@@ -1,8 +1,8 @@
-#include "ground/row_opening.hpp"
-
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "ground/opening.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -13,7 +13,7 @@ constexpr std::int16_t lowest_step = -highest_step;
 using Steps = std::vector<std::int16_t>;
 
 Steps opened(Steps row, Extremum first, std::int32_t radius) {
-    OpeningRoom<std::int16_t> room;
+    OpeningBuffers<std::int16_t> room;
     open_row(std::span(row), first, radius, room);
     return row;
 }
@@ -41,9 +41,9 @@ TEST(RowOpening, LinesWithoutAValueAreNotTheHighest) {
 
 TEST(RowOpening, TurnsNoOtherValues) {
     Steps row{highest_step, lowest_step, 4};
-    turn_row(std::span(row), Extremum::lowest);
+    swap_neutral(std::span(row), Extremum::lowest);
     EXPECT_EQ(row, Steps({lowest_step, lowest_step, 4}));
-    turn_row(std::span(row), Extremum::highest);
+    swap_neutral(std::span(row), Extremum::highest);
     EXPECT_EQ(row, Steps({highest_step, highest_step, 4}));
 }
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/estimate.hpp"
+#include "ground/ground.hpp"
 #include "ground/scene.hpp"
 
 namespace d2b::ground {

@@ -31,7 +31,7 @@ struct Scene {
     }
 
     [[nodiscard]] Terrain terrain(double width = GroundOptions{}.max_building_width,
-                                  GridPlace place = {}) const {
+                                  GridOrigin place = {}) const {
         Context context;
         GroundOptions options;
         options.max_building_width = width;

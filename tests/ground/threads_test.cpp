@@ -71,13 +71,13 @@ TEST(GroundThreads, TheirNumberDoesNotShow) {
 namespace ground {
 namespace {
 
-constexpr StructuringElements elements{2, 40, 0.5, 0.1, 1.4, 8};
+constexpr OpeningParameters elements{2, 40, 0.5, 0.1, 1.4, 8};
 
 /// All elements on the whole grid, one after the other.
-MetreGrid limits_without_tiles(const MetreGrid& surface, const StructuringElements& of, Element element) {
+MetreGrid limits_without_tiles(const MetreGrid& surface, const OpeningParameters& of, ElementShape element) {
     MetreGrid now = surface, next, limits(surface.rows, surface.cols, no_value);
     Workspace<float> workspace;
-    for (const Step& step : opening_steps(of, {1, 1}).steps) {
+    for (const StructuringElement& step : element_series(of, {1, 1}).steps) {
         open(element, now, step.radius, step.outside, workspace, next);
         for (std::size_t k = 0; k < now.size(); ++k)
             if (now.values[k] > next.values[k] + step.rise)
@@ -103,14 +103,14 @@ TEST(Tiles, CoverEachCellOnce) {
 TEST(Tiles, DoNotShowInLimits) {
     AlignedGrid surface;
     surface.cell = {1, 1};
-    StructuringElements small = elements;
+    OpeningParameters small = elements;
     small.last_radius = 28;  // no blocks of blocks
     // In steps of a metre, a centimetre, a millimetre, and of nothing that is whole.
     for (const float step : {1.0F, 0.01F, 0.001F, 0.0123F}) {
         surface.grid = test::random_surface(5, 700, 1300, 9);
         for (float& z : surface.grid.values)
             z = z == no_value ? z : static_cast<float>(std::lround(z)) * step * 7;
-        for (const Element element : {Element::rectangle, Element::lines})
+        for (const ElementShape element : {ElementShape::rectangle, ElementShape::lines})
             EXPECT_EQ(limits_on_blocks(surface, small, element, test::threads()).values,
                       limits_without_tiles(surface.grid, small, element).values)
                 << step;

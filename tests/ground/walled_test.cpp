@@ -1,5 +1,3 @@
-#include "ground/walled.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -7,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/line_pass.hpp"
+#include "ground/connected_ground.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -37,7 +36,7 @@ struct Blocks {
     /// What is still ground: #.
     [[nodiscard]] Drawing left(double largest = any_length) const {
         Grid<std::uint8_t> mask = ground;
-        take_walled_back(surface, limits, {}, largest, mask);
+        remove_enclosed_by_walls(surface, limits, {}, largest, mask);
         return drawing(mask);
     }
     [[nodiscard]] Drawing before() const { return drawing(ground); }
@@ -252,7 +251,7 @@ TEST(WalledBack, WhereNothingWasConnectedNothingChanges) {
     std::fill(ground.limits.values.begin(), ground.limits.values.end(), 5.0F);
     EXPECT_EQ(ground.left(), ground.before()) << "high, but never an object";
     Grid<std::uint8_t> none;
-    take_walled_back({}, {}, {}, any_length, none);
+    remove_enclosed_by_walls({}, {}, {}, any_length, none);
     EXPECT_EQ(none.size(), 0U);
 }
 

@@ -1,5 +1,3 @@
-#include "ground/whole_steps.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,7 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/line_pass.hpp"
+#include "ground/quantized_elevations.hpp"
+#include "ground/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -21,30 +20,31 @@ MetreGrid row_of(const std::vector<float>& values) {
 }
 
 /// What a file holds that has so many whole steps.
-float written(int steps, int in_metre) {
-    return static_cast<float>(static_cast<double>(steps) / in_metre);
+float written(int steps, int steps_per_metre) {
+    return static_cast<float>(static_cast<double>(steps) / steps_per_metre);
 }
 
-bool take(WholeSteps& steps, const MetreGrid& grid) {
+bool take(QuantizedElevations& steps, const MetreGrid& grid) {
     return steps.take(grid, {0, 0, grid.rows, grid.cols});
 }
 
-std::vector<float> back(const WholeSteps& steps) {
+std::vector<float> back(const QuantizedElevations& steps) {
     std::vector<float> metres(steps.surface.size());
-    steps.in_metres(steps.surface.values, metres.data());
+    steps.to_metres(steps.surface.values, metres.data());
     return metres;
 }
 
-TEST(WholeSteps, AreTheElevationsBitByBit) {
+TEST(QuantizedElevations, AreTheElevationsBitByBit) {
     std::mt19937 random(1);
-    for (const int in_metre : {100, 1000})
+    for (const int steps_per_metre : {100, 1000})
         for (const int lowest : {-1500, -3, 0, 2, 1400}) {
             std::vector<float> metres{no_value};
             for (int i = 0; i < 20000; ++i)
-                metres.push_back(written(lowest * in_metre + static_cast<int>(random() % 60000), in_metre));
-            WholeSteps steps;
-            ASSERT_TRUE(take(steps, row_of(metres))) << in_metre << " " << lowest;
-            EXPECT_EQ(steps.in_metre, in_metre);
+                metres.push_back(
+                    written(lowest * steps_per_metre + static_cast<int>(random() % 60000), steps_per_metre));
+            QuantizedElevations steps;
+            ASSERT_TRUE(take(steps, row_of(metres))) << steps_per_metre << " " << lowest;
+            EXPECT_EQ(steps.steps_per_metre, steps_per_metre);
             const std::vector<float> again = back(steps);
             for (std::size_t i = 0; i < metres.size(); ++i)
                 ASSERT_EQ(std::bit_cast<std::uint32_t>(again[i]), std::bit_cast<std::uint32_t>(metres[i]))
@@ -54,8 +54,8 @@ TEST(WholeSteps, AreTheElevationsBitByBit) {
         }
 }
 
-TEST(WholeSteps, AreNotTakenOfWhatHasNone) {
-    WholeSteps steps;
+TEST(QuantizedElevations, AreNotTakenOfWhatHasNone) {
+    QuantizedElevations steps;
     EXPECT_TRUE(take(steps, row_of({1, 2.5F, 656})));
     EXPECT_FALSE(take(steps, row_of({1, 2.5F, 657}))) << "more than 16 bits of centimetres";
     EXPECT_TRUE(take(steps, row_of({1, 2.503F, 66})));
@@ -74,17 +74,17 @@ TEST(WholeSteps, AreNotTakenOfWhatHasNone) {
 
 /// Divided as floats they are what a division of doubles gives that is rounded once more: none of them lies
 /// half-way between two floats, or nearly.
-TEST(WholeSteps, AreDividedAsDoublesAre) {
+TEST(QuantizedElevations, AreDividedAsDoublesAre) {
     constexpr int most = 1638400;
     constexpr int piece = 32000;
-    for (const int in_metre : {100, 1000})
+    for (const int steps_per_metre : {100, 1000})
         for (int first = -most; first < most; first += piece) {
             std::vector<float> metres;
             for (int n = first; n < std::min(first + piece, most); ++n)
                 if (n > -most)
-                    metres.push_back(written(n, in_metre));
-            WholeSteps steps;
-            ASSERT_TRUE(take(steps, row_of(metres))) << in_metre << " " << first;
+                    metres.push_back(written(n, steps_per_metre));
+            QuantizedElevations steps;
+            ASSERT_TRUE(take(steps, row_of(metres))) << steps_per_metre << " " << first;
             const std::vector<float> again = back(steps);
             for (std::size_t i = 0; i < metres.size(); ++i)
                 ASSERT_EQ(std::bit_cast<std::uint32_t>(again[i]), std::bit_cast<std::uint32_t>(metres[i]))
@@ -92,12 +92,12 @@ TEST(WholeSteps, AreDividedAsDoublesAre) {
         }
 }
 
-TEST(WholeSteps, AreThoseOfAPartOfAGrid) {
+TEST(QuantizedElevations, AreThoseOfAPartOfAGrid) {
     MetreGrid grid(5, 40, 3.14159F);  // no whole step
     for (std::int32_t i = 1; i < 4; ++i)
         for (std::int32_t j = 10; j < 37; ++j)
             grid.at(i, j) = written(100 * i + j, 100);
-    WholeSteps steps;
+    QuantizedElevations steps;
     ASSERT_TRUE(steps.take(grid, {1, 10, 3, 27}));
     EXPECT_FALSE(steps.gaps);
     EXPECT_EQ(steps.surface.rows, 3);
@@ -114,17 +114,18 @@ TEST(WholeSteps, AreThoseOfAPartOfAGrid) {
     EXPECT_FALSE(steps.gaps);
 }
 
-TEST(WholeSteps, KnowWhatIsSurelyWithinARise) {
-    for (const int in_metre : {100, 1000}) {
-        WholeSteps steps;
-        steps.in_metre = in_metre;
-        const int lowest = 1600 * in_metre;
+TEST(QuantizedElevations, KnowWhatIsSurelyWithinARise) {
+    for (const int steps_per_metre : {100, 1000}) {
+        QuantizedElevations steps;
+        steps.steps_per_metre = steps_per_metre;
+        const int lowest = 1600 * steps_per_metre;
         for (const float rise : {0.0F, 0.18F, 0.216F, 0.7F, 1.234F}) {
-            const int within = steps.surely_within(rise);
+            const int within = steps.guaranteed_steps(rise);
             EXPECT_GE(within, 0);
-            EXPECT_GE(within, rise * static_cast<float>(in_metre) - 3.01F);
+            EXPECT_GE(within, rise * static_cast<float>(steps_per_metre) - 3.01F);
             for (int now = lowest; now < lowest + 1000; ++now)
-                ASSERT_FALSE(written(now + within, in_metre) > written(now, in_metre) + rise) << now;
+                ASSERT_FALSE(written(now + within, steps_per_metre) > written(now, steps_per_metre) + rise)
+                    << now;
         }
     }
 }

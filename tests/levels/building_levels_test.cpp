@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "levels/quantise.hpp"
+#include "levels/level_plan.hpp"
 
 namespace d2b {
 namespace {
@@ -21,7 +21,7 @@ BuildingStatistics statistics_of(const std::vector<double>& values, const std::v
                                  Label highest, double largest = 100, double metres = 0) {
     const BandShape shape{0, 1, static_cast<std::int32_t>(values.size())};
     BuildingStatistics statistics(highest, FixedPoint(largest), metres);
-    statistics.add(even_cells({shape, values}, {shape, labels}));
+    statistics.add(constant_runs({shape, values}, {shape, labels}));
     return statistics;
 }
 
@@ -63,7 +63,7 @@ TEST(BuildingStatistics, AreTheSameOfABuildingsCellsAlone) {
     // Two rows of a building, which meet with the same elevation.
     const BuildingCells cells{{{7, 2, 5}, {8, 0, 3}}, {3, not_valid, 5, 5, 5, -4}};
     BuildingStatistics statistics(2, FixedPoint(100), 1);
-    statistics.add(even_cells(cells, 2));
+    statistics.add(constant_runs(cells, 2));
     const BuildingStatistics of_band = statistics_of(cells.elevations, {2, 2, 2, 2, 2, 2}, 2, 100, 1);
     EXPECT_EQ(statistics.of(2).n, 5);
     EXPECT_EQ(statistics.of(2).lowest, -4);
@@ -89,8 +89,8 @@ TEST(BuildingStatistics, DoNotDependOnTheBands) {
     for (const std::int32_t row : {2, 0, 1}) {
         const BandShape shape{row, 1, 2};
         const auto at = static_cast<std::ptrdiff_t>(2 * row);
-        parts.add(even_cells({shape, {values.begin() + at, values.begin() + at + 2}},
-                             {shape, {labels.begin() + at, labels.begin() + at + 2}}));
+        parts.add(constant_runs({shape, {values.begin() + at, values.begin() + at + 2}},
+                                {shape, {labels.begin() + at, labels.begin() + at + 2}}));
     }
     for (const Label label : {Label{1}, Label{2}}) {
         EXPECT_EQ(parts.of(label).sum, whole.of(label).sum);

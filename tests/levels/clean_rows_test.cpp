@@ -1,10 +1,10 @@
-#include "levels/clean_rows.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "levels/clean_tiers.hpp"
 
 namespace d2b {
 namespace {

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "levels/level_plan.hpp"
-#include "levels/quantise.hpp"
 
 namespace d2b {
 namespace {

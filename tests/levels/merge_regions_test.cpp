@@ -122,8 +122,7 @@ TEST(MergeRegions, APlaceDoesNotMatter) {
 }
 
 TEST(MergeRegions, CanBeStopped) {
-    EXPECT_THROW((void)merge_regions(cells_of({{1, 2}}), {1, 2}, StopRequest([] { return true; })),
-                 Cancelled);
+    EXPECT_THROW((void)merge_regions(cells_of({{1, 2}}), {1, 2}, StopToken([] { return true; })), Cancelled);
 }
 
 }  // namespace

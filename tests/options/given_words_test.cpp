@@ -1,5 +1,3 @@
-#include "options/given_words.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -8,6 +6,7 @@
 #include "dem2buildings/command_line.hpp"
 #include "options/option_scene.hpp"
 #include "options/option_table.hpp"
+#include "options/provenance_text.hpp"
 #include "support/run_tool.hpp"
 
 namespace d2b::test {
@@ -35,14 +34,18 @@ Texts split(const std::string& text) {
 }
 
 TEST(GivenWords, areThoseOfTheCommandLine) {
-    EXPECT_EQ(given_words({}), "");
-    EXPECT_EQ(given_words(options_of({"-q", "-threads", "2", "-overwrite", "-write_ground", "g.tif"})), "");
-    EXPECT_EQ(given_words(options_of({"-nf", "10", "-preset", "thesis", "-fl", "-3", "12.5", "1e-7", "-3d"})),
+    EXPECT_EQ(reproducing_arguments({}), "");
+    EXPECT_EQ(
+        reproducing_arguments(options_of({"-q", "-threads", "2", "-overwrite", "-write_ground", "g.tif"})),
+        "");
+    EXPECT_EQ(reproducing_arguments(
+                  options_of({"-nf", "10", "-preset", "thesis", "-fl", "-3", "12.5", "1e-7", "-3d"})),
               "-preset thesis -fl -3 12.5 1e-07 -nf 10 -3d");
-    EXPECT_EQ(given_words(options_of({"-te", "0", "-1", "2", "3.5", "-oo", "A=1", "-oo", "B=x y"})),
+    EXPECT_EQ(reproducing_arguments(options_of({"-te", "0", "-1", "2", "3.5", "-oo", "A=1", "-oo", "B=x y"})),
               "-oo A=1 -oo 'B=x y' -te 0 -1 2 3.5");
-    EXPECT_EQ(given_words(options_of({"-nln", "Bob's roofs", "-cutline=-a.gpkg", "-snodata", "-9999"})),
-              "-snodata -9999 -cutline=-a.gpkg -nln 'Bob'\\''s roofs'");
+    EXPECT_EQ(
+        reproducing_arguments(options_of({"-nln", "Bob's roofs", "-cutline=-a.gpkg", "-snodata", "-9999"})),
+        "-snodata -9999 -cutline=-a.gpkg -nln 'Bob'\\''s roofs'");
 }
 
 TEST(GivenWords, areThoseOfFieldsThatAreSet) {
@@ -50,13 +53,13 @@ TEST(GivenWords, areThoseOfFieldsThatAreSet) {
     options.preset = Preset::thesis;
     options.detect.mask = "mask.gpkg";
     options.write.layers = Layers::contours;
-    EXPECT_EQ(given_words(options), "-preset thesis -mask mask.gpkg -layers contours");
+    EXPECT_EQ(reproducing_arguments(options), "-preset thesis -mask mask.gpkg -layers contours");
 }
 
 /// What is handed to others says what was read, but not where it lies.
 TEST(GivenWords, withoutFolders) {
     const auto shared = [](const Options& options, const std::map<std::string, std::string>& metadata) {
-        return without_folders(metadata, options);
+        return strip_folders(metadata, options);
     };
     Options options =
         options_of({"-oo", "INDEX=/home/ann/index", "-a_srs", "/home/ann/site.prj", "-cutline",
@@ -64,7 +67,7 @@ TEST(GivenWords, withoutFolders) {
                     "https://ann@there.org/ndvi.tif?key=7", "-split_by",
                     "/vsizip//home/ann/plots.zip/plots.shp", "-t_srs", "EPSG:25832", "-nln", "low/high"});
     const auto metadata = shared(options, {{"D2B_SOURCE", "/home/ann/dem.tif"},
-                                           {"D2B_OPTIONS", given_words(options)},
+                                           {"D2B_OPTIONS", reproducing_arguments(options)},
                                            {"D2B_GROUND", "/home/ann/dtm.tif"},
                                            {"D2B_MASK", "ann/mask.tif"},
                                            {"D2B_PRESET", "buildings"}});
@@ -94,20 +97,20 @@ TEST(GivenWords, withoutFoldersOfAnyFile) {
         if (!reads || !row.repeats)
             continue;
         const Options options = options_of({"-" + row.name, "/home/ann/x"});
-        EXPECT_EQ(without_folders({{"D2B_OPTIONS", ""}}, options).at("D2B_OPTIONS"), "-" + row.name + " x");
+        EXPECT_EQ(strip_folders({{"D2B_OPTIONS", ""}}, options).at("D2B_OPTIONS"), "-" + row.name + " x");
     }
 }
 
 TEST(GivenWords, giveTheSameOptionsAgain) {
     for (const char* name : {"a b", "it's", "$HOME", "`x`", "a\\b", "-x", "--", "*", "#", "~", "\xC3\xA4"}) {
         const Options options = options_of({"-nln=" + std::string(name)});
-        EXPECT_EQ(options_of(split(given_words(options))).write.layer_name, name);
+        EXPECT_EQ(options_of(split(reproducing_arguments(options))).write.layer_name, name);
     }
     for (const OptionCase& option : option_cases()) {
         if (option.name == "sweep")
             continue;
-        const std::string words = given_words(options_of(option.words()));
-        EXPECT_EQ(given_words(options_of(split(words))), words) << option.text();
+        const std::string words = reproducing_arguments(options_of(option.words()));
+        EXPECT_EQ(reproducing_arguments(options_of(split(words))), words) << option.text();
     }
 }
 
@@ -130,7 +133,7 @@ TEST(GivenWords, keepEveryOptionWithItsValues) {
         if (option.name == "sweep")
             continue;
         const Request given{options_of(option.words()), {}};
-        const Request kept{options_of(split(given_words(given.options))), {}};
+        const Request kept{options_of(split(reproducing_arguments(given.options))), {}};
         const bool with_surface = given.options.write.problems;
         for (const OptionRow& row : option_table())
             if (row.repeats || (with_surface && row.name.starts_with("surface"))) {
@@ -142,11 +145,11 @@ TEST(GivenWords, keepEveryOptionWithItsValues) {
 
 TEST(GivenWords, nameTheSurfaceWhereItsProblemsAreWritten) {
     EXPECT_EQ(
-        given_words(options_of({"-surface", "a.obj", "-surface", "b.city.json", "-surface_of", "contours",
-                                "-surface_origin", "1", "2", "3", "-write_problems"})),
+        reproducing_arguments(options_of({"-surface", "a.obj", "-surface", "b.city.json", "-surface_of",
+                                          "contours", "-surface_origin", "1", "2", "3", "-write_problems"})),
         "-write_problems -surface a.obj -surface b.city.json -surface_of contours -surface_origin 1 2 3");
-    EXPECT_EQ(given_words(options_of({"-surface", "a.obj", "-flow_ready", "3"})), "-flow_ready 3");
-    EXPECT_EQ(given_words(options_of({"-flow_ready", "3", "-write_problems"})),
+    EXPECT_EQ(reproducing_arguments(options_of({"-surface", "a.obj", "-flow_ready", "3"})), "-flow_ready 3");
+    EXPECT_EQ(reproducing_arguments(options_of({"-flow_ready", "3", "-write_problems"})),
               "-flow_ready 3 -write_problems");
 }
 

@@ -1,17 +1,16 @@
-#include "options/option_rules.hpp"
-
 #include <algorithm>
 #include <regex>
 
 #include <gtest/gtest.h>
 
 #include "options/option_cases.hpp"
+#include "options/option_checks.hpp"
 
 namespace d2b::test {
 namespace {
 
 /// Cases of an option that a rule means.
-std::vector<OptionCase> cases_of(const OptionUse& use) {
+std::vector<OptionCase> cases_of(const OptionCondition& use) {
     std::vector<OptionCase> found;
     for (const OptionCase& option : option_cases()) {
         if (option.name != use.name)
@@ -50,7 +49,7 @@ TEST(OptionRules, nameOptionsThatThereAre) {
         EXPECT_FALSE(cases_of(rule.other).empty()) << rule.other.name;
         EXPECT_TRUE(rule.unless.name.empty() || find_option(rule.unless.name) != nullptr) << rule.unless.name;
     }
-    for (const OptionNeed& need : option_needs()) {
+    for (const OptionDependency& need : option_dependencies()) {
         EXPECT_NE(find_option(need.name), nullptr) << need.name;
         EXPECT_NE(find_option(need.needed), nullptr) << need.needed;
     }

@@ -10,13 +10,13 @@
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
+#include "read/gdal_setup.hpp"
 #include "read/rasters.hpp"
-#include "read/start_gdal.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::test {
@@ -281,7 +281,7 @@ void run_into(Writer& writer, const Texts& words) {
     const Request request = parse_command_line(words);
     const Options& options = request.options;
     const auto source = open_dem(options.read);
-    const SideSources sides = open_side_sources(options, source->info());
+    const AuxiliarySources sides = open_auxiliary_sources(options, source->info());
     MemorySink sink;
     MemoryRaster ground_raster;
     MemoryRaster height;

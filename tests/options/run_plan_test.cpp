@@ -96,14 +96,14 @@ TEST(RunPlan, WallsMayLeaveTheirTraceByCellsOrMetres) {
 }
 
 TEST(RunPlan, SettlesAllThatWasOpen) {
-    const Options thesis = plan_of(of(Preset::thesis), Layers::contours).settled();
+    const Options thesis = plan_of(of(Preset::thesis), Layers::contours).resolved();
     EXPECT_EQ(thesis.ground.mode, GroundMode::none);
     EXPECT_EQ(thesis.levels.source, LevelSource::global);
     EXPECT_EQ(thesis.trace.mode, TraceMode::points);
     EXPECT_EQ(thesis.outline.walls, Walls::off);
     EXPECT_EQ(thesis.filter.min_area_m2, 0);
     EXPECT_EQ(thesis.write.layers, Layers::contours);
-    EXPECT_EQ(plan_of(of(Preset::buildings)).settled().filter.min_area_m2, 30);
+    EXPECT_EQ(plan_of(of(Preset::buildings)).resolved().filter.min_area_m2, 30);
 }
 
 /// A format that holds one layer gets the buildings alone.

@@ -1,79 +1,80 @@
-#include "outline/walls/chain_form.hpp"
-
 #include <gtest/gtest.h>
+
+#include "outline/walls/chain_fitter.hpp"
 
 namespace d2b {
 namespace {
 
-std::vector<Form> forms_of(const ChainForm& form, std::size_t steps) {
-    std::vector<Form> forms;
+std::vector<FitMode> modes_of(const ChainFitMode& mode, std::size_t steps) {
+    std::vector<FitMode> modes;
     for (std::size_t step = 0; step < steps; ++step)
-        forms.push_back(form.at(step));
-    return forms;
+        modes.push_back(mode.at(step));
+    return modes;
 }
 
-constexpr Form on_walls = Form::walls;
-constexpr Form on_middles = Form::middles;
-constexpr Form on_cut = Form::cut;
+constexpr FitMode regularized = FitMode::regularized;
+constexpr FitMode midpoint = FitMode::midpoint;
+constexpr FitMode beveled = FitMode::beveled;
 
-TEST(ChainForm, FollowsCloserWhereItIsAskedToWithAMargin) {
-    ChainForm form(8, false);
-    EXPECT_TRUE(form.follow_closer(3, 4, 1));
-    EXPECT_EQ(forms_of(form, 8), (std::vector<Form>{on_walls, on_walls, on_middles, on_middles, on_middles,
-                                                    on_walls, on_walls, on_walls}));
+TEST(ChainFitMode, FollowsCloserWhereItIsAskedToWithAMargin) {
+    ChainFitMode mode(8, false);
+    EXPECT_TRUE(mode.tighten(3, 4, 1));
+    EXPECT_EQ(modes_of(mode, 8), (std::vector<FitMode>{regularized, regularized, midpoint, midpoint, midpoint,
+                                                       regularized, regularized, regularized}));
     // The margin does not go beyond an open chain's ends.
-    EXPECT_TRUE(form.follow_closer(7, 8, 2));
-    EXPECT_EQ(forms_of(form, 8), (std::vector<Form>{on_walls, on_walls, on_middles, on_middles, on_middles,
-                                                    on_middles, on_middles, on_middles}));
-    EXPECT_TRUE(form.has_walls());
+    EXPECT_TRUE(mode.tighten(7, 8, 2));
+    EXPECT_EQ(modes_of(mode, 8), (std::vector<FitMode>{regularized, regularized, midpoint, midpoint, midpoint,
+                                                       midpoint, midpoint, midpoint}));
+    EXPECT_TRUE(mode.has_walls());
 }
 
-TEST(ChainForm, BringsTheLeastCloseStepsToTheNextForm) {
-    ChainForm form(6, false);
-    EXPECT_TRUE(form.raise(2, 3, 0, Form::close));
-    EXPECT_TRUE(form.follow_closer(1, 4, 0));
-    EXPECT_EQ(forms_of(form, 6),
-              (std::vector<Form>{on_walls, on_middles, Form::close, on_middles, on_walls, on_walls}));
-    EXPECT_EQ(form.least(1, 4), on_middles);
-    EXPECT_EQ(form.least(2, 3), Form::close);
+TEST(ChainFitMode, BringsTheLeastCloseStepsToTheNextForm) {
+    ChainFitMode mode(6, false);
+    EXPECT_TRUE(mode.raise(2, 3, 0, FitMode::tight));
+    EXPECT_TRUE(mode.tighten(1, 4, 0));
+    EXPECT_EQ(modes_of(mode, 6), (std::vector<FitMode>{regularized, midpoint, FitMode::tight, midpoint,
+                                                       regularized, regularized}));
+    EXPECT_EQ(mode.least(1, 4), midpoint);
+    EXPECT_EQ(mode.least(2, 3), FitMode::tight);
 }
 
-TEST(ChainForm, EndsWithTheTraceCut) {
-    ChainForm form(4, true);
+TEST(ChainFitMode, EndsWithTheTraceCut) {
+    ChainFitMode mode(4, true);
     for (int i = 0; i < 3; ++i)
-        EXPECT_TRUE(form.follow_closer(0, 4, 0));
-    EXPECT_FALSE(form.follow_closer(0, 4, 0));
-    EXPECT_FALSE(form.has_walls());
-    EXPECT_EQ(forms_of(form, 4), (std::vector<Form>{on_cut, on_cut, on_cut, on_cut}));
+        EXPECT_TRUE(mode.tighten(0, 4, 0));
+    EXPECT_FALSE(mode.tighten(0, 4, 0));
+    EXPECT_FALSE(mode.has_walls());
+    EXPECT_EQ(modes_of(mode, 4), (std::vector<FitMode>{beveled, beveled, beveled, beveled}));
 }
 
-TEST(ChainForm, GoesRoundAClosedChain) {
-    ChainForm form(10, true);
-    EXPECT_TRUE(form.raise(9, 11, 1, on_cut));  // 8 .. 11
-    EXPECT_EQ(forms_of(form, 10), (std::vector<Form>{on_cut, on_cut, on_walls, on_walls, on_walls, on_walls,
-                                                     on_walls, on_walls, on_cut, on_cut}));
-    EXPECT_TRUE(form.cut_around(0));
-    EXPECT_TRUE(form.cut_around(1));
-    EXPECT_FALSE(form.cut_around(2));
-    EXPECT_FALSE(form.cut_around(8));
-    const auto stretches = form.stretches();
+TEST(ChainFitMode, GoesRoundAClosedChain) {
+    ChainFitMode mode(10, true);
+    EXPECT_TRUE(mode.raise(9, 11, 1, beveled));  // 8 .. 11
+    EXPECT_EQ(modes_of(mode, 10),
+              (std::vector<FitMode>{beveled, beveled, regularized, regularized, regularized, regularized,
+                                    regularized, regularized, beveled, beveled}));
+    EXPECT_TRUE(mode.beveled_around(0));
+    EXPECT_TRUE(mode.beveled_around(1));
+    EXPECT_FALSE(mode.beveled_around(2));
+    EXPECT_FALSE(mode.beveled_around(8));
+    const auto stretches = mode.stretches();
     ASSERT_EQ(stretches.size(), 2U);
     EXPECT_EQ(stretches[0].first, 2U);
     EXPECT_EQ(stretches[0].last, 8U);
-    EXPECT_EQ(stretches[0].form, on_walls);
+    EXPECT_EQ(stretches[0].mode, regularized);
     EXPECT_EQ(stretches[1].last, 12U);
-    EXPECT_EQ(stretches[1].form, on_cut);
+    EXPECT_EQ(stretches[1].mode, beveled);
 }
 
-TEST(ChainForm, LeavesOutWallsThatAreTooShortBetweenOthers) {
-    ChainForm form(20, false);
-    EXPECT_TRUE(form.raise(5, 8, 0, on_middles));
-    EXPECT_TRUE(form.raise(11, 14, 0, on_middles));  // three steps of walls between
-    const auto stretches = form.stretches();
+TEST(ChainFitMode, LeavesOutWallsThatAreTooShortBetweenOthers) {
+    ChainFitMode mode(20, false);
+    EXPECT_TRUE(mode.raise(5, 8, 0, midpoint));
+    EXPECT_TRUE(mode.raise(11, 14, 0, midpoint));  // three steps of walls between
+    const auto stretches = mode.stretches();
     ASSERT_EQ(stretches.size(), 3U);
     EXPECT_EQ(stretches[1].first, 5U);
     EXPECT_EQ(stretches[1].last, 14U);
-    EXPECT_EQ(stretches[1].form, on_middles);
+    EXPECT_EQ(stretches[1].mode, midpoint);
 }
 
 }  // namespace

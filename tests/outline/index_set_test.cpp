@@ -1,16 +1,16 @@
-#include "outline/walls/index_set.hpp"
-
 #include <random>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "outline/walls/node_placement.hpp"
+
 namespace d2b {
 namespace {
 
-TEST(IndexSet, TellsWhatASetTells) {
+TEST(OrderedBitset, TellsWhatASetTells) {
     for (const std::size_t limit : {1U, 63U, 64U, 65U, 4096U, 10000U}) {
-        IndexSet set(limit);
+        OrderedBitset set(limit);
         std::set<std::size_t> expected;
         std::mt19937 random(7);
         for (int i = 0; i < 3000; ++i) {
@@ -24,8 +24,8 @@ TEST(IndexSet, TellsWhatASetTells) {
             }
             const std::size_t asked = random() % (limit + 1);
             const auto from = expected.lower_bound(asked);
-            EXPECT_EQ(set.from(asked), from == expected.end() ? IndexSet::none : *from);
-            EXPECT_EQ(set.before(asked), from == expected.begin() ? IndexSet::none : *std::prev(from));
+            EXPECT_EQ(set.from(asked), from == expected.end() ? OrderedBitset::none : *from);
+            EXPECT_EQ(set.before(asked), from == expected.begin() ? OrderedBitset::none : *std::prev(from));
         }
     }
 }

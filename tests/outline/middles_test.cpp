@@ -1,9 +1,9 @@
-#include "outline/walls/middles.hpp"
-
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "outline/walls/chain_fitter.hpp"
 
 namespace d2b {
 namespace {
@@ -16,18 +16,18 @@ struct Case {
     std::vector<std::uint32_t> nodes;
     double tolerance = 1;
 
-    [[nodiscard]] Points draw(Form form) const {
+    [[nodiscard]] Points draw(FitMode mode) const {
         const CellShape shape;
-        const WallSamples samples(trace, false, shape);
+        const TraceSums samples(trace, false, shape);
         std::vector<std::uint32_t> steps{0};
         steps.insert(steps.end(), nodes.begin(), nodes.end());
         steps.push_back(static_cast<std::uint32_t>(samples.steps()));
-        const Middles middles(samples, shape, trace.front(), steps, tolerance);
-        DrawnChain chain;
+        const StepMidpoints midpoints(samples, shape, trace.front(), steps, tolerance);
+        ChainPolyline chain;
         chain.vertices.push_back(fine(trace.front()));
         chain.steps.push_back(0);
         const FinePoint end = fine(trace.back());
-        middles.append({0, samples.steps(), form}, &end, chain);
+        midpoints.append({0, samples.steps(), mode}, &end, chain);
         Points points;
         for (const FinePoint p : chain.vertices)
             points.emplace_back(static_cast<double>(p.row) / FinePoint::steps,
@@ -46,39 +46,40 @@ std::vector<LatticePoint> staircase(std::int32_t n) {
     return trace;
 }
 
-TEST(Middles, AStaircaseIsAStraightLine) {
+TEST(StepMidpoints, AStaircaseIsAStraightLine) {
     // Its corners are 0.71 from the line between its ends, 0.35 from that through the middles of its steps.
-    const Points drawn = Case{staircase(12), {}}.draw(Form::middles);
+    const Points drawn = Case{staircase(12), {}}.draw(FitMode::midpoint);
     ASSERT_EQ(drawn.size(), 4U);  // with a piece at either end, since the ends of the chain are corners
     EXPECT_EQ(drawn.front(), (std::pair{0.0, 0.0}));
     EXPECT_EQ(drawn.back(), (std::pair{12.0, 12.0}));
     EXPECT_EQ(drawn[1].second - drawn[1].first, drawn[2].second - drawn[2].first);
 }
 
-TEST(Middles, CutFormsCutTheCornersOfStaircasesAlone) {
+TEST(StepMidpoints, CutFormsCutTheCornersOfStaircasesAlone) {
     // Ten cells along a row, a corner, three down, then two steps of a staircase.
     const Case steps{{{0, 0}, {0, 10}, {3, 10}, {3, 11}, {4, 11}, {4, 14}}, {}};
-    EXPECT_EQ(steps.draw(Form::cut), (Points{{0, 0}, {0, 10}, {2.5, 10}, {4, 11.5}, {4, 14}}));
+    EXPECT_EQ(steps.draw(FitMode::beveled), (Points{{0, 0}, {0, 10}, {2.5, 10}, {4, 11.5}, {4, 14}}));
     // A niche of two cells is none.
     const std::vector<LatticePoint> niche{{0, 0}, {0, 4}, {2, 4}, {2, 6}, {0, 6}, {0, 9}};
-    EXPECT_EQ((Case{niche, {}}.draw(Form::cut)), (Points{{0, 0}, {0, 4}, {2, 4}, {2, 6}, {0, 6}, {0, 9}}));
+    EXPECT_EQ((Case{niche, {}}.draw(FitMode::beveled)),
+              (Points{{0, 0}, {0, 4}, {2, 4}, {2, 6}, {0, 6}, {0, 9}}));
 }
 
-TEST(Middles, NodesStayInCutForms) {
+TEST(StepMidpoints, NodesStayInCutForms) {
     const Case plain{staircase(3), {}};
     const Case with_node{staircase(3), {3}};  // at (1, 2)
     const auto has = [](const Points& points) {
         return std::count(points.begin(), points.end(), std::pair(1.0, 2.0)) == 1;
     };
-    EXPECT_FALSE(has(plain.draw(Form::cut)));
-    EXPECT_TRUE(has(with_node.draw(Form::cut)));
+    EXPECT_FALSE(has(plain.draw(FitMode::beveled)));
+    EXPECT_TRUE(has(with_node.draw(FitMode::beveled)));
 }
 
-TEST(Middles, ATightToleranceKeepsTheTrace) {
+TEST(StepMidpoints, ATightToleranceKeepsTheTrace) {
     const Case tight{staircase(3), {}, 0.3};
-    EXPECT_EQ(tight.draw(Form::cut), (Points{{0, 0}, {0, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {3, 3}}));
-    EXPECT_FALSE(Middles::cuts_corners({}, 0.3));
-    EXPECT_TRUE(Middles::cuts_corners({}, 0.5));
+    EXPECT_EQ(tight.draw(FitMode::beveled), (Points{{0, 0}, {0, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {3, 3}}));
+    EXPECT_FALSE(StepMidpoints::can_bevel({}, 0.3));
+    EXPECT_TRUE(StepMidpoints::can_bevel({}, 0.5));
 }
 
 }  // namespace

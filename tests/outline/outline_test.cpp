@@ -7,7 +7,6 @@
 
 #include "geometry/geos.hpp"
 #include "outline/arc_graph.hpp"
-#include "outline/noding.hpp"
 #include "outline/simplify.hpp"
 #include "support/outline_checks.hpp"
 #include "support/random_grid.hpp"
@@ -122,12 +121,12 @@ class SimplifiedGrid : public testing::TestWithParam<unsigned> {
 };
 
 TEST_P(SimplifiedGrid, StaysValidNestedAndDisjoint) {
-    const Outliner outliner(*set_.list, Drawing::simplified, rules_, unit_grid, 1, context_);
+    const Outliner outliner(*set_.list, OutlineMethod::simplified, rules_, unit_grid, 1, context_);
     EXPECT_EQ(test::nesting_fault(set_, outliner), "");
 }
 
 TEST_P(SimplifiedGrid, StaysWithinTheToleranceBothWays) {
-    const Outliner outliner(*set_.list, Drawing::simplified, rules_, unit_grid, 1, context_);
+    const Outliner outliner(*set_.list, OutlineMethod::simplified, rules_, unit_grid, 1, context_);
     for (std::size_t i = 0; i < set_.contours.size(); ++i) {
         const FinePolygon drawn = outliner.outline(i);
         const FinePolygon traced = outliner.traced(i);
@@ -145,7 +144,7 @@ TEST_P(TracedGrid, IsValidAsItIsTraced) {
     Context context;
     const test::ContourSet set =
         trace_grid(c.grid, c.thresholds, {c.mode, static_cast<int>(GetParam() % 9)}, context);
-    const Outliner outliner(*set.list, Drawing::traced, {}, unit_grid, 1, context);
+    const Outliner outliner(*set.list, OutlineMethod::traced, {}, unit_grid, 1, context);
     Geos geos;
     for (std::size_t i = 0; i < set.contours.size(); ++i)
         EXPECT_EQ(geos.invalidity({unit_grid.polygon(outliner.outline(i))}), "") << i;
@@ -164,7 +163,7 @@ TEST_P(RotatedGrid, NestingHoldsToAMillionthOfACell) {
     const Georeference rotated({691234.5, 0.5 * std::cos(angle), 0.5 * std::sin(angle), 5334567.5,
                                 0.5 * std::sin(angle), -0.5 * std::cos(angle)},
                                c.mode);
-    const Outliner outliner(*set.list, Drawing::noded, {}, rotated, 1, context);
+    const Outliner outliner(*set.list, OutlineMethod::noded, {}, rotated, 1, context);
     Geos geos;
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         const WorldPolygon child = rotated.polygon(outliner.outline(i));
@@ -179,19 +178,19 @@ TEST_P(RotatedGrid, NestingHoldsToAMillionthOfACell) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RotatedGrid, testing::Range(0U, 60U));
 
-TEST(Drawing, NodesOnlyWhatCanComeApart) {
+TEST(OutlineMethod, NodesOnlyWhatCanComeApart) {
     const Georeference rotated({0, 0.6, 0.8, 0, 0.8, -0.6}, TraceMode::cells);
     OutlineRules rules;
     rules.walls = Walls::off;
-    EXPECT_EQ(choose_drawing(rules, unit_grid), Drawing::traced);
-    EXPECT_EQ(choose_drawing(rules, rotated), Drawing::noded);
+    EXPECT_EQ(choose_outline_method(rules, unit_grid), OutlineMethod::traced);
+    EXPECT_EQ(choose_outline_method(rules, rotated), OutlineMethod::noded);
     rules.reprojected = true;
-    EXPECT_EQ(choose_drawing(rules, unit_grid), Drawing::noded);
+    EXPECT_EQ(choose_outline_method(rules, unit_grid), OutlineMethod::noded);
     rules.simplify = 1;
-    EXPECT_EQ(choose_drawing(rules, unit_grid), Drawing::simplified);
+    EXPECT_EQ(choose_outline_method(rules, unit_grid), OutlineMethod::simplified);
     rules.walls = Walls::right;
-    EXPECT_EQ(choose_drawing(rules, unit_grid), Drawing::regularized);
-    EXPECT_EQ(choose_drawing(rules, rotated), Drawing::regularized);
+    EXPECT_EQ(choose_outline_method(rules, unit_grid), OutlineMethod::regularized);
+    EXPECT_EQ(choose_outline_method(rules, rotated), OutlineMethod::regularized);
 }
 
 }  // namespace

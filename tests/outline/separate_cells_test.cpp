@@ -1,11 +1,9 @@
-#include "outline/walls/separate_cells.hpp"
-
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "outline/walls/shift_wall.hpp"
+#include "outline/walls/wall_segmentation.hpp"
 
 namespace d2b {
 namespace {
@@ -31,17 +29,17 @@ std::vector<LatticePoint> digitised(double at, double slope, std::int32_t n) {
     return trace;
 }
 
-std::vector<WallPiece> nearest_line(const WallSamples& samples) {
-    const WallSamples::Sums sums = samples.sums(0, samples.steps());
-    return {{0, samples.steps(), WallPiece::free, {sums.mean, sums.direction()}, {}, 0}};
+std::vector<WallSegment> nearest_line(const TraceSums& samples) {
+    const TraceSums::Sums sums = samples.sums(0, samples.steps());
+    return {{0, samples.steps(), WallSegment::free, {sums.mean, sums.direction()}, {}, 0}};
 }
 
-int wrong_cells(const WallSamples& samples, const Line& wall) {
+int wrong_cells(const TraceSums& samples, const Line2& wall) {
     int wrong = 0;
     for (std::size_t step = 0; step < samples.steps(); ++step) {
-        const WallSamples::Cells cells = samples.beside(step);
-        wrong += wall.off(cells.left) > 0 ? 0 : 1;
-        wrong += wall.off(cells.right) < 0 ? 0 : 1;
+        const TraceSums::Cells cells = samples.adjacent_cells(step);
+        wrong += wall.offset(cells.left) > 0 ? 0 : 1;
+        wrong += wall.offset(cells.right) < 0 ? 0 : 1;
     }
     return wrong;
 }
@@ -52,17 +50,18 @@ TEST(SeparateCells, WhatALineHasDigitisedToItLiesOnItsOwnSide) {
     for (int i = 1; i <= 50; ++i)
         for (int k = 0; k < 10; ++k) {
             const double slope = i / 50.0;
-            const WallSamples samples(digitised(0.1 * k, slope, 23), false, north_up);
-            const Vec along = 1 / std::sqrt(1 + slope * slope) * Vec{1, slope};
-            const Vec first = samples.at(0);
+            const TraceSums samples(digitised(0.1 * k, slope, 23), false, north_up);
+            const Vec2 along = 1 / std::sqrt(1 + slope * slope) * Vec2{1, slope};
+            const Vec2 first = samples.at(0);
             // Seen from the first corner; 0.3 too high or too low.
             const double row = -std::ceil(-(0.1 * k + slope * 0.5) - 0.5);
-            std::vector<WallPiece> wall{{0,
-                                         samples.steps(),
-                                         WallPiece::free,
-                                         {first + Vec{0, 0.1 * k - row + (k % 2 == 0 ? 0.3 : -0.3)}, along},
-                                         {},
-                                         0}};
+            std::vector<WallSegment> wall{
+                {0,
+                 samples.steps(),
+                 WallSegment::free,
+                 {first + Vec2{0, 0.1 * k - row + (k % 2 == 0 ? 0.3 : -0.3)}, along},
+                 {},
+                 0}};
             before += wrong_cells(samples, wall[0].line);
             separate_cells(samples, 0, 2, wall);
             after += wrong_cells(samples, wall[0].line);
@@ -72,20 +71,20 @@ TEST(SeparateCells, WhatALineHasDigitisedToItLiesOnItsOwnSide) {
 }
 
 TEST(SeparateCells, AWallOnWhichNoneIsWrongStays) {
-    const WallSamples samples({{0, 0}, {0, 12}}, false, north_up);
-    std::vector<WallPiece> wall = nearest_line(samples);
+    const TraceSums samples({{0, 0}, {0, 12}}, false, north_up);
+    std::vector<WallSegment> wall = nearest_line(samples);
     separate_cells(samples, 1, 1, wall);
-    EXPECT_EQ(wall[0].line.through, (Vec{6, 0}));
+    EXPECT_EQ(wall[0].line.through, (Vec2{6, 0}));
 }
 
 /// Six cells of the lower row are wrong beside a wall above them, as many of the upper row beside one below.
 class Step : public testing::Test {
   protected:
     [[nodiscard]] static double moved(int higher, const CellShape& shape, double limit = 1.5) {
-        const WallSamples samples({{0, 0}, {0, 6}, {-1, 6}, {-1, 12}}, false, shape);
+        const TraceSums samples({{0, 0}, {0, 6}, {-1, 6}, {-1, 12}}, false, shape);
         // Halfway between both halves, where it passes the middles of all.
-        const Vec left = samples.left_of({1, 0});
-        std::vector<WallPiece> wall{{0, samples.steps(), 0, {{0, 0.5 * left.y}, {1, 0}}, {}, 0}};
+        const Vec2 left = samples.left_of({1, 0});
+        std::vector<WallSegment> wall{{0, samples.steps(), 0, {{0, 0.5 * left.y}, {1, 0}}, {}, 0}};
         separate_cells(samples, higher, limit, wall);
         return dot(left, wall[0].line.through) - 0.5;
     }
@@ -108,8 +107,8 @@ TEST_F(Step, AWallStaysWithinTheLimit) {
 TEST(ShiftWall, GoesToTheLeftOfTheWay) {
     for (const CellShape& shape : {north_up, south_up}) {
         // Row -1 lies on the left of a way along a row.
-        const WallSamples samples({{0, 0}, {0, 4}}, false, shape);
-        WallPiece wall{0, 4, 0, {{2, 0}, {-1, 0}}, {}, 0};
+        const TraceSums samples({{0, 0}, {0, 4}}, false, shape);
+        WallSegment wall{0, 4, 0, {{2, 0}, {-1, 0}}, {}, 0};
         shift_wall(wall, samples, 0.25);
         EXPECT_EQ(wall.line.through, shape.from_cells(-0.25, 2));
     }
@@ -117,10 +116,10 @@ TEST(ShiftWall, GoesToTheLeftOfTheWay) {
 
 class MoveInward : public testing::Test {
   protected:
-    WallSamples samples_{{{0, 0}, {0, 4}}, false, north_up};
+    TraceSums samples_{{{0, 0}, {0, 4}}, false, north_up};
     /// Where a wall along a row is after a move by 0.5: rows to the north.
     [[nodiscard]] double moved(int higher, double limit) const {
-        std::vector<WallPiece> walls{{0, 4, 0, {{2, 0}, {-1, 0}}, {}, 0}};
+        std::vector<WallSegment> walls{{0, 4, 0, {{2, 0}, {-1, 0}}, {}, 0}};
         move_inward(samples_, higher, 0.5, limit, walls);
         return walls[0].line.through.y;
     }

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "outline/packed_outline.hpp"
-#include "outline/walls/regular_outlines.hpp"
+#include "outline/walls/fit_walls.hpp"
 #include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
@@ -110,10 +110,10 @@ class Village : public testing::TestWithParam<unsigned> {};
 TEST_P(Village, IsTheSameWithAnyNumberOfThreads) {
     const ContourVector contours = village(GetParam());
     Executor one(1);
-    const RegularOutlines alone(contours, usual, std::make_unique<MemorySpool>(), one);
+    const RegularizedOutlines alone(contours, usual, std::make_unique<MemorySpool>(), one);
     for (const int threads : {2, 5}) {
         Executor several(threads);
-        const RegularOutlines shared(contours, usual, std::make_unique<MemorySpool>(), several);
+        const RegularizedOutlines shared(contours, usual, std::make_unique<MemorySpool>(), several);
         for (std::size_t i = 0; i < contours.size(); ++i) {
             expect_same(shared.polygon(i), alone.polygon(i));
             EXPECT_EQ(shared.quality(i).deviation, alone.quality(i).deviation);
@@ -126,7 +126,7 @@ TEST_P(Village, IsTheSameWithAnyNumberOfThreads) {
 TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
     const ContourVector contours = village(GetParam());
     Executor executor(2);
-    const RegularOutlines all(contours, usual, std::make_unique<MemorySpool>(), executor);
+    const RegularizedOutlines all(contours, usual, std::make_unique<MemorySpool>(), executor);
     const std::vector<ClusterPlan> clusters = wall_clusters(contours, usual);
     ASSERT_GT(clusters.size(), 2U);
     for (const ClusterPlan& cluster : clusters) {
@@ -137,7 +137,7 @@ TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
         }
         const ContourVector own(of_cluster);
         ASSERT_EQ(wall_clusters(own, usual).size(), 1U);
-        const RegularOutlines alone(own, usual, std::make_unique<MemorySpool>(), executor);
+        const RegularizedOutlines alone(own, usual, std::make_unique<MemorySpool>(), executor);
         for (std::size_t i = 0; i < own.size(); ++i) {
             expect_same(alone.polygon(i), all.polygon(cluster.numbers[i]));
             expect_same(alone.traced(i), all.traced(cluster.numbers[i]));
@@ -150,7 +150,7 @@ TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
 TEST_P(Village, FootprintsAreThoseOfTheLowLevelsAlone) {
     const ContourVector contours = village(GetParam());
     Executor executor;
-    const RegularOutlines all(contours, usual, std::make_unique<MemorySpool>(), executor);
+    const RegularizedOutlines all(contours, usual, std::make_unique<MemorySpool>(), executor);
     for (std::size_t i = 0; i < contours.size() && contours.head(i).key.level <= 1; ++i) {
         const FineRing plate = all.polygon(i).exterior;
         const FineRing footprint = all.footprint(i).exterior;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "outline/noding.hpp"
+#include "outline/arc_graph.hpp"
 #include "outline/outline.hpp"
 #include "support/outline_checks.hpp"
 #include "support/random_grid.hpp"
@@ -106,7 +106,7 @@ class RandomWalls : public testing::TestWithParam<unsigned> {
         set_ = test::trace_grid(case_.grid, case_.thresholds, {case_.mode}, context_);
     }
     [[nodiscard]] Outliner draw() {
-        return Outliner(*set_.list, Drawing::regularized, case_.rules, unit_grid, 1, context_);
+        return Outliner(*set_.list, OutlineMethod::regularized, case_.rules, unit_grid, 1, context_);
     }
     Context context_;
     WallCase case_;
@@ -148,7 +148,7 @@ TEST_P(RandomWalls, ComeOutTheSameWhereverTheWindowIs) {
     test::TraceSettings settings(case_.mode);
     settings.origin = {1234, 56789};
     const test::ContourSet moved = test::trace_grid(case_.grid, case_.thresholds, settings, context_);
-    const Outliner other(*moved.list, Drawing::regularized, case_.rules, unit_grid, 1, context_);
+    const Outliner other(*moved.list, OutlineMethod::regularized, case_.rules, unit_grid, 1, context_);
     ASSERT_EQ(moved.contours.size(), set_.contours.size());
     for (std::size_t i = 0; i < moved.contours.size(); ++i) {
         FineRing ring = outliner.outline(i).exterior;

@@ -55,7 +55,7 @@ struct Drawn {
     explicit Drawn(const TraceGrid& grid, const OutlineRules& rules = walls(),
                    const std::vector<double>& levels = {10})
         : set(trace_grid(grid, levels, {}, context)),
-          outliner(*set.list, Drawing::regularized, rules, unit_grid, 1, context) {}
+          outliner(*set.list, OutlineMethod::regularized, rules, unit_grid, 1, context) {}
     Context context;
     test::ContourSet set;
     Outliner outliner;
@@ -284,7 +284,7 @@ TEST(Walls, RightAnglesAreThoseOfTheGround) {
     Context context;
     const test::ContourSet set = trace_grid(grid, {10}, {}, context);
     const Georeference wide({0, 2, 0, 0, 0, -1}, TraceMode::cells);
-    const Outliner outliner(*set.list, Drawing::regularized, walls(), wide, 1, context);
+    const Outliner outliner(*set.list, OutlineMethod::regularized, walls(), wide, 1, context);
     const WorldRing ring = wide.polygon(outliner.outline(1)).exterior;
     ASSERT_EQ(ring.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
-#include "outline/walls/regular_outlines.hpp"
+#include "outline/walls/fit_walls.hpp"
 #include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
@@ -24,8 +24,8 @@ double work_of(const TraceGrid& grid, const std::vector<double>& levels, int noi
         ++asked;
         return false;
     });
-    const RegularOutlines outlines(*set.list, {Walls::automatic, 1.5, {}}, context.make_spool(),
-                                   *context.threads);
+    const RegularizedOutlines outlines(*set.list, {Walls::automatic, 1.5, {}}, context.make_spool(),
+                                       *context.threads);
     return asked;
 }
 
@@ -94,9 +94,9 @@ TEST(WallsWork, EndsSoonAfterItIsAskedTo) {
     for (const int after : {0, 1, 100, 1000, 5000}) {
         int asked = 0;
         context.threads = std::make_unique<Executor>(1, [&] { return ++asked > after; });
-        EXPECT_THROW(
-            RegularOutlines(*set.list, {Walls::automatic, 1.5, {}}, context.make_spool(), *context.threads),
-            Cancelled);
+        EXPECT_THROW(RegularizedOutlines(*set.list, {Walls::automatic, 1.5, {}}, context.make_spool(),
+                                         *context.threads),
+                     Cancelled);
         EXPECT_EQ(asked, after + 1);
     }
 }

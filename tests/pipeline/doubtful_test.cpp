@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/hundredths.hpp"
+#include "core/text.hpp"
 #include "pipeline/made_town.hpp"
 
 namespace d2b {
@@ -43,7 +43,7 @@ TEST(Doubtful, GoToALayerOfTheirOwn) {
     EXPECT_GE(town.count(), 1U);
     EXPECT_EQ(town.count() + town.count(doubtful), all.size());
     for (std::size_t i = 0; i < town.count(); ++i)
-        EXPECT_EQ(town.sink.number(buildings, i, "confidence"), down_to_hundredths(all.back()));
+        EXPECT_EQ(town.sink.number(buildings, i, "confidence"), floor_to_hundredths(all.back()));
     for (std::size_t i = 0; i < town.count(doubtful); ++i) {
         EXPECT_LT(town.sink.number(doubtful, i, "confidence"), all.back());
         EXPECT_GT(town.sink.number(doubtful, i, "height"), 2);

@@ -11,7 +11,7 @@
 
 #include "dem2buildings/parcel_source.hpp"
 #include "pipeline/block_town.hpp"
-#include "pipeline/run_in_units.hpp"
+#include "pipeline/run.hpp"
 #include "pipeline/tiles_case.hpp"
 #include "surface/surface_check.hpp"
 
@@ -32,8 +32,8 @@ class MadeParcels final : public ParcelSource {
                     .parcel = of_(part.row + r, part.col + c);
     }
     std::string_view name(std::int64_t parcel) override {
-        return parcel == ParcelCell::nobody ? std::string_view()
-                                            : *names_.insert("lot " + std::to_string(parcel)).first;
+        return parcel == ParcelCell::no_parcel ? std::string_view()
+                                               : *names_.insert("lot " + std::to_string(parcel)).first;
     }
 
   private:
@@ -264,14 +264,14 @@ TEST(Parcels, AreDoubtedWhereTheyAreDisplaced) {
         return [by](std::int32_t r, std::int32_t c) -> std::int64_t {
             r -= by;
             const bool in_the_row = r >= 140 && r < 164 && c >= 40 && c < 260;
-            return in_the_row ? c / 20 : ParcelCell::nobody;
+            return in_the_row ? c / 20 : ParcelCell::no_parcel;
         };
     };
     EXPECT_EQ(warning_of(moved(0)), "");
     EXPECT_TRUE(warning_of(moved(3)).starts_with(
         "Parcels of 'lots' lie 3 m beside the walls as a whole: they fit best if they are moved 3 m up on "));
     EXPECT_TRUE(warning_of([](std::int32_t, std::int32_t) {
-                    return ParcelCell::nobody;
+                    return ParcelCell::no_parcel;
                 }).starts_with("No parcel of 'lots' touches a building, so none was cut; "));
 }
 

@@ -1,6 +1,6 @@
-#include "pipeline/tiles/placed_objects.hpp"
-
 #include <gtest/gtest.h>
+
+#include "pipeline/tiles/join_tiles.hpp"
 
 namespace d2b {
 namespace {
@@ -24,33 +24,33 @@ class TwoTiles : public testing::Test {
         placed.place(seams.take(), std::move(merged));
     }
     static SeenObject seen(std::int64_t own_cells) {
-        return {{0.9, Doubt::rough, own_cells}, true, 7, own_cells};
+        return {{0.9, CounterEvidence::rough, own_cells}, true, 7, own_cells};
     }
     void put(std::int64_t unit, std::vector<SeenObject> objects, std::vector<Window> boxes, UnitEdges edges) {
         FoundUnit found{std::move(objects), std::move(boxes), {}, std::move(edges)};
         std::int64_t doubtful_ones = 0;
         const UnitObjects divided = divide_objects(found, {}, doubtful_ones);
-        lone.put(unit, divided);
+        interior.put(unit, divided);
         seams.put(unit, std::move(found), divided);
         seams.compare_known();
     }
 
     UnitGrid units{Window{0, 0, 100, 200}, CellSize{1, 1}, 64, UnitSize{0, 100}};
     TileGrid tiles{units, 1};
-    LoneObjects lone{std::make_unique<MemorySpool>(), 2};
-    SeamObjects seams{2, 2};
-    PlacedObjects placed{tiles, lone, seams};
+    InteriorObjects interior{std::make_unique<MemorySpool>(), 2};
+    BorderObjects seams{2, 2};
+    ObjectAssignment placed{tiles, interior, seams};
 };
 
 TEST_F(TwoTiles, TheTileWithMostOfItDrawsWhatLiesAtTheSeam) {
     ASSERT_EQ(tiles.count(), 2);
-    const std::vector<PlacedObject> left = placed.of(0);
+    const std::vector<AssignedObject> left = placed.of(0);
     ASSERT_EQ(left.size(), 1U);
     EXPECT_EQ(left[0].seen.own_cells, 25);
-    EXPECT_EQ(left[0].joined, PlacedObject::none);
+    EXPECT_EQ(left[0].joined, AssignedObject::none);
 
     // In the order of the units that saw them first, with all cells and a box around both parts.
-    const std::vector<PlacedObject> right = placed.of(1);
+    const std::vector<AssignedObject> right = placed.of(1);
     ASSERT_EQ(right.size(), 2U);
     EXPECT_EQ(right[0].unit, 0);
     EXPECT_EQ(right[0].label, 2U);
@@ -61,10 +61,10 @@ TEST_F(TwoTiles, TheTileWithMostOfItDrawsWhatLiesAtTheSeam) {
 }
 
 TEST_F(TwoTiles, WhatAnotherTileDrawsIsOneMoreThanTheBuildings) {
-    EXPECT_EQ(placed.labels_for(0, placed.of(0)).number, (Labels{0, 1, 2}));
-    EXPECT_EQ(placed.labels_for(1, placed.of(0)).number, (Labels{0, 2, 2}));
-    EXPECT_EQ(placed.labels_for(0, placed.of(1)).number, (Labels{0, 3, 1}));
-    EXPECT_EQ(placed.labels_for(1, placed.of(1)).number, (Labels{0, 1, 2}));
+    EXPECT_EQ(placed.map_labels(0, placed.of(0)).number, (Labels{0, 1, 2}));
+    EXPECT_EQ(placed.map_labels(1, placed.of(0)).number, (Labels{0, 2, 2}));
+    EXPECT_EQ(placed.map_labels(0, placed.of(1)).number, (Labels{0, 3, 1}));
+    EXPECT_EQ(placed.map_labels(1, placed.of(1)).number, (Labels{0, 1, 2}));
 }
 
 }  // namespace

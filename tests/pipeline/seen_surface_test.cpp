@@ -1,9 +1,8 @@
-#include "pipeline/seen_surface.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "pipeline/find_buildings.hpp"
 #include "pipeline/pipeline_case.hpp"
 
 namespace d2b {
@@ -19,14 +18,14 @@ std::vector<double> after_taking_out(double step, const Window& seen, double met
     test::MemorySource source(20, 30, z);
     Context context;
     ElevationReader reader(source, context);
-    (void)reader.survey({on_land, {1e9, 1e9}, 1, {}}, [](const ElevationBand&) {});
+    (void)reader.survey({land_elevations, {1e9, 1e9}, 1, {}}, [](const ElevationBand&) {});
     {
-        SeenSurface surface(reader, seen, metres, *context.threads);
+        UnitSurface surface(reader, seen, metres, *context.threads);
         EXPECT_EQ(surface.elevations().rows, seen.rows);
         Grid<std::uint8_t> flags(seen.rows, seen.cols, 1);
         flags.values[7] |= flag;
         flags.values[400] |= flag;
-        surface.take_out(flags, flag, *context.threads);
+        surface.mask_flagged(flags, flag, *context.threads);
         for (std::size_t i = 0; i < surface.elevations().size(); ++i)
             if (i == 7 || i == 400)
                 EXPECT_TRUE(std::isnan(surface.elevations().values[i]));
@@ -41,7 +40,7 @@ std::vector<double> after_taking_out(double step, const Window& seen, double met
     return after;
 }
 
-TEST(SeenSurface, LeavesTheReadersElevationsAsTheyWere) {
+TEST(UnitSurface, LeavesTheReadersElevationsAsTheyWere) {
     EXPECT_EQ(after_taking_out(0.25, {0, 0, 20, 30}, 1)[7], 101.75);  // the reader's own
     EXPECT_EQ(after_taking_out(0.25, {0, 0, 19, 30}, 1)[7], 101.75);  // a part
     EXPECT_EQ(after_taking_out(0.25, {0, 0, 20, 30}, 0.3048)[7], 101.75);

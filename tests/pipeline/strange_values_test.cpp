@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/number_text.hpp"
-#include "core/value_counts.hpp"
+#include "core/invalid_elevations.hpp"
+#include "core/text.hpp"
 #include "options/option_table.hpp"
 #include "pipeline/made_town.hpp"
 
@@ -98,7 +98,7 @@ TEST_P(NoElevation, IsAsIfItWereDeclared) {
     }
 }
 
-TEST(StrangeValues, TheRangeIsInTheUnitOfTheElevations) {
+TEST(SuspiciousValues, TheRangeIsInTheUnitOfTheElevations) {
     const auto counted = [](double value, const std::string& unit, double metres) {
         TownWith town({in_flat_roof}, value, metres);
         Result result;
@@ -112,7 +112,7 @@ TEST(StrangeValues, TheRangeIsInTheUnitOfTheElevations) {
     EXPECT_EQ(counted(-9999, "0.01", 0.01), 0);
 }
 
-TEST(StrangeValues, AGivenRangeTakesThePlaceOfWhatIsOnLand) {
+TEST(SuspiciousValues, AGivenRangeTakesThePlaceOfWhatIsOnLand) {
     Options options;
     options.read.elevation_range = {{0, 120}};
     TownWith town({in_flat_roof}, -1);
@@ -132,7 +132,7 @@ TEST(StrangeValues, AGivenRangeTakesThePlaceOfWhatIsOnLand) {
     EXPECT_EQ(all.report.minimum, -9999);
 }
 
-TEST(StrangeValues, WhereMostAreNoElevationsTheRunIsRefused) {
+TEST(SuspiciousValues, WhereMostAreNoElevationsTheRunIsRefused) {
     TownWith town({}, 0, 0.001);  // millimetres
     Result result;
     try {
@@ -152,7 +152,7 @@ TEST(StrangeValues, WhereMostAreNoElevationsTheRunIsRefused) {
     EXPECT_EQ(in_millimetres.report.warnings, std::vector<std::string>());
 }
 
-TEST(StrangeValues, WhatManyCellsShareFarFromAllOthersIsWarnedOf) {
+TEST(SuspiciousValues, WhatManyCellsShareFarFromAllOthersIsWarnedOf) {
     std::vector<Cell> cells;
     for (int i = 0; i < 30; ++i)
         cells.push_back({i * 4 + 2, 5});
@@ -173,9 +173,9 @@ TEST(StrangeValues, WhatManyCellsShareFarFromAllOthersIsWarnedOf) {
     }
 }
 
-TEST(StrangeValues, ADeclaredValueThatComesBackIsSaidSo) {
+TEST(SuspiciousValues, ADeclaredValueThatComesBackIsSaidSo) {
     TownWith town({in_street}, 99);
-    town.edit().set_aside_nodata = 99;
+    town.edit().overridden_nodata = 99;
     Options options;
     options.read.nodata = -1;
     Result result;
@@ -187,10 +187,10 @@ TEST(StrangeValues, ADeclaredValueThatComesBackIsSaidSo) {
               "takes the place of; if it stands for no data, leave out -snodata.");
 }
 
-TEST(StrangeValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
+TEST(SuspiciousValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
     for (const bool ignoring : {false, true}) {
         TownWith town({in_street}, -9999);
-        town.edit().set_aside_nodata = -9999;
+        town.edit().overridden_nodata = -9999;
         Options options;
         options.read.ignore_nodata = ignoring;
         Result result;
@@ -205,7 +205,7 @@ TEST(StrangeValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
     }
 }
 
-TEST(StrangeValues, ASpikeIsNoElevationOrNoRoof) {
+TEST(SuspiciousValues, ASpikeIsNoElevationOrNoRoof) {
     Result clean;
     TownWith town({}, 0);
     run_on(town, {}, clean);
@@ -214,12 +214,12 @@ TEST(StrangeValues, ASpikeIsNoElevationOrNoRoof) {
     run_on(holes, {}, hole);
     const double roof = MadeTown::middle(MadeTown::flat) + MadeTown::flat_height;
     TownWith high({in_flat_roof}, roof + 101);
-    Result no_elevation;
-    run_on(high, {}, no_elevation);
-    expect_same_features(no_elevation, hole);
-    EXPECT_EQ(no_elevation.report.counted(Reason::elevation_above_neighbours), 1);
-    ASSERT_EQ(no_elevation.report.warnings.size(), 1U);
-    EXPECT_NE(no_elevation.report.warnings[0].find(
+    Result invalid_above;
+    run_on(high, {}, invalid_above);
+    expect_same_features(invalid_above, hole);
+    EXPECT_EQ(invalid_above.report.counted(Reason::elevation_above_neighbours), 1);
+    ASSERT_EQ(invalid_above.report.warnings.size(), 1U);
+    EXPECT_NE(invalid_above.report.warnings[0].find(
                   ", more than 100 m above all cells around, and is treated as no data; if "),
               std::string::npos);
 
@@ -260,7 +260,7 @@ std::vector<Cell> patch(int side) {
     return cells;
 }
 
-TEST(StrangeValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem) {
+TEST(SuspiciousValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem) {
     TownWith high(patch(4), 9999, 0.3048);  // 3,048 m is an elevation
     Result result;
     run_on(high, in_unit("ft"), result);
@@ -285,7 +285,7 @@ TEST(StrangeValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem)
         }
 }
 
-TEST(StrangeValues, ThesisBuildingsThatCannotBeAreWarnedOfAsWell) {
+TEST(SuspiciousValues, ThesisBuildingsThatCannotBeAreWarnedOfAsWell) {
     Options options;
     options.preset = Preset::thesis;
     TownWith high(patch(8), 3000);
@@ -346,7 +346,7 @@ TEST_P(Collar, IsAsIfItWereDeclared) {
         }
 }
 
-TEST(StrangeValues, ACollarStaysWithInodata) {
+TEST(SuspiciousValues, ACollarStaysWithInodata) {
     Options options;
     options.read.ignore_nodata = true;
     TownWithCollar town(0);
@@ -357,7 +357,7 @@ TEST(StrangeValues, ACollarStaysWithInodata) {
     EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
 }
 
-TEST(StrangeValues, ANarrowCollarIsNamed) {
+TEST(SuspiciousValues, ANarrowCollarIsNamed) {
     std::vector<Cell> cells;
     for (int row = 0; row < MadeTown::rows; ++row)
         for (int col = 0; col < 3; ++col)
@@ -373,7 +373,7 @@ TEST(StrangeValues, ANarrowCollarIsNamed) {
     EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
 }
 
-TEST(StrangeValues, TheNumberOfThreadsDoesNotMatter) {
+TEST(SuspiciousValues, TheNumberOfThreadsDoesNotMatter) {
     std::vector<Cell> cells;
     for (int i = 0; i < 60; ++i)
         cells.push_back({2 * i + 3, (37 * i) % 165});

@@ -8,22 +8,22 @@ namespace {
 using Numbers = std::vector<std::int64_t>;
 
 /// Takes a contour of a tile down as FeatureWriter does, with the number that what stands on it gets.
-void take(TileNumbers& numbers, std::size_t tile, std::int64_t number, std::int64_t building = 0) {
-    GivenNumbers& given = numbers.of(tile);
+void take(TileIds& numbers, std::size_t tile, std::int64_t number, std::int64_t building = 0) {
+    AssignedIds& given = numbers.of(tile);
     given.written.push_back(number);
     if (building > 0)
         given.buildings.push_back(building);
 }
 
-TEST(TileNumbers, WaitBetweenLevels) {
-    TileNumbers numbers(std::make_unique<MemorySpool>(), 3);
+TEST(TileIds, WaitBetweenLevels) {
+    TileIds numbers(std::make_unique<MemorySpool>(), 3);
     // Two tiles by turns on level 1; the last has nothing.
     take(numbers, 0, 1, 1);
     take(numbers, 1, 2, 2);
     take(numbers, 0, 3, 3);
-    numbers.put_aside(1);
+    numbers.spool_level(1);
     take(numbers, 0, 4, 4);
-    numbers.put_aside(0);
+    numbers.spool_level(0);
 
     // On level 2 there are the numbers of level 1, by their places in the tile, and of its buildings.
     EXPECT_EQ(numbers.of(0).before, 0);
@@ -32,16 +32,16 @@ TEST(TileNumbers, WaitBetweenLevels) {
     EXPECT_EQ(numbers.of(1).written, (Numbers{2}));
     take(numbers, 0, 5);
     take(numbers, 0, 6);
-    numbers.put_aside(0);
+    numbers.spool_level(0);
     take(numbers, 1, 7);
-    numbers.put_aside(1);
+    numbers.spool_level(1);
 
     // On level 3 those of level 1 are gone, and places count from behind them.
     EXPECT_EQ(numbers.of(0).before, 3);
     EXPECT_EQ(numbers.of(0).written, (Numbers{5, 6}));
     EXPECT_EQ(numbers.of(0).buildings, (Numbers{1, 3, 4}));
     take(numbers, 0, 8);
-    numbers.put_aside(0);
+    numbers.spool_level(0);
 
     EXPECT_EQ(numbers.all(0).written, (Numbers{1, 3, 4, 5, 6, 8}));
     EXPECT_EQ(numbers.all(0).buildings, (Numbers{1, 3, 4}));
@@ -51,11 +51,11 @@ TEST(TileNumbers, WaitBetweenLevels) {
     EXPECT_TRUE(numbers.all(2).buildings.empty());
 }
 
-TEST(TileNumbers, AreNotPutAsideTwice) {
-    TileNumbers numbers(std::make_unique<MemorySpool>(), 1);
+TEST(TileIds, AreNotPutAsideTwice) {
+    TileIds numbers(std::make_unique<MemorySpool>(), 1);
     take(numbers, 0, 1, 1);
-    numbers.put_aside(0);
-    numbers.put_aside(0);
+    numbers.spool_level(0);
+    numbers.spool_level(0);
     EXPECT_EQ(numbers.of(0).written, (Numbers{1}));
     EXPECT_EQ(numbers.all(0).written, (Numbers{1}));
 }

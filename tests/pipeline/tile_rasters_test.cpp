@@ -14,7 +14,7 @@
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "pipeline/random_town.hpp"
-#include "pipeline/run_in_units.hpp"
+#include "pipeline/run.hpp"
 #include "pipeline/tiles_case.hpp"
 
 namespace d2b {
@@ -75,7 +75,7 @@ void compare_rasters(MemorySource& dem, Options options) {
     options.ground.max_building_width = 20;  // units see 100 cells around
     name_rasters(options, folder.path(), ".tif");
     {
-        const SideSinks sinks = open_side_sinks(options, dem.info());
+        const AuxiliarySinks sinks = open_auxiliary_sinks(options, dem.info());
         Result whole;
         (void)run_in_units(options, {dem},
                            {whole.sink, sinks.ground.get(), sinks.height.get(), sinks.canopy.get()}, {},
@@ -153,15 +153,15 @@ TEST_F(RastersOfATown, AreMadeByTwoAtATime) {
     TileRun run({folder_.path(), some_plan, 1, many_units}, options_, {dem_}, nowhere, {});
     const Window own = run.tiles().whole(0).own;
     const std::vector<float> values(static_cast<std::size_t>(own.points()), 7.5F);
-    SideSinks first = open_tile_rasters(run, 0);
-    SideSinks second = open_tile_rasters(run, 0);
+    AuxiliarySinks first = open_tile_rasters(run, 0);
+    AuxiliarySinks second = open_tile_rasters(run, 0);
     first.ground->write(own, values);
     second.ground->write(own, values);
     finish_tile_rasters(run, 0, first);
     finish_tile_rasters(run, 0, second);
     EXPECT_EQ(seen(path("ground/0.tif")).values, std::vector<double>(values.begin(), values.end()));
     // What cannot be written at all is told.
-    SideSinks third = open_tile_rasters(run, 1);
+    AuxiliarySinks third = open_tile_rasters(run, 1);
     EXPECT_THROW(finish_tile_rasters(run, 1, third), OutputError);
     EXPECT_FALSE(fs::exists(path("ground/1.tif")));
 }

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pipeline/run_in_units.hpp"
+#include "pipeline/run.hpp"
 
 namespace d2b::test {
 namespace {
@@ -64,7 +64,7 @@ void expect_same(const RunReport& a, const RunReport& b) {
     expect_same(a.contour_outlines, b.contour_outlines);
     ASSERT_EQ(a.sampling.has_value(), b.sampling.has_value());
     if (a.sampling) {
-        EXPECT_EQ(a.sampling->filled_share, b.sampling->filled_share);
+        EXPECT_EQ(a.sampling->interpolated_fraction, b.sampling->interpolated_fraction);
         EXPECT_EQ(a.sampling->points_per_cell, b.sampling->points_per_cell);
         EXPECT_EQ(a.sampling->step_width_cells, b.sampling->step_width_cells);
         EXPECT_EQ(a.sampling->value_step, b.sampling->value_step);
@@ -118,14 +118,14 @@ void StepsInTiles::number_and_write(Result& result) {
     for (std::int64_t tile = count(); tile-- > 0;) {
         MemorySink part;
         TileRun run(work_, options_, sources_, part, {});
-        EXPECT_FALSE(written_parts(run, tile));
+        EXPECT_FALSE(written_totals(run, tile));
         write_tile(run, tile, part);
         result.sink.features.resize(part.features.size());
         for (std::size_t layer = 0; layer < part.features.size(); ++layer)
             std::ranges::move(part.features[layer], std::back_inserter(result.sink.features[layer]));
         result.sink.provenance = part.provenance;
         result.sink.finished = part.finished;
-        const std::optional<NumberedWhole> whole = written_parts(run, tile);
+        const std::optional<NumberedWhole> whole = written_totals(run, tile);
         EXPECT_EQ(whole.has_value(), tile == 0);
         for (std::size_t layer = 0; whole && layer < whole->layers.size(); ++layer)
             EXPECT_EQ(whole->layers[layer].features, std::ssize(result.sink.features[layer]));

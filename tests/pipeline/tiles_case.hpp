@@ -25,7 +25,8 @@ struct TileOrder {
 class StepsInTiles {
   public:
     /// @param layers that the destination gets
-    StepsInTiles(const Sources& sources, Options options, TileWork work, Layers layers = Layers::both)
+    StepsInTiles(const Sources& sources, Options options, TileRunParameters work,
+                 Layers layers = Layers::both)
         : sources_(sources), options_(std::move(options)), work_(std::move(work)), layers_(layers) {}
 
     [[nodiscard]] std::int64_t count();
@@ -45,7 +46,7 @@ class StepsInTiles {
 
     Sources sources_;
     Options options_;
-    TileWork work_;
+    TileRunParameters work_;
     Layers layers_;
 };
 

@@ -11,7 +11,7 @@
 #include "dem2buildings/error.hpp"
 #include "pipeline/block_town.hpp"
 #include "pipeline/random_town.hpp"
-#include "pipeline/run_in_units.hpp"
+#include "pipeline/run.hpp"
 #include "pipeline/tiles_case.hpp"
 #include "tiles/drawn_tile.hpp"
 
@@ -122,8 +122,8 @@ BlockTown cut_town() {
 std::size_t left_over(const std::filesystem::path& work, std::int64_t tiles) {
     std::size_t left = 0;
     for (std::int64_t tile = 0; tile < tiles; ++tile) {
-        SealedFile file(work / "draw" / std::to_string(tile),
-                        {TileStep::draw, some_plan, static_cast<std::uint32_t>(tile)});
+        CheckpointFile file(work / "draw" / std::to_string(tile),
+                            {TileStep::draw, some_plan, static_cast<std::uint32_t>(tile)});
         ByteReader reader = file.body();
         left += load_drawn_tile(reader).left.size();
     }
@@ -331,7 +331,7 @@ class TilesOfATown : public testing::Test {
     TilesOfATown() : dem_(cut_town().source()) { test::place_in_utm(dem_, 1); }
     [[nodiscard]] StepsInTiles steps(std::uint64_t plan = some_plan) {
         // The town has no undeclared values, as plan would have found.
-        return {{dem_}, options_for_blocks(), {folder_.path(), plan, 2, {0, 100}, UndeclaredValues{}}};
+        return {{dem_}, options_for_blocks(), {folder_.path(), plan, 2, {0, 100}, UndeclaredNodata{}}};
     }
     [[nodiscard]] std::string name(const std::string& file) const {
         return "'" + (folder_.path() / file).string() + "'";
@@ -473,7 +473,7 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
     const auto said = [](const std::function<void(Options&)>& ask) {
         Options options;
         ask(options);
-        return refusal([&] { require_tiles(options); });
+        return refusal([&] { require_tileable(options); });
     };
     EXPECT_EQ(said([](Options&) {}), "(nothing)");
     EXPECT_EQ(said([](Options& o) {

@@ -1,18 +1,17 @@
-#include "preview/contact_sheet.hpp"
-
 #include <algorithm>
 #include <vector>
 
 #include "preview/field.hpp"
+#include "preview/map_page.hpp"
 #include "preview/pixels.hpp"
 
 namespace d2b::test {
 namespace {
 
-std::vector<TrialPicture> trials(const MapGround& ground, const SheetPlan& plan) {
+std::vector<TrialPicture> trials(const MapArea& ground, const SheetPlan& plan) {
     std::vector<TrialPicture> all;
     for (std::size_t i = 0; i < plan.trials; ++i) {
-        const MapFrame frame(ground, map_on_sheet(ground, plan));
+        const MapFrame frame(ground, map_size_on_sheet(ground, plan));
         MapPicture map{frame,
                        std::make_shared<Relief>(frame),
                        FootprintDrawing(frame, PictureFormat::png),
@@ -39,22 +38,22 @@ TEST(ContactSheet, HasARowForWhatBelongsTogetherWhereThereIsRoom) {
 TEST(ContactSheet, IsAsLongAsAskedForAndItsMapsAreLegible) {
     for (const auto& [rows, cols] : {std::pair{30, 30}, {20, 60}, {60, 20}})
         for (const std::size_t count : {1U, 2U, 5U, 9U, 16U}) {
-            const MapGround ground = field(rows, cols, Crs("EPSG:25833"));
+            const MapArea ground = field(rows, cols, Crs("EPSG:25833"));
             const SheetPlan plan = plan_sheet(count, 1, 1600);
             const Pixels sheet(draw_contact_sheet(trials(ground, plan), plan, PictureFormat::png));
             EXPECT_EQ(std::max(sheet.width(), sheet.height()), 1600);
-            const PixelSize map = map_on_sheet(ground, plan);
+            const PixelSize map = map_size_on_sheet(ground, plan);
             EXPECT_GE(std::max(map.width, map.height), 240) << count << " of " << rows << " x " << cols;
             EXPECT_NEAR(static_cast<double>(map.width) / cols, static_cast<double>(map.height) / rows, 0.5);
         }
 }
 
 TEST(ContactSheet, HasACaptionAboveEachMap) {
-    const MapGround ground = field(30, 30, Crs("EPSG:25833"));
+    const MapArea ground = field(30, 30, Crs("EPSG:25833"));
     const SheetPlan plan = plan_sheet(5, 1, 1200);
     ASSERT_EQ(plan.columns, 3);
     const Pixels sheet(draw_contact_sheet(trials(ground, plan), plan, PictureFormat::png));
-    const PixelSize map = map_on_sheet(ground, plan);
+    const PixelSize map = map_size_on_sheet(ground, plan);
     int maps = 0;
     for (int i = 0; i < 6; ++i) {
         const int left = 10 + i % 3 * (sheet.width() / 3);

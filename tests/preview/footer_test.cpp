@@ -1,9 +1,7 @@
-#include "preview/footer.hpp"
-
 #include "preview/field.hpp"
 #include "preview/map_picture.hpp"
+#include "preview/page.hpp"
 #include "preview/pixels.hpp"
-#include "preview/scale_bar.hpp"
 
 namespace d2b::test {
 namespace {
@@ -45,7 +43,7 @@ TEST(ScaleBar, IsAsLongAsItSays) {
 
 TEST(Footer, SetsTheScaleBelowTheLegendWhereThereIsNoRoomBeside) {
     const Footer wide(1000, 20, 2);
-    const Footer narrow(Footer::least_width(20), 20, 2);
+    const Footer narrow(Footer::min_width(20), 20, 2);
     EXPECT_GT(narrow.height(), wide.height() + 40);
     EXPECT_GT(Footer(1000, 20, 3).height(), wide.height() + 20);
 }
@@ -67,17 +65,17 @@ TEST(Footer, ShowsNorthWhereItIsKnown) {
 }
 
 TEST(MapPicture, NamesTheSourceAndCounts) {
-    MapGround ground = frame("EPSG:25833").ground();
-    ground.dem.name = "/data/Łódź/dsm 1 m.tif";
-    EXPECT_EQ(source_line(ground), "Source: \u2068dsm 1 m.tif\u2069 · ETRS89 / UTM zone 33N");
-    ground.crs = Crs();
-    EXPECT_EQ(source_line(ground), "Source: \u2068dsm 1 m.tif\u2069 · CRS not known");
-    EXPECT_EQ(counted(1, "building"), "1 building");
-    EXPECT_EQ(counted(0, "building"), "0 buildings");
-    EXPECT_EQ(counted(999, "point"), "999 points");
-    EXPECT_EQ(counted(1234567, "point"), "1,234,567 points");
-    EXPECT_EQ(found({.number = 2}), "2 buildings");
-    EXPECT_EQ(found({.number = 2, .contours_alone = true}), "2 contours");
+    MapArea area = frame("EPSG:25833").area();
+    area.dem.name = "/data/Łódź/dsm 1 m.tif";
+    EXPECT_EQ(source_line(area), "Source: \u2068dsm 1 m.tif\u2069 · ETRS89 / UTM zone 33N");
+    area.crs = Crs();
+    EXPECT_EQ(source_line(area), "Source: \u2068dsm 1 m.tif\u2069 · CRS not known");
+    EXPECT_EQ(count_noun(1, "building"), "1 building");
+    EXPECT_EQ(count_noun(0, "building"), "0 buildings");
+    EXPECT_EQ(count_noun(999, "point"), "999 points");
+    EXPECT_EQ(count_noun(1234567, "point"), "1,234,567 points");
+    EXPECT_EQ(count_text({.number = 2}), "2 buildings");
+    EXPECT_EQ(count_text({.number = 2, .contours_only = true}), "2 contours");
     EXPECT_EQ(rounded_metres(0.849), "0.8 m");
     EXPECT_EQ(rounded_metres(0.96), "1.0 m");
     EXPECT_EQ(rounded_metres(12.34), "12.3 m");

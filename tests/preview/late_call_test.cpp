@@ -1,30 +1,29 @@
-#include "preview/late_call.hpp"
-
 #include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "preview/cairo.hpp"
 
 namespace d2b::test {
 namespace {
 
 std::string refusal(const char* library, const char* function) {
     try {
-        static_cast<void>(late_function(library, function));
+        static_cast<void>(load_symbol(library, function));
     } catch (const OutputError& error) {
         return error.what();
     }
     return "";
 }
 
-TEST(LateCall, CallsAFunctionOfALibrary) {
-    const auto cosine = reinterpret_cast<double (*)(double)>(late_function("libm.so.6", "cos"));
+TEST(LazySymbol, CallsAFunctionOfALibrary) {
+    const auto cosine = reinterpret_cast<double (*)(double)>(load_symbol("libm.so.6", "cos"));
     EXPECT_EQ(cosine(0), 1);
 }
 
-TEST(LateCall, SaysWhatIsMissingAndWhatToInstall) {
+TEST(LazySymbol, SaysWhatIsMissingAndWhatToInstall) {
     for (const auto& [library, function] :
          {std::pair("libof_nobody.so.7", "draw"), std::pair("libm.so.6", "draw_by_nobody")}) {
         const std::string said = refusal(library, function);

@@ -9,7 +9,7 @@
 namespace d2b::test {
 namespace {
 
-MapGround ground(const AffineTransform& transform, const CellSize& cell) {
+MapArea ground(const AffineTransform& transform, const CellSize& cell) {
     DemInfo dem;
     dem.rows = 50;
     dem.cols = 40;
@@ -20,17 +20,17 @@ MapGround ground(const AffineTransform& transform, const CellSize& cell) {
 
 TEST(MapFrame, PlacesHaveTheirPixelsAndAllIsToScale) {
     // Cells twice as wide as high.
-    const MapGround part = ground({1000, 2, 0, 500, 0, -1}, {2, 1, 1});
-    EXPECT_NEAR(aspect_of(part), 20.0 / 30, 1e-12);
+    const MapArea part = ground({1000, 2, 0, 500, 0, -1}, {2, 1, 1});
+    EXPECT_NEAR(aspect_ratio(part), 20.0 / 30, 1e-12);
     const MapFrame frame(part, {200, 300});
     EXPECT_NEAR(frame.metres_per_pixel(), 0.1, 1e-12);
-    const Spot corner = frame.spot({1040, 490});  // of the window
+    const PixelPoint corner = frame.pixel({1040, 490});  // of the window
     EXPECT_NEAR(corner.x, 0, 1e-9);
     EXPECT_NEAR(corner.y, 0, 1e-9);
-    const Spot middle = frame.spot({1050, 475});
+    const PixelPoint middle = frame.pixel({1050, 475});
     EXPECT_NEAR(middle.x, 100, 1e-9);
     EXPECT_NEAR(middle.y, 150, 1e-9);
-    EXPECT_LE(frame.spot({1e300, 0}).x, 1e6);
+    EXPECT_LE(frame.pixel({1e300, 0}).x, 1e6);
 }
 
 TEST(MapFrame, NorthIsUpOnAGridThatIsNotRotated) {
@@ -53,7 +53,7 @@ TEST(MapFrame, NorthTurnsWithTheGrid) {
 }
 
 TEST(MapFrame, NobodyKnowsNorthWithoutACrs) {
-    MapGround unknown = ground({0, 1, 0, 0, 0, -1}, {1, 1, 1});
+    MapArea unknown = ground({0, 1, 0, 0, 0, -1}, {1, 1, 1});
     unknown.crs = Crs();
     EXPECT_FALSE(MapFrame(unknown, {10, 30}).north());
 }

@@ -2,7 +2,6 @@
 
 #include <regex>
 
-#include "preview/page_text.hpp"
 #include "preview/pixels.hpp"
 
 /// Asked by LeakSanitizer. Pango keeps the fonts that a thread has used to its end, as Fontconfig and Cairo
@@ -19,7 +18,7 @@ namespace {
 class All {
   public:
     All() {
-        const PenOwner pen(cairo_create(shapes_.get()));
+        const CairoPtr pen(cairo_create(shapes_.get()));
         cairo_rectangle(pen.get(), 10, 10, 50, 50);
         cairo_fill(pen.get());
     }
@@ -35,8 +34,8 @@ class All {
 
   private:
     cairo_rectangle_t extents_{0, 0, 100, 80};
-    SurfaceOwner image_{cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 4, 4)};
-    SurfaceOwner shapes_{cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents_)};
+    SurfacePtr image_{cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 4, 4)};
+    SurfacePtr shapes_{cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents_)};
 };
 
 TEST(PictureFormat, IsThatOfTheExtension) {
@@ -97,7 +96,7 @@ TEST(PageText, AnyScriptIsDrawnAndBytesThatAreNoneToo) {
 TEST(PageText, KeepsToItsRoomAndItsPlace) {
     const std::string text(200, 'm');
     const Pixels line({300, 40}, [&](cairo_t* pen) {
-        draw_text(pen, {10, 5}, {.size = 20, .room = 200}, text);
+        draw_text(pen, {10, 5}, {.size = 20, .max_width = 200}, text);
     });
     EXPECT_GT(line.dark(150, 0, 210, 40), 50);
     EXPECT_EQ(line.dark(211, 0, 300, 40), 0);

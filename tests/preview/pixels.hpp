@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "preview/cairo_handles.hpp"
+#include "preview/cairo.hpp"
 #include "preview/map_frame.hpp"
 
 namespace d2b::test {
@@ -19,7 +19,7 @@ class Pixels {
     /// What is drawn on white paper.
     Pixels(PixelSize size, const std::function<void(cairo_t* pen)>& draw)
         : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)) {
-        const PenOwner pen(cairo_create(surface_.get()));
+        const CairoPtr pen(cairo_create(surface_.get()));
         set_colour(pen.get(), paper);
         cairo_paint(pen.get());
         draw(pen.get());
@@ -64,7 +64,7 @@ class Pixels {
     }
 
   private:
-    SurfaceOwner surface_;
+    SurfacePtr surface_;
 };
 
 inline void expect_near(Colour one, Colour other, int tolerance = 3) {

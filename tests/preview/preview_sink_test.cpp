@@ -6,7 +6,7 @@
 #include "core/height_classes.hpp"
 #include "preview/field.hpp"
 #include "preview/map_page.hpp"
-#include "preview/painted_map.hpp"
+#include "preview/page.hpp"
 #include "preview/pixels.hpp"
 #include "support/memory_io.hpp"
 
@@ -43,13 +43,14 @@ class PreviewTest : public ::testing::Test {
     MapPicture picture(const std::vector<LayerSpec>& layers,
                        const std::vector<std::pair<std::size_t, Feature>>& features,
                        PictureFormat format = PictureFormat::png) {
-        const MapGround ground = field(20, 20, {}, {0, 1, 0, 20, 0, -1});
+        const MapArea ground = field(20, 20, {}, {0, 1, 0, 20, 0, -1});
         inner.finished = false;
         std::optional<MapPicture> map;
-        PreviewSink sink(inner, MapFrame(ground, map_on_page(ground, size)), format, [&](MapPicture taken) {
-            EXPECT_FALSE(inner.finished);
-            map = std::move(taken);
-        });
+        PreviewSink sink(inner, MapFrame(ground, map_size_on_page(ground, size)), format,
+                         [&](MapPicture taken) {
+                             EXPECT_FALSE(inner.finished);
+                             map = std::move(taken);
+                         });
         sink.relief().write({0, 0, 20, 20}, std::vector<float>(400, 5));
         sink.begin(layers, {});
         for (const auto& [index, feature] : features)
@@ -64,8 +65,8 @@ class PreviewTest : public ::testing::Test {
     /// The colour at a place of the map.
     static Colour at(const MapPicture& map, double x, double y) {
         const Pixels pixels(map.frame.size(), [&](cairo_t* pen) { paint(map, pen, {0, 0}, 10); });
-        const Spot spot = map.frame.spot({x, y});
-        return pixels.at(static_cast<int>(spot.x), static_cast<int>(spot.y));
+        const PixelPoint pixel = map.frame.pixel({x, y});
+        return pixels.at(static_cast<int>(pixel.x), static_cast<int>(pixel.y));
     }
 
     MemorySink inner;
@@ -162,7 +163,7 @@ TEST_F(PreviewTest, ThePageIsAsLongAsAskedFor) {
 
 TEST(MapPage, FitsMapsOfAnyForm) {
     for (const auto& [rows, cols] : {std::pair{10, 10}, {10, 1000}, {1000, 10}, {3, 5}, {5, 3}, {1, 1}}) {
-        const PixelSize map = map_on_page(field(rows, cols), 1000);
+        const PixelSize map = map_size_on_page(field(rows, cols), 1000);
         EXPECT_GE(std::min(map.width, map.height), 1);
         EXPECT_LE(std::max(map.width, map.height), 1000);
         EXPECT_GT(std::max(map.width, map.height), 500);

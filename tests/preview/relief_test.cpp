@@ -1,19 +1,18 @@
-#include "preview/relief.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "preview/field.hpp"
+#include "preview/map_picture.hpp"
+#include "preview/page.hpp"
 #include "preview/pixels.hpp"
-#include "preview/relief_image.hpp"
 
 namespace d2b::test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
-Pixels painted(const MapGround& ground, PixelSize size, const std::vector<float>& z) {
+Pixels painted(const MapArea& ground, PixelSize size, const std::vector<float>& z) {
     Relief relief(MapFrame(ground, size));
     // In two pieces, as bands come.
     const std::int32_t first = ground.dem.rows / 3;

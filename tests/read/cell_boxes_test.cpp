@@ -1,21 +1,21 @@
-#include "read/cell_boxes.hpp"
-
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "read/raster_mosaic.hpp"
 
 namespace d2b {
 namespace {
 
 TEST(CellBoxes, ThatShareCellsAreNotApart) {
-    EXPECT_TRUE(are_apart({}));
-    EXPECT_TRUE(are_apart({{{{0, 5}, {0, 5}}}}));
+    EXPECT_TRUE(are_disjoint({}));
+    EXPECT_TRUE(are_disjoint({{{{0, 5}, {0, 5}}}}));
     EXPECT_TRUE(
-        are_apart({{{{0, 5}, {0, 5}}}, {{{5, 9}, {0, 5}}}, {{{-4, 9}, {5, 6}}}, {{{0, 9}, {-3, 0}}}}));
-    EXPECT_FALSE(are_apart({{{{0, 5}, {0, 5}}}, {{{0, 5}, {0, 5}}}}));
-    EXPECT_FALSE(are_apart({{{{0, 9}, {0, 9}}}, {{{3, 4}, {3, 4}}}}));   // one within the other
-    EXPECT_FALSE(are_apart({{{{3, 4}, {0, 9}}}, {{{0, 9}, {3, 4}}}}));   // a cross
-    EXPECT_FALSE(are_apart({{{{0, 5}, {0, 5}}}, {{{4, 9}, {-3, 1}}}}));  // a corner
+        are_disjoint({{{{0, 5}, {0, 5}}}, {{{5, 9}, {0, 5}}}, {{{-4, 9}, {5, 6}}}, {{{0, 9}, {-3, 0}}}}));
+    EXPECT_FALSE(are_disjoint({{{{0, 5}, {0, 5}}}, {{{0, 5}, {0, 5}}}}));
+    EXPECT_FALSE(are_disjoint({{{{0, 9}, {0, 9}}}, {{{3, 4}, {3, 4}}}}));   // one within the other
+    EXPECT_FALSE(are_disjoint({{{{3, 4}, {0, 9}}}, {{{0, 9}, {3, 4}}}}));   // a cross
+    EXPECT_FALSE(are_disjoint({{{{0, 5}, {0, 5}}}, {{{4, 9}, {-3, 1}}}}));  // a corner
 }
 
 TEST(CellBoxes, AreApartAsEveryTwoAre) {
@@ -38,7 +38,7 @@ TEST(CellBoxes, AreApartAsEveryTwoAre) {
             boxes.push_back(box);
         }
         apart += expected ? 1 : 0;
-        EXPECT_EQ(are_apart(boxes), expected);
+        EXPECT_EQ(are_disjoint(boxes), expected);
     }
     EXPECT_GT(apart, 100);
     EXPECT_LT(apart, 1900);

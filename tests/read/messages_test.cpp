@@ -5,7 +5,7 @@
 
 #include "dem2buildings/open_sources.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b {
 namespace {

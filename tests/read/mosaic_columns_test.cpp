@@ -1,5 +1,3 @@
-#include "read/mosaic_columns.hpp"
-
 #include <atomic>
 #include <memory>
 
@@ -11,6 +9,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/raster_mosaic.hpp"
 #include "read/rasters.hpp"
+#include "read/shared_raster.hpp"
 
 namespace d2b {
 namespace {

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
-#include "read/parcel_cells.hpp"
 #include "read/rasters.hpp"
 #include "support/vector_file.hpp"
 
@@ -22,7 +21,7 @@ std::vector<ParcelCell> burnt(const std::vector<PixelParcel>& parcels, const Win
 std::string drawn(const std::vector<ParcelCell>& cells, std::size_t cols) {
     std::string text;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        text += cells[i].parcel == ParcelCell::nobody ? '.' : static_cast<char>('0' + cells[i].parcel);
+        text += cells[i].parcel == ParcelCell::no_parcel ? '.' : static_cast<char>('0' + cells[i].parcel);
         if ((i + 1) % cols == 0)
             text += ' ';
     }
@@ -55,7 +54,7 @@ TEST(ParcelCells, LinesPartTheMiddlesThatTheyPassBetween) {
     for (const ParcelCell& cell : cells) {
         right += cell.cut_right ? '|' : ' ';
         below += cell.cut_below ? '_' : ' ';
-        EXPECT_EQ(cell.parcel, ParcelCell::nobody);
+        EXPECT_EQ(cell.parcel, ParcelCell::no_parcel);
     }
     EXPECT_EQ(right, "|        ");
     EXPECT_EQ(below, " __      ");
@@ -76,7 +75,7 @@ TEST(ParcelCells, NeighboursLeaveOutNoCellAndShareNone) {
                                           : WorldRing{corners[i + 1], corners[i], middle, corners[i + 1]}));
         const auto cells = burnt(parcels, {0, 0, 20, 20});
         for (const ParcelCell& cell : cells) {
-            EXPECT_NE(cell.parcel, ParcelCell::nobody);
+            EXPECT_NE(cell.parcel, ParcelCell::no_parcel);
             EXPECT_FALSE(cell.several);
         }
         // A part of the window says the same.
@@ -146,7 +145,7 @@ TEST_F(ParcelReaderTest, saysWhoseACellIs) {
         EXPECT_EQ(cells[i].cut_right, i % 20 == 4);
     }
     EXPECT_EQ(parcels->name(2), "2");
-    EXPECT_EQ(parcels->name(ParcelCell::nobody), "");
+    EXPECT_EQ(parcels->name(ParcelCell::no_parcel), "");
     const auto named = read_from({.dataset = "", .layer = "parcels", .field = "height"});
     EXPECT_EQ(named->name(1), "7.5");  // not read before
     EXPECT_EQ(named->name(2), "");
@@ -161,7 +160,7 @@ TEST_F(ParcelReaderTest, bringsThemToTheCrsOfTheDem) {
     std::vector<ParcelCell> cells(20 * 20);
     parcels->read({0, 0, 20, 20}, cells);
     EXPECT_EQ(cells[5].parcel, 1);
-    EXPECT_EQ(cells[14].parcel, ParcelCell::nobody);
+    EXPECT_EQ(cells[14].parcel, ParcelCell::no_parcel);
 }
 
 TEST_F(ParcelReaderTest, knowsWhatIsNotValid) {
@@ -172,7 +171,7 @@ TEST_F(ParcelReaderTest, knowsWhatIsNotValid) {
     std::vector<ParcelCell> cells(20 * 20);
     read_from()->read({0, 0, 20, 20}, cells);
     EXPECT_TRUE(cells[10 * 20 + 1].invalid);
-    EXPECT_EQ(cells[10].parcel, ParcelCell::nobody);
+    EXPECT_EQ(cells[10].parcel, ParcelCell::no_parcel);
 }
 
 TEST_F(ParcelReaderTest, refusesWhatItCannotTake) {

@@ -2,7 +2,6 @@
 
 #include <fstream>
 
-#include "read/raster_list.hpp"
 #include "read/rasters.hpp"
 
 namespace d2b::test {
@@ -155,7 +154,7 @@ TEST(ReadList, hasANameALine) {
     const std::string list = testing::TempDir() + "d2b_raster_list.txt";
     const auto read = [&](const std::string& text) {
         std::ofstream(list, std::ios::binary) << text;
-        return listed_rasters(list);
+        return read_raster_list(list);
     };
     EXPECT_EQ(read("a.tif\r\n\n two words.tif \n/vsizip/b.zip/b.tif"),
               (std::vector<std::string>{"a.tif", " two words.tif", "/vsizip/b.zip/b.tif"}));
@@ -170,7 +169,7 @@ TEST(ReadList, hasANameALine) {
     for (const auto& [name, why] :
          {std::pair{list, "No such file or directory"}, std::pair{testing::TempDir(), "Is a directory"}})
         try {
-            (void)listed_rasters(name);
+            (void)read_raster_list(name);
             ADD_FAILURE();
         } catch (const InputError& error) {
             EXPECT_EQ(error.what(), "'" + name + "' cannot be read: " + why +

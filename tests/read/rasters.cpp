@@ -9,7 +9,7 @@
 #include <ogr_srs_api.h>
 
 #include "dem2buildings/open_sources.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b::test {
 

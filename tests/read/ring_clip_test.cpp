@@ -1,6 +1,6 @@
-#include "read/ring_clip.hpp"
-
 #include <gtest/gtest.h>
+
+#include "read/ring_projection.hpp"
 
 namespace d2b {
 namespace {

@@ -1,22 +1,22 @@
-#include "read/seen_cells.hpp"
-
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "read/band_reader.hpp"
 
 namespace d2b {
 namespace {
 
 using Stretches = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-Stretches added(SeenCells& seen, std::int32_t row, std::int32_t begin, std::int32_t end) {
+Stretches added(RowCoverage& seen, std::int32_t row, std::int32_t begin, std::int32_t end) {
     Stretches some;
     seen.add(row, begin, end, [&](std::int32_t from, std::int32_t to) { some.emplace_back(from, to); });
     return some;
 }
 
-TEST(SeenCells, AreNewOnce) {
-    SeenCells seen(3);
+TEST(RowCoverage, AreNewOnce) {
+    RowCoverage seen(3);
     EXPECT_EQ(added(seen, 1, 10, 20), (Stretches{{10, 20}}));
     EXPECT_EQ(added(seen, 1, 10, 20), Stretches{});
     EXPECT_EQ(added(seen, 2, 10, 20), (Stretches{{10, 20}}));
@@ -27,9 +27,9 @@ TEST(SeenCells, AreNewOnce) {
     EXPECT_EQ(added(seen, 0, 3, 4), (Stretches{{3, 4}}));
 }
 
-TEST(SeenCells, InAnyOrderEachCellIsNewOnce) {
+TEST(RowCoverage, InAnyOrderEachCellIsNewOnce) {
     std::mt19937 random(3);
-    SeenCells seen(1);
+    RowCoverage seen(1);
     std::vector<bool> cells(200);
     for (int k = 0; k < 2000; ++k) {
         const auto begin = static_cast<std::int32_t>(random() % 200);

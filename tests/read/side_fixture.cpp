@@ -63,7 +63,7 @@ std::vector<double> SideTest::expected(const Surface& surface) const {
 
 std::vector<double> SideTest::terrain(double dem_vertical_metres) {
     const auto source = open_terrain(path("side.tif"), grid_, dem_vertical_metres,
-                                     on_land.times(1 / dem_vertical_metres), callbacks_);
+                                     land_elevations.times(1 / dem_vertical_metres), callbacks_);
     std::vector<double> elevations = all_of(*source);
     outside_range_ = source->cells_outside_range();
     return elevations;

@@ -66,7 +66,7 @@ TEST_F(SideRefusal, onlyTheWindowCounts) {
 TEST_F(SideRefusal, aSpeckOfARasterIsFound) {
     dem({.cols = 5000, .rows = 5000, .type = GDT_Byte, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
     one_cell(500012, 5538650 - 4321);
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
     std::vector<double> row(5000);
     source->read(whole_rows(*source, 4321, 1), row);
     EXPECT_EQ(row[12], 100);
@@ -165,7 +165,7 @@ TEST_F(SideRefusal, cellsOutsideOfTheWindow) {
     for (const double x : {500000.0, 499999.7}) {
         write(path("side.tif"),
               {.cols = 6, .rows = 6, .values = counting(36), .transform = {{x, 1, 0, 5538650, 0, -1}}});
-        const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+        const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
         source->read({2, 2, 1, 2}, two);
         for (const Window& part :
              {Window{0, 1, 1, 2}, Window{3, 1, 1, 2}, Window{9, 1, 1, 2}, Window{1, 0, 1, 2},

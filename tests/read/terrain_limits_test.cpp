@@ -54,7 +54,7 @@ TEST_F(TerrainLimits, everyCellIsCountedOnceWhereverPartsOverlap) {
             terrain_with(45, 9999, 0.98, 0.3);
         else
             terrain_with(45, 9999);
-        const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+        const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
         std::vector<double> cells(12 * 9);
         EXPECT_EQ(source->cells_outside_range(), 0);
         for (const std::int32_t row : {8, 4, 0})
@@ -68,13 +68,13 @@ TEST_F(TerrainLimits, everyCellIsCountedOnceWhereverPartsOverlap) {
 
 TEST_F(TerrainLimits, everyCellIsCountedOnceHoweverOftenItIsRead) {
     terrain_with(45, 9999, 0.98, 0.3);
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
     std::vector<double> rows(20 * 12);
     for (const std::int32_t row : {0, 4, 8})
         source->read(whole_rows(*source, row, 12), rows);
     EXPECT_EQ(source->cells_outside_range(), 45);
     terrain_with(45, 9999);
-    const auto same_cells = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+    const auto same_cells = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
     for (const std::int32_t row : {0, 4, 8})
         same_cells->read(whole_rows(*same_cells, row, 12), rows);
     EXPECT_EQ(same_cells->cells_outside_range(), 45);
@@ -117,7 +117,7 @@ TEST_F(TerrainLimits, undeclaredNoDataIsNoElevationAndSaidSo) {
     }
     terrain_with(60, 0);
     const auto kept =
-        open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_, {.keeps_undeclared = true});
+        open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_, {.keeps_undeclared = true});
     std::vector<double> row(20);
     kept->read(whole_rows(*kept, 0, 1), row);
     expect_values(row, std::vector<double>(20, 0));

@@ -40,7 +40,7 @@ TEST_F(Terrain, theGridIsTheDems) {
     options_.source_window = {7, 3, 20, 11};
     dem(city());
     side({.cols = 30, .rows = 30, .transform = {{499990, 2, 0, 5538660, 0, -2}}}, plane);
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
     EXPECT_EQ(source->info().name, path("side.tif"));
     EXPECT_EQ(source->info().transform, grid_.transform);
     EXPECT_EQ(source->info().window, (Window{3, 7, 11, 20}));
@@ -58,7 +58,7 @@ TEST_F(Terrain, theSameCellsOfAnotherExtent) {
     EXPECT_EQ(warnings(), (std::vector<std::string>{"About 63 % of '" + path("dem.tif") +
                                                     "' lies outside of the terrain " + quoted("side.tif") +
                                                     "; there is no ground there."}));
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
     std::vector<double> row(4);
     source->read(whole_rows(*source, 2, 1), row);
     expect_values(row, {none, none, 4, 5});
@@ -142,7 +142,7 @@ TEST_F(Terrain, bandsAndWindowsGiveTheSameBits) {
     ASSERT_FALSE(std::isnan(all.front() + all.back()));
     options_.source_window = {500, 13, 601, 9};
     dem(wide);
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
     std::vector<double> row(601);
     for (int i = 13; i < 22; ++i) {
         source->read(whole_rows(*source, i, 1), row);
@@ -159,7 +159,7 @@ TEST_F(Terrain, anyPartOfTheWindowHasTheSameBits) {
         {.cols = 900, .rows = 200, .transform = {{70000, 1, 0, 5556000, 0, -1}}, .crs = "EPSG:25833"},
         [](double x, double y) { return std::sin(x) * std::cos(y); }, "EPSG:25832");
     const std::vector<double> all = terrain();
-    const auto source = open_terrain(path("side.tif"), grid_, 1, on_land, callbacks_);
+    const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
     std::mt19937 random(7);
     const auto below = [&](std::int32_t n) {
         return static_cast<std::int32_t>(random() % static_cast<unsigned>(n));

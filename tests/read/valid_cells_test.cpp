@@ -1,8 +1,7 @@
-#include "read/valid_cells.hpp"
-
 #include <cmath>
 
 #include "dem2buildings/error.hpp"
+#include "read/polygon_layer.hpp"
 #include "read/rasters.hpp"
 #include "score/measure.hpp"
 

@@ -1,10 +1,9 @@
-#include "score/heights.hpp"
-
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "score/objects.hpp"
 #include "score/shapes.hpp"
 
 namespace d2b::test {

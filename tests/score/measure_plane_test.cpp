@@ -1,5 +1,3 @@
-#include "score/measure_plane.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -52,7 +50,7 @@ TEST(MeasurePlane, isLocalAboutDegrees) {
     // At 50 degrees north a second of latitude is 30.8970 m and one of longitude 19.9155 m on WGS 84.
     const double second = 1.0 / 3600;
     std::vector<Polygons> areas{{box(9, 50, 9 + second, 50 + second)}};
-    bring_to(plane, degrees, "a", areas, LongEdges::keep, warnings);
+    transform_to(plane, degrees, "a", areas, LongEdges::keep, warnings);
     EXPECT_NEAR(area_of(areas[0]), 30.8970 * 19.9155, 0.005);
     const Position corner = areas[0][0].exterior[0];
     EXPECT_NEAR(std::hypot(corner.x, corner.y), 0, 1e-6);
@@ -65,8 +63,8 @@ TEST(BringTo, dividesLongEdges) {
     const MeasurePlane plane = measure_plane(degrees, {8.9, 49.9, 9.1, 50.1}, warnings);
     std::vector<Polygons> kept{{box(8.9, 49.9, 9.1, 50.1)}};
     std::vector<Polygons> divided = kept;
-    bring_to(plane, degrees, "a", kept, LongEdges::keep, warnings);
-    bring_to(plane, degrees, "a", divided, LongEdges::divide, warnings);
+    transform_to(plane, degrees, "a", kept, LongEdges::keep, warnings);
+    transform_to(plane, degrees, "a", divided, LongEdges::divide, warnings);
     EXPECT_EQ(vertex_count(kept[0], false), 4U);
     EXPECT_GT(vertex_count(divided[0], false), 150U);
     // The parallel through the lower corners runs below their chord: 14.4 km long, R = 6381 km on it, its
@@ -83,7 +81,7 @@ TEST(BringTo, leavesTheSameCrsAlone) {
     Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     const MeasurePlane plane = measure_plane(Crs("EPSG:25832"), {}, warnings);
     std::vector<Polygons> areas{{box(500000.1, 5800000.2, 500010.3, 5800010.4)}};
-    bring_to(plane, Crs("EPSG:25832"), "a", areas, LongEdges::divide, warnings);
+    transform_to(plane, Crs("EPSG:25832"), "a", areas, LongEdges::divide, warnings);
     EXPECT_EQ(areas[0][0].exterior, box(500000.1, 5800000.2, 500010.3, 5800010.4).exterior);
     EXPECT_TRUE(heard.empty());
 }
@@ -92,9 +90,9 @@ TEST(BringTo, warnsWhereOneSideHasNoCrs) {
     std::vector<std::string> heard;
     Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     std::vector<Polygons> areas{{box(0, 0, 1, 1)}};
-    bring_to(measure_plane(Crs("EPSG:25832"), {}, warnings), Crs(), "a.shp", areas, LongEdges::keep,
-             warnings);
-    bring_to({}, Crs("EPSG:25832"), "b.shp", areas, LongEdges::keep, warnings);
+    transform_to(measure_plane(Crs("EPSG:25832"), {}, warnings), Crs(), "a.shp", areas, LongEdges::keep,
+                 warnings);
+    transform_to({}, Crs("EPSG:25832"), "b.shp", areas, LongEdges::keep, warnings);
     EXPECT_EQ(areas[0][0].exterior, box(0, 0, 1, 1).exterior);
     ASSERT_EQ(heard.size(), 2U);
     EXPECT_EQ(heard[0],
@@ -109,8 +107,8 @@ TEST(BringTo, takesNoAreas) {
     std::vector<std::string> heard;
     Warnings warnings([&](const std::string& text) { heard.push_back(text); });
     std::vector<Polygons> areas{{}};
-    bring_to(measure_plane(Crs("EPSG:25832"), {}, warnings), Crs("EPSG:4326"), "a", areas, LongEdges::keep,
-             warnings);
+    transform_to(measure_plane(Crs("EPSG:25832"), {}, warnings), Crs("EPSG:4326"), "a", areas,
+                 LongEdges::keep, warnings);
     EXPECT_TRUE(areas[0].empty());
 }
 

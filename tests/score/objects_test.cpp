@@ -36,9 +36,9 @@ TEST(CountObjects, leavesSmallOnesOut) {
 }
 
 TEST(Reaches, bearsRounding) {
-    EXPECT_TRUE(reaches(0.1 + 0.7, 0.8));  // 0.7999999999999999
-    EXPECT_FALSE(reaches(0.7999, 0.8));
-    EXPECT_TRUE(reaches(0, 0));
+    EXPECT_TRUE(at_least(0.1 + 0.7, 0.8));  // 0.7999999999999999
+    EXPECT_FALSE(at_least(0.7999, 0.8));
+    EXPECT_TRUE(at_least(0, 0));
 }
 
 }  // namespace

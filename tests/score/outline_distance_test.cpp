@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "score/outline_segments.hpp"
-
 namespace d2b {
 namespace {
 

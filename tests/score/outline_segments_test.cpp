@@ -1,5 +1,3 @@
-#include "score/outline_segments.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -7,6 +5,8 @@
 #include <random>
 
 #include <gtest/gtest.h>
+
+#include "score/outline_distance.hpp"
 
 namespace d2b {
 namespace {

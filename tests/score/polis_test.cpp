@@ -1,9 +1,8 @@
-#include "score/polis.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "score/outline_distance.hpp"
 #include "score/shapes.hpp"
 
 namespace d2b::test {

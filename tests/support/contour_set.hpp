@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/records.hpp"
-#include "filter/contour_store.hpp"
+#include "attributes/record_builder.hpp"
+#include "filter/contour_archive.hpp"
 
 namespace d2b::test {
 
@@ -57,7 +57,7 @@ struct Records {
 };
 
 inline Records make_records(const ContourSet& set, const AttributeContext& context) {
-    const RecordMaker maker(*set.list, context);
+    const RecordBuilder maker(*set.list, context);
     Records records;
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         records.contours.push_back(maker.contour(i, set.contours[i]));

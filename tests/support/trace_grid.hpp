@@ -7,9 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "detect/one_label.hpp"
+#include "detect/detection.hpp"
 #include "levels/level_plan.hpp"
-#include "levels/quantise.hpp"
 #include "support/contour_set.hpp"
 #include "trace/tracer.hpp"
 
@@ -72,14 +71,14 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
     const NoiseRules noise{settings.noise_factor, settings.min_area, plan.footprints};
-    ContourStore store({noise,
-                        [](LatticePoint) { return 1.0; },
-                        statistics.range(),
-                        statistics.fixed_point(),
-                        settings.keep_roots,
-                        false,
-                        {settings.min_building_height, settings.ground, 1}},
-                       context.make_spool(), context);
+    ContourArchive store({noise,
+                          [](LatticePoint) { return 1.0; },
+                          statistics.range(),
+                          statistics.fixed_point(),
+                          settings.keep_roots,
+                          false,
+                          {settings.min_building_height, settings.ground, 1}},
+                         context.make_spool(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
     const TraceFrame frame{window, plan.level_count(), statistics.fixed_point(), statistics.range()};
     Tracer tracer(frame, settings.mode, store);
@@ -88,17 +87,17 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
         const std::int32_t above = std::min(row, rows_above(settings.mode));
         const auto before = point_rows<Count>(grid, plan, settings.origin, row - above, above);
         const auto band = point_rows<Count>(grid, plan, settings.origin, row, rows);
-        std::vector<TraceLine> lines = take_apart(frame, settings.mode, before, band);
+        std::vector<TraceLine> lines = split_into_runs(frame, settings.mode, before, band);
         if (!settings.linked_alone) {
             tracer.trace(std::move(lines));
             continue;
         }
-        PiledContours piled;
+        ContourBatch batch;
         Tally tally;
-        ContourPile pile = store.pile(piled, tally);
-        LinkedBand linked = Tracer::link(frame, settings.mode, std::move(lines), pile);
+        ContourWriter batch_writer = store.batch_writer(batch, tally);
+        LinkedBand linked = Tracer::link(frame, settings.mode, std::move(lines), batch_writer);
         context.report.merge(tally);
-        tracer.join(std::move(linked), store.add(std::move(piled)));
+        tracer.join(std::move(linked), store.add(std::move(batch)));
     }
     return fetch_set(store.finish());
 }

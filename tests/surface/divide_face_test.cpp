@@ -1,20 +1,18 @@
-#include "surface/divide_face.hpp"
-
 #include <random>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "outline/fine_geometry.hpp"
+#include "surface/faces.hpp"
 #include "surface/label_contours.hpp"
 #include "surface/partition.hpp"
-#include "surface/take_apart_pinches.hpp"
-#include "surface/triangulate.hpp"
+#include "surface/resolve_nonmanifold.hpp"
 
 namespace d2b {
 namespace {
 
-Int128 twice_area(const PlanFace& face, const Plan& plan) {
+Int128 twice_area(const PartitionFace& face, const PlanarPartition& plan) {
     Int128 sum = 0;
     FinePolygon polygon = polygon_of(face, plan);
     std::vector<FineRing> rings = std::move(polygon.interiors);
@@ -26,7 +24,7 @@ Int128 twice_area(const PlanFace& face, const Plan& plan) {
 }
 
 /// Rows go down once and up once along the exterior.
-bool is_monotone(const PlanFace& face, const Plan& plan) {
+bool is_monotone(const PartitionFace& face, const PlanarPartition& plan) {
     const std::size_t n = face.exterior.size();
     int lowest = 0;
     for (std::size_t i = 0; i < n; ++i) {
@@ -39,9 +37,9 @@ bool is_monotone(const PlanFace& face, const Plan& plan) {
 }
 
 /// The pieces have no interiors, are of the face's area together, and what divides pieces alone divides it.
-void expect_divided(const PlanFace& face, const Plan& plan) {
+void expect_divided(const PartitionFace& face, const PlanarPartition& plan) {
     Int128 sum = 0;
-    for (const PlanFace& piece : divide_face(face, plan)) {
+    for (const PartitionFace& piece : split_into_monotone(face, plan)) {
         ASSERT_TRUE(piece.interiors.empty());
         ASSERT_TRUE(is_monotone(piece, plan));
         ASSERT_TRUE(twice_area(piece, plan) > 0);
@@ -61,8 +59,8 @@ void expect_divided(const PlanFace& face, const Plan& plan) {
 
 TEST(DivideFace, aCourtyard) {
     const SurfaceCluster cluster = blocks_of({{"aaa", "a a", "aaa"}}, {10});
-    const Partition partition = make_partition(cluster.contours);
-    const std::vector<OwnedFace> faces = plan_faces(partition.plan);
+    const PartitionResult partition = make_partition(cluster.contours);
+    const std::vector<OwnedFace> faces = partition_faces(partition.plan);
     ASSERT_EQ(faces.size(), 1U);
     ASSERT_EQ(faces[0].face.interiors.size(), 1U);
     expect_divided(faces[0].face, partition.plan);
@@ -80,7 +78,7 @@ TEST(DivideFace, randomFaces) {
                 line += random() % 5 == 0 ? 'b' : 'a';
         }
         SurfaceCluster cluster = blocks_of(grid, {10});
-        for (PlanContour& contour : cluster.contours) {
+        for (PartitionContour& contour : cluster.contours) {
             std::vector<FineRing*> rings{&contour.outline.exterior};
             for (FineRing& ring : contour.outline.interiors)
                 rings.push_back(&ring);
@@ -88,9 +86,9 @@ TEST(DivideFace, randomFaces) {
                 for (FinePoint& p : *ring)
                     p = run % 2 == 0 ? p : FinePoint{3 * p.row - 4 * p.col, 4 * p.row + 3 * p.col};
         }
-        Partition partition = make_partition(cluster.contours);
-        static_cast<void>(take_apart_pinches(partition.plan, cluster.contours));
-        for (const OwnedFace& owned : plan_faces(partition.plan)) {
+        PartitionResult partition = make_partition(cluster.contours);
+        static_cast<void>(resolve_nonmanifold_vertices(partition.plan, cluster.contours));
+        for (const OwnedFace& owned : partition_faces(partition.plan)) {
             expect_divided(owned.face, partition.plan);
             divided += owned.face.interiors.empty() ? 0 : 1;
         }

@@ -1,5 +1,3 @@
-#include "surface/edge_grid.hpp"
-
 #include <random>
 #include <set>
 #include <vector>
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "outline/fine_geometry.hpp"
+#include "surface/partition_editor.hpp"
 
 namespace d2b {
 namespace {
@@ -42,7 +41,8 @@ TEST(EdgeGrid, findsAllThatMeets) {
                 return true;
             }));
             for (std::uint32_t e = 0; e < edges.size(); ++e)
-                if (meet(edges[e], {a, b}) || meet(edges[e], {b, c}) || meet(edges[e], {c, a}) ||
+                if (segments_intersect(edges[e], {a, b}) || segments_intersect(edges[e], {b, c}) ||
+                    segments_intersect(edges[e], {c, a}) ||
                     (side(a, b, c) != 0 && is_in_triangle(a, b, c, edges[e].a))) {
                     ASSERT_TRUE(found.contains(e)) << size << ' ' << i << ' ' << e;
                 }

@@ -163,7 +163,7 @@ std::vector<FineTriangle> with_geos(const FinePolygon& polygon) {
     return Geos().triangles(polygon);
 }
 
-MadeSurfaces surfaces_of(const SurfaceCluster& cluster, const PlanGaps& gaps) {
+MadeSurfaces surfaces_of(const SurfaceCluster& cluster, const GapTolerances& gaps) {
     return make_surfaces(cluster, {true, true, 0, gaps}, with_geos);
 }
 

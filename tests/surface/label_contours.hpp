@@ -33,6 +33,6 @@ struct LetterGrid {
 [[nodiscard]] std::vector<FineTriangle> with_geos(const FinePolygon& polygon);
 
 /// Both forms, with GEOS's triangulation.
-[[nodiscard]] MadeSurfaces surfaces_of(const SurfaceCluster& cluster, const PlanGaps& gaps = {});
+[[nodiscard]] MadeSurfaces surfaces_of(const SurfaceCluster& cluster, const GapTolerances& gaps = {});
 
 }  // namespace d2b

@@ -18,7 +18,7 @@ namespace {
 
 std::vector<std::int64_t> tops(const SurfaceCluster& cluster) {
     std::vector<std::int64_t> tops;
-    for (const PlanContour& contour : cluster.contours)
+    for (const PartitionContour& contour : cluster.contours)
         tops.push_back(contour.top);
     return tops;
 }

@@ -14,7 +14,7 @@ constexpr Int128 square = Int128{FinePoint::steps} * FinePoint::steps;
 /// What must hold of any: both forms closed, and of the area and the volume that the cells have.
 void expect_whole(const MadeSurfaces& made, int cells, Int128 cell_heights, Int128 shell_heights) {
     EXPECT_TRUE(made.left_out.empty());
-    EXPECT_TRUE(made.mends.empty());
+    EXPECT_TRUE(made.repairs.empty());
     EXPECT_EQ(fault_of(made.shell), "");
     for (const SurfacePart& solid : made.solids)
         EXPECT_EQ(fault_of({&solid, 1}), "");
@@ -162,7 +162,7 @@ TEST(MadePartitions, nothing) {
 /// On a grid that is turned by the angle of 3 to 4, where no edge is parallel to an axis.
 TEST(MadePartitions, aTurnedGrid) {
     SurfaceCluster cluster = blocks_of({{"aab", "acb", "ccc"}}, {20, 50, 35});
-    for (PlanContour& contour : cluster.contours) {
+    for (PartitionContour& contour : cluster.contours) {
         const auto turn = [](FineRing& ring) {
             for (FinePoint& p : ring)
                 p = {3 * p.row - 4 * p.col, 4 * p.row + 3 * p.col};

@@ -1,5 +1,3 @@
-#include "surface/merge_near.hpp"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -7,6 +5,7 @@
 #include "surface/label_contours.hpp"
 #include "surface/partition.hpp"
 #include "surface/surface_check.hpp"
+#include "surface/vertex_snapping.hpp"
 
 namespace d2b {
 namespace {
@@ -22,8 +21,8 @@ SurfaceCluster houses(const std::vector<FineRing>& rings, const std::vector<std:
     return cluster;
 }
 
-Plan merged(const SurfaceCluster& cluster, const LatticeGap& gap) {
-    Plan plan = make_partition(cluster.contours).plan;
+PlanarPartition merged(const SurfaceCluster& cluster, const LatticeDistance& gap) {
+    PlanarPartition plan = make_partition(cluster.contours).plan;
     merge_near_nodes(plan, gap);
     return plan;
 }
@@ -32,7 +31,7 @@ Plan merged(const SurfaceCluster& cluster, const LatticeGap& gap) {
 /// stay.
 TEST(MergeNear, aShortWall) {
     const SurfaceCluster house = houses({{{0, 0}, {1000, 0}, {1000, 700}, {997, 700}, {0, 1000}}}, {50});
-    const Plan plan = merged(house, {4, 4});
+    const PlanarPartition plan = merged(house, {4, 4});
     EXPECT_EQ(plan.nodes.size(), 4U);
     EXPECT_EQ(plan.edges.size(), 4U);
     EXPECT_EQ(merged(house, {3, 3}).nodes.size(), 5U);
@@ -52,11 +51,11 @@ TEST(MergeNear, cornersAcrossANarrowGap) {
                                       {50, 70});
     EXPECT_EQ(merged(two, {3, 3}).nodes.size(), 7U);
     const MadeSurfaces made = surfaces_of(two, {{21, 21}, {3, 3}});
-    ASSERT_EQ(made.mends.size(), 1U);
-    EXPECT_TRUE(LatticeGap({21, 21}).parts(made.mends[0].place, made.mends[0].moved));
+    ASSERT_EQ(made.repairs.size(), 1U);
+    EXPECT_TRUE(LatticeDistance({21, 21}).parts(made.repairs[0].place, made.repairs[0].moved));
     EXPECT_EQ(fault_of(made.shell), "");
     EXPECT_EQ(made.shell.size(), 2U);
-    EXPECT_TRUE(surfaces_of(two, {{21, 21}, {2, 2}}).mends.empty()) << "two rows apart";
+    EXPECT_TRUE(surfaces_of(two, {{21, 21}, {2, 2}}).repairs.empty()) << "two rows apart";
 }
 
 /// Of near corners on both sides of zero, in rows and columns.
@@ -70,7 +69,7 @@ TEST(MergeNear, cornersAroundTheOrigin) {
 TEST(MergeNear, roofsAMillimetreApart) {
     const auto tops = [](std::int64_t a, std::int64_t b, std::int64_t c) {
         const SurfaceCluster cluster = blocks_of({{"abc"}}, {a, b, c});
-        std::vector<PlanContour> contours = cluster.contours;
+        std::vector<PartitionContour> contours = cluster.contours;
         level_near_roofs(make_partition(contours).plan, contours, 2);
         return std::vector{contours[0].top, contours[1].top, contours[2].top};
     };

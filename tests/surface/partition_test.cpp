@@ -16,13 +16,13 @@ FinePolygon box(std::int64_t row, std::int64_t col, std::int64_t rows, std::int6
 }
 
 TEST(MakePartition, edgesAreCutWhereOthersEnd) {
-    const std::vector<PlanContour> contours{{box(0, 0, 10, 10), -1, 0, 5}, {box(2, 10, 3, 4), -1, 1, 5}};
-    const Partition partition = make_partition(contours);
-    EXPECT_TRUE(partition.at_odds.empty());
+    const std::vector<PartitionContour> contours{{box(0, 0, 10, 10), -1, 0, 5}, {box(2, 10, 3, 4), -1, 1, 5}};
+    const PartitionResult partition = make_partition(contours);
+    EXPECT_TRUE(partition.conflicting.empty());
     EXPECT_EQ(partition.plan.nodes.size(), 8U);
     ASSERT_EQ(partition.plan.edges.size(), 9U);
     std::size_t common = 0;
-    for (const PlanEdge& edge : partition.plan.edges)
+    for (const PartitionEdge& edge : partition.plan.edges)
         common += edge.left != open_ground && edge.right != open_ground ? 1 : 0;
     EXPECT_EQ(common, 1U);
     const std::vector<FinePolygon> noded = noded_outlines(contours);
@@ -31,11 +31,11 @@ TEST(MakePartition, edgesAreCutWhereOthersEnd) {
 }
 
 TEST(MakePartition, whatStandsOnAnotherTakesItsPlace) {
-    const std::vector<PlanContour> contours{
+    const std::vector<PartitionContour> contours{
         {box(0, 0, 10, 10), -1, 0, 5}, {box(0, 0, 5, 5), 0, 0, 6}, {box(0, 0, 5, 2), 1, 0, 7}};
-    const Partition partition = make_partition(contours);
-    EXPECT_TRUE(partition.at_odds.empty());
-    for (const PlanEdge& edge : partition.plan.edges) {
+    const PartitionResult partition = make_partition(contours);
+    EXPECT_TRUE(partition.conflicting.empty());
+    for (const PartitionEdge& edge : partition.plan.edges) {
         const FinePoint a = partition.plan.nodes[edge.from];
         const FinePoint b = partition.plan.nodes[edge.to];
         if (a.col == 0 && b.col == 0) {  // the western border
@@ -48,8 +48,9 @@ TEST(MakePartition, whatStandsOnAnotherTakesItsPlace) {
 
 /// Each is found, and the later one named.
 TEST(MakePartition, whatIsAtOdds) {
-    const auto odds = [](const PlanContour& second) {
-        return make_partition(std::vector<PlanContour>{{box(0, 0, 10, 10), -1, 0, 5}, second}).at_odds;
+    const auto odds = [](const PartitionContour& second) {
+        return make_partition(std::vector<PartitionContour>{{box(0, 0, 10, 10), -1, 0, 5}, second})
+            .conflicting;
     };
     EXPECT_TRUE(odds({box(0, 10, 10, 10), -1, 1, 5}).empty());
     EXPECT_FALSE(odds({box(5, 5, 10, 10), -1, 1, 5}).empty());  // they cross

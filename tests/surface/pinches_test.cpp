@@ -29,17 +29,17 @@ Sums sums_of(const std::vector<SurfacePart>& parts) {
 void expect_mended(const MadeSurfaces& made, double cells, double shell_volume, std::size_t filled,
                    std::size_t cut) {
     std::size_t fills = 0;
-    for (const PinchMend& mend : made.mends)
+    for (const VertexRepair& mend : made.repairs)
         fills += mend.filled ? 1 : 0;
     EXPECT_EQ(fills, filled);
-    EXPECT_EQ(made.mends.size() - fills, cut);
+    EXPECT_EQ(made.repairs.size() - fills, cut);
     EXPECT_TRUE(made.left_out.empty());
     EXPECT_EQ(fault_of(made.shell), "");
     for (const SurfacePart& solid : made.solids)
         EXPECT_EQ(fault_of({&solid, 1}), "");
     const Sums sums = sums_of(made.shell);
     // A corner of a cell that moves by two steps takes some two thousandths of the cell.
-    const double slack = 0.004 * static_cast<double>(made.mends.size());
+    const double slack = 0.004 * static_cast<double>(made.repairs.size());
     EXPECT_NEAR(sums.roofs, cells, slack);
     EXPECT_NEAR(sums.volume, shell_volume, 90 * slack);
 }
@@ -50,20 +50,20 @@ TEST(Pinches, housesThatTouchInACorner) {
     expect_mended(made, 2, 50, 0, 1);
     EXPECT_EQ(made.shell.size(), 2U);
     EXPECT_LT(sums_of(made.shell).roofs, 2);
-    ASSERT_EQ(made.mends.size(), 1U);
-    EXPECT_EQ(made.mends[0].place, fine(LatticePoint{1, 1}));
-    EXPECT_EQ(made.mends[0].contours, (std::vector<std::int32_t>{0, 1}));
+    ASSERT_EQ(made.repairs.size(), 1U);
+    EXPECT_EQ(made.repairs[0].place, fine(LatticePoint{1, 1}));
+    EXPECT_EQ(made.repairs[0].contours, (std::vector<std::int32_t>{0, 1}));
 }
 
 /// Where more is wanted a corner moves that far, and the long walls beside it stay where they are but for its
 /// neighbourhood.
 TEST(Pinches, asFarAsIsWanted) {
     const SurfaceCluster cluster = blocks_of({{"a ", " a"}}, {10});
-    Plan plan = make_partition(cluster.contours).plan;
-    const PinchesTaken taken = take_apart_pinches(plan, cluster.contours, {300});
-    EXPECT_TRUE(taken.stuck.empty());
-    ASSERT_EQ(taken.mends.size(), 1U);
-    const PinchMend& mend = taken.mends.front();
+    PlanarPartition plan = make_partition(cluster.contours).plan;
+    const ResolvedVertices taken = resolve_nonmanifold_vertices(plan, cluster.contours, {300});
+    EXPECT_TRUE(taken.unresolved.empty());
+    ASSERT_EQ(taken.repairs.size(), 1U);
+    const VertexRepair& mend = taken.repairs.front();
     EXPECT_NEAR(std::hypot(mend.moved.row - mend.place.row, mend.moved.col - mend.place.col), 300, 1);
     // A node on the two walls that move, where a line across the corner at 300 steps cuts them off, and the
     // corner that moved.
@@ -86,7 +86,7 @@ std::vector<FinePoint> corners_of(const std::vector<SurfacePart>& parts) {
 }
 
 /// Corners that are not a gap apart.
-std::size_t near_corners(const std::vector<SurfacePart>& parts, const LatticeGap& gap) {
+std::size_t near_corners(const std::vector<SurfacePart>& parts, const LatticeDistance& gap) {
     const std::vector<FinePoint> corners = corners_of(parts);
     std::size_t near = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
@@ -100,14 +100,14 @@ std::size_t near_corners(const std::vector<SurfacePart>& parts, const LatticeGap
 TEST(Pinches, areAGapApart) {
     for (const CellSize& cell :
          {CellSize{0.5, 0.5}, CellSize{0.1, 0.1}, CellSize{30, 30}, CellSize{0.2, 0.5}, CellSize{2.5, 0.1}}) {
-        const PlanGaps gaps = plan_gaps(cell);
+        const GapTolerances gaps = gap_tolerances(cell);
         for (const LetterGrid& grid : {LetterGrid{{"a ", " b"}}, LetterGrid{{"aaa", "a a", "aa ", "a  "}},
                                        LetterGrid{{"aaaa", "a aa", "aa a", "aaaa"}}, LetterGrid{{"ab", "cd"}},
                                        LetterGrid{{"a a a a", " a a a ", "a a a a", " a a a "}}}) {
             const MadeSurfaces made = surfaces_of(blocks_of(grid, {50, 20, 20, 60}), gaps);
-            EXPECT_FALSE(made.mends.empty());
+            EXPECT_FALSE(made.repairs.empty());
             EXPECT_TRUE(made.left_out.empty());
-            for (const PinchMend& mend : made.mends)
+            for (const VertexRepair& mend : made.repairs)
                 EXPECT_TRUE(gaps.pinch.parts(mend.place, mend.moved));
             EXPECT_EQ(fault_of(made.shell), "");
             EXPECT_EQ(near_corners(made.shell, gaps.pinch), 0U) << cell.across << " " << cell.down;
@@ -130,23 +130,23 @@ TEST(Pinches, doNotComeNearOthers) {
          {middle.row + 500, middle.col - 400},
          {middle.row + 500, middle.col - 300}},
         -1);
-    const PlanGaps gaps{{21, 21}, {3, 3}};
+    const GapTolerances gaps{{21, 21}, {3, 3}};
     const MadeSurfaces made = surfaces_of(cluster, gaps);
-    ASSERT_EQ(made.mends.size(), 1U);
+    ASSERT_EQ(made.repairs.size(), 1U);
     EXPECT_TRUE(made.left_out.empty());
     EXPECT_EQ(fault_of(made.shell), "");
-    EXPECT_TRUE(gaps.pinch.parts(made.mends[0].place, made.mends[0].moved));
-    EXPECT_TRUE(gaps.pinch.parts({middle.row + 12, middle.col - 12}, made.mends[0].moved));
+    EXPECT_TRUE(gaps.pinch.parts(made.repairs[0].place, made.repairs[0].moved));
+    EXPECT_TRUE(gaps.pinch.parts({middle.row + 12, middle.col - 12}, made.repairs[0].moved));
 }
 
 /// Where cells are no larger than the gap there is no room for it: the corner moves by as much as there is,
 /// by no less than what is taken for one corner.
 TEST(Pinches, whereThereIsNoRoomForTheGap) {
-    const PlanGaps gaps{{2000, 2000}, {100, 100}};
+    const GapTolerances gaps{{2000, 2000}, {100, 100}};
     const MadeSurfaces made = surfaces_of(blocks_of({{"a a", " a ", "a a"}}, {20}), gaps);
     EXPECT_TRUE(made.left_out.empty());
-    ASSERT_EQ(made.mends.size(), 4U);
-    for (const PinchMend& mend : made.mends)
+    ASSERT_EQ(made.repairs.size(), 4U);
+    for (const VertexRepair& mend : made.repairs)
         EXPECT_TRUE(gaps.corners.parts(mend.place, mend.moved));
     EXPECT_EQ(fault_of(made.shell), "");
     EXPECT_EQ(near_corners(made.shell, gaps.corners), 0U);
@@ -236,7 +236,7 @@ TEST(Pinches, wedgesAroundAPoint) {
         cluster.contours.push_back({{{{0, 0}, rim[i], rim[i + 1]}, {}}, -1, building, 10 + building});
     }
     const MadeSurfaces made = surfaces_of(cluster);
-    EXPECT_EQ(made.mends.size(), 3U);
+    EXPECT_EQ(made.repairs.size(), 3U);
     EXPECT_TRUE(made.left_out.empty());
     EXPECT_EQ(fault_of(made.shell), "");
     EXPECT_EQ(made.shell.size(), 4U);

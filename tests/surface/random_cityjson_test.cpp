@@ -8,7 +8,7 @@
 #include "cli/read_cityjson.hpp"
 #include "surface/label_contours.hpp"
 #include "surface/surface_check.hpp"
-#include "write/cityjson_sink.hpp"
+#include "write/surface/cityjson_sink.hpp"
 
 namespace d2b {
 namespace {
@@ -22,8 +22,8 @@ class RandomCityJson : public ::testing::Test {
         meta.frame.scale = {0.5, 0.25, 0.001};
         meta.lod = "1.2";
         meta.vertical_unit = "metre";
-        const auto sink = open_cityjson_sink(locate_raster({path_, true, {}, RasterFormat::surface}));
-        sink->rehearse(meta);
+        const auto sink = open_cityjson_sink(resolve_file_target({path_, true, {}, FileKind::surface}));
+        sink->preflight(meta);
         sink->begin(meta);
         for (const SurfacePart& solid : made.solids)
             sink->add(solid);

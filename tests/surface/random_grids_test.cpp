@@ -41,13 +41,13 @@ void expect_surfaces(const LetterGrid& grid, const SurfaceCluster& cluster, doub
     ASSERT_TRUE(made.left_out.empty()) << shown(grid);
     constexpr double cell = static_cast<double>(FinePoint::steps) * static_cast<double>(FinePoint::steps);
     // A mend moves a corner by two steps, and with it edges of some cells.
-    const double slack = 0.01 * static_cast<double>(made.mends.size()) * 4;
+    const double slack = 0.01 * static_cast<double>(made.repairs.size()) * 4;
     ASSERT_NEAR(static_cast<double>(twice_plan_area(made.shell, FaceKind::roof)) / 2 / cell, cells, slack)
         << shown(grid);
     ASSERT_NEAR(static_cast<double>(six_volumes(made.shell)) / 6 / cell, heights, 100 * slack) << shown(grid);
     ASSERT_NEAR(static_cast<double>(six_volumes(made.solids)) / 6 / cell, heights, 100 * slack)
         << shown(grid);
-    if (made.mends.empty()) {
+    if (made.repairs.empty()) {
         ASSERT_EQ(static_cast<double>(six_volumes(made.shell)), 6 * cell * heights);
     }
 }

@@ -1,16 +1,15 @@
-#include "surface/triangulate.hpp"
-
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "surface/faces.hpp"
 #include "surface/label_contours.hpp"
 
 namespace d2b {
 namespace {
 
 /// An L with a corner in the middle of a straight edge.
-const Plan plan{{{0, 0}, {10, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, {}};
-const PlanFace face{{0, 1, 2, 3, 4, 5, 6}, {}};
+const PlanarPartition plan{{{0, 0}, {10, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, {}};
+const PartitionFace face{{0, 1, 2, 3, 4, 5, 6}, {}};
 
 TEST(TriangulateFace, everyCornerIsUsed) {
     const auto triangles = triangulate_face(face, plan, with_geos);

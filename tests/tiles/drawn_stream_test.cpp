@@ -2,7 +2,7 @@
 
 #include "support/temporary_folder.hpp"
 #include "tiles/drawn_tile.hpp"
-#include "tiles/recent_files.hpp"
+#include "tiles/file_cache.hpp"
 
 namespace d2b {
 namespace {
@@ -19,8 +19,8 @@ DrawnContour contour(std::int32_t level, std::int32_t row, std::size_t vertices 
 
 class DrawnStreamTest : public testing::Test {
   protected:
-    [[nodiscard]] SealedFile write(const DrawnBlocks& drawn) const {
-        write_sealed(folder_.path() / "0", seal_, {}, drawn.bytes());
+    [[nodiscard]] CheckpointFile write(const DrawnBlocks& drawn) const {
+        write_checkpoint(folder_.path() / "0", seal_, {}, drawn.bytes());
         return {folder_.path() / "0", seal_};
     }
     static std::string error_of(DrawnStream& stream) {
@@ -34,7 +34,7 @@ class DrawnStreamTest : public testing::Test {
     }
 
     test::TemporaryFolder folder_;
-    Seal seal_{TileStep::draw, 5, 0};
+    CheckpointId seal_{TileStep::draw, 5, 0};
 };
 
 TEST_F(DrawnStreamTest, BlocksAreOfOneLevelAndOfBoundedSize) {

@@ -1,11 +1,10 @@
-#include "tiles/recent_files.hpp"
-
 #include <array>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "support/temporary_folder.hpp"
+#include "tiles/file_cache.hpp"
 
 namespace d2b {
 namespace {
@@ -25,7 +24,7 @@ class RecentFilesTest : public testing::Test {
     }
 
     test::TemporaryFolder folder_;
-    RecentFiles files_{RecentFiles::ReadAhead::none, 2};
+    FileHandleCache files_{FileHandleCache::ReadAhead::none, 2};
 };
 
 TEST_F(RecentFilesTest, StayOpenUntilTooManyOthersWereRead) {

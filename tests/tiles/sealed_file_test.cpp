@@ -1,19 +1,18 @@
-#include "tiles/sealed_file.hpp"
-
 #include <fstream>
 #include <iterator>
 
 #include <gtest/gtest.h>
 
 #include "support/temporary_folder.hpp"
-#include "tiles/recent_files.hpp"
+#include "tiles/checkpoint_file.hpp"
+#include "tiles/file_cache.hpp"
 
 namespace d2b {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Seal seal{TileStep::draw, 0x1234, 7};
+constexpr CheckpointId seal{TileStep::draw, 0x1234, 7};
 
 std::vector<std::byte> bytes_from(const std::string& text) {
     const auto bytes = std::as_bytes(std::span(text));
@@ -23,7 +22,7 @@ std::vector<std::byte> bytes_from(const std::string& text) {
 class TileFiles : public testing::Test {
   protected:
     TileFiles() {
-        write_sealed(path_, seal, bytes_from("the body"), bytes_from("and the tail"));
+        write_checkpoint(path_, seal, bytes_from("the body"), bytes_from("and the tail"));
         whole_ = content();
     }
     [[nodiscard]] std::string content() const {
@@ -32,9 +31,9 @@ class TileFiles : public testing::Test {
     }
     void put(const std::string& content) const { std::ofstream(path_, std::ios::binary) << content; }
     /// "" where the file is taken.
-    [[nodiscard]] std::string refusal(const Seal& wanted = seal) const {
+    [[nodiscard]] std::string refusal(const CheckpointId& wanted = seal) const {
         try {
-            const SealedFile file(path_, wanted);
+            const CheckpointFile file(path_, wanted);
         } catch (const InputError& error) {
             return error.what();
         }
@@ -47,40 +46,40 @@ class TileFiles : public testing::Test {
 };
 
 TEST_F(TileFiles, GiveBackWhatWasWritten) {
-    EXPECT_TRUE(is_sealed(path_, seal));
-    SealedFile file(path_, seal);
+    EXPECT_TRUE(checkpoint_exists(path_, seal));
+    CheckpointFile file(path_, seal);
     ByteReader body = file.body();
     EXPECT_EQ(body.take_bytes(8).size(), 8U);
     EXPECT_EQ(body.left(), 0U);
-    EXPECT_EQ(file.tail(4, 8), bytes_from("the tail"));
-    EXPECT_THROW((void)file.tail(5, 8), InputError);
-    EXPECT_THROW((void)file.tail(13, 0), InputError);
-    EXPECT_THROW((void)file.tail(~std::uint64_t{0}, 2), InputError);
+    EXPECT_EQ(file.payload(4, 8), bytes_from("the tail"));
+    EXPECT_THROW((void)file.payload(5, 8), InputError);
+    EXPECT_THROW((void)file.payload(13, 0), InputError);
+    EXPECT_THROW((void)file.payload(~std::uint64_t{0}, 2), InputError);
 }
 
 TEST_F(TileFiles, StayOpenWhereTheyAreReadByTurns) {
-    RecentFiles recent;
-    SealedFile file(path_, seal, &recent);
+    FileHandleCache recent;
+    CheckpointFile file(path_, seal, &recent);
     fs::remove(path_);
-    EXPECT_EQ(file.tail(4, 8), bytes_from("the tail"));
-    EXPECT_THROW((void)file.tail(5, 8), InputError);
+    EXPECT_EQ(file.payload(4, 8), bytes_from("the tail"));
+    EXPECT_THROW((void)file.payload(5, 8), InputError);
 }
 
 TEST_F(TileFiles, AreRefusedWhereverTheyEnd) {
     for (std::size_t length = 0; length < whole_.size(); ++length) {
         put(whole_.substr(0, length));
         EXPECT_TRUE(refusal().starts_with("'" + path_.string() + "' is damaged: ")) << length;
-        EXPECT_FALSE(is_sealed(path_, seal)) << length;
+        EXPECT_FALSE(checkpoint_exists(path_, seal)) << length;
     }
     put(whole_ + "x");
     EXPECT_NE(refusal(), "");
-    EXPECT_FALSE(is_sealed(path_, seal));
+    EXPECT_FALSE(checkpoint_exists(path_, seal));
 }
 
 /// Blocks in the tail have digests of their own.
 TEST_F(TileFiles, AreRefusedWhicheverByteHasChanged) {
-    const std::size_t tail = std::string("and the tail").size();
-    for (std::size_t i = 0; i < whole_.size() - tail; ++i)
+    const std::size_t payload = std::string("and the tail").size();
+    for (std::size_t i = 0; i < whole_.size() - payload; ++i)
         for (const char change : {'\x01', '\x80', '\xff'}) {
             std::string changed = whole_;
             changed[i] = static_cast<char>(changed[i] ^ change);

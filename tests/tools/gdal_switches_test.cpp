@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
-#include "read/gdal_command_line.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b::test {
 namespace {

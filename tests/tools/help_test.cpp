@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "options/contour_options.hpp"
+#include "options/gdal_contour_options.hpp"
 #include "support/run_tool.hpp"
 
 namespace d2b::test {
@@ -90,7 +90,7 @@ TEST(ManPage, holdsEveryOption) {
             EXPECT_TRUE(holds(page, row.help + row.details)) << row.name;
         }
     }
-    for (const ContourOption& option : contour_options())
+    for (const GdalContourOption& option : gdal_contour_options())
         EXPECT_TRUE(holds(page, std::string(option.synopsis) + "fR")) << option.name;
 }
 
@@ -131,7 +131,7 @@ TEST(OptionsMarkdown, givesTheFateOfEveryOptionOfGdalContour) {
         std::string::npos);
     EXPECT_NE(text.find("| `-p` | accepted | polygons are always written |"), std::string::npos);
     EXPECT_NE(text.find("| `-gt <n>\\|unlimited` | refused |"), std::string::npos);
-    for (const ContourOption& option : contour_options())
+    for (const GdalContourOption& option : gdal_contour_options())
         EXPECT_TRUE(holds(without_backslashes(text), std::string(option.synopsis))) << option.name;
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "options/contour_options.hpp"
+#include "options/gdal_contour_options.hpp"
 #include "tools/parse.hpp"
 
 namespace d2b::test {
@@ -206,10 +206,11 @@ TEST(OptionErrors, optionsOfGdalContour) {
 }
 
 TEST(OptionErrors, everyOptionOfGdalContourHasItsFate) {
-    for (const ContourOption& option : contour_options()) {
+    for (const GdalContourOption& option : gdal_contour_options()) {
         const bool known = find_option(option.name) != nullptr;
-        EXPECT_EQ(known, option.fate != Fate::refused) << option.name;
-        EXPECT_EQ(contour_option_refusal(option.name).empty(), option.fate != Fate::refused) << option.name;
+        EXPECT_EQ(known, option.fate != OptionSupport::refused) << option.name;
+        EXPECT_EQ(gdal_contour_refusal(option.name).empty(), option.fate != OptionSupport::refused)
+            << option.name;
     }
 }
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "options/option_checks.hpp"
 #include "options/option_values.hpp"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/byte_record.hpp"
+#include "core/byte_stream.hpp"
 #include "support/random_grid.hpp"
 #include "trace/reference.hpp"
 
@@ -89,7 +89,7 @@ std::vector<FinishedContour> traced(const test::RandomGridCase& c, Outlines outl
     Tracer tracer(frame, c.mode, kept, outlines);
     const auto before = test::point_rows<std::uint16_t>(c.grid, plan, {}, 0, 0);
     const auto band = test::point_rows<std::uint16_t>(c.grid, plan, {}, 0, c.grid.rows);
-    tracer.trace(take_apart(frame, c.mode, before, band));
+    tracer.trace(split_into_runs(frame, c.mode, before, band));
     return std::move(kept.all);
 }
 

@@ -21,7 +21,7 @@ class AppendTest : public WriteTest {
     /// it.
     std::string refusal(const WriteOptions& options, const LayerSpec& spec, const Provenance& what) {
         const auto early = open_sink(options, callbacks_);
-        const std::string message = thrown<OutputError>([&] { early->rehearse({&spec, 1}, what, {}); });
+        const std::string message = thrown<OutputError>([&] { early->preflight({&spec, 1}, what, {}); });
         const auto sink = open_sink(options, callbacks_);
         EXPECT_EQ(thrown<OutputError>([&] { sink->begin({&spec, 1}, what); }), message);
         return message;

@@ -1,4 +1,4 @@
-#include "write/cityjson_sink.hpp"
+#include "write/surface/cityjson_sink.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -42,7 +42,7 @@ class CityJsonSinkTest : public SurfaceSinkCase {
 TEST_F(CityJsonSinkTest, writesSolids) {
     const auto sink = open_cityjson_sink(place("a.city.json"));
     EXPECT_EQ(sink->form(), SurfaceForm::solids);
-    sink->rehearse(meta_);
+    sink->preflight(meta_);
     sink->begin(meta_);
     sink->add(solid(7, 0));
     sink->add(solid(12, 1024));  // beside it: four corners are those of both
@@ -99,7 +99,7 @@ TEST_F(CityJsonSinkTest, writesPartsOfADividedBuilding) {
 TEST_F(CityJsonSinkTest, writesNoBuildings) {
     meta_.provenance.crs_wkt = "";
     const auto sink = open_cityjson_sink(place("a.city.json"));
-    sink->rehearse(meta_);
+    sink->preflight(meta_);
     sink->begin(meta_);
     sink->finish();
     EXPECT_EQ(written(),
@@ -165,15 +165,15 @@ TEST_F(CityJsonSinkTest, refusesTwoUnits) {
     meta_.frame.vertical_metres = 0.3048;
     meta_.vertical_unit = "foot";
     EXPECT_EQ(
-        thrown<OptionError>([&] { sink->rehearse(meta_); }),
+        thrown<OptionError>([&] { sink->preflight(meta_); }),
         "CityJSON has heights in the unit of x and y, which is the metre in 'ETRS89 / UTM zone 32N', and the "
         "elevations are in the unit 'foot'; give a CRS in that unit with -t_srs, or with -zunit the unit "
         "that "
         "they are in.");
     meta_.frame.horizontal_metres = 0.3048;
-    sink->rehearse(meta_);
+    sink->preflight(meta_);
     meta_.vertical_unit = "";
-    EXPECT_EQ(thrown<OptionError>([&] { sink->rehearse(meta_); }),
+    EXPECT_EQ(thrown<OptionError>([&] { sink->preflight(meta_); }),
               "CityJSON has heights in the unit of x and y, and that of the elevations is not known; give it "
               "with -zunit, "
               "and where x and y are in another one a CRS in that unit with -t_srs.");

@@ -8,8 +8,8 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
-#include "write/layer_choice.hpp"
-#include "write/vector_format.hpp"
+#include "write/vector/layer_names.hpp"
+#include "write/vector/vector_format.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -209,7 +209,7 @@ TEST_F(FormatTest, KnowsHowCoordinatesAreRounded) {
         Provenance of_degrees = provenance();
         of_degrees.crs_wkt = wkt_of(4326);
         const auto sink = open_sink(options, callbacks_);
-        sink->rehearse(std::vector<LayerSpec>{layer_spec("buildings")}, of_degrees, {13.4, 52.5});
+        sink->preflight(std::vector<LayerSpec>{layer_spec("buildings")}, of_degrees, {13.4, 52.5});
         return sink->rounding();
     };
     using To = CoordinateRounding::To;

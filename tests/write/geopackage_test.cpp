@@ -7,7 +7,7 @@
 #include <cpl_conv.h>
 
 #include "dem2buildings/open_sinks.hpp"
-#include "write/ogr_handles.hpp"
+#include "write/ogr_util.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {

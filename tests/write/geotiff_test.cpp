@@ -1,3 +1,5 @@
+#include "write/raster/geotiff.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -12,7 +14,6 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
-#include "write/geotiff_sink.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -82,7 +83,7 @@ class GeoTiffTest : public WriteTest {
     }
 
     DemInfo grid_;
-    RasterMeta meta_;
+    RasterMetadata meta_;
 };
 
 TEST_F(GeoTiffTest, ValuesAndWhatIsSaidOfThem) {

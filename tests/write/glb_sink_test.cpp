@@ -1,4 +1,4 @@
-#include "write/glb_sink.hpp"
+#include "write/surface/glb_sink.hpp"
 
 #include <cstring>
 

@@ -1,5 +1,4 @@
-#include "write/obj_sink.hpp"
-
+#include "write/surface/obj_stl_sink.hpp"
 #include "write/surface_sink_case.hpp"
 
 namespace d2b::test {

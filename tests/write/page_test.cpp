@@ -14,12 +14,8 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/report.hpp"
-#include "write/packed_numbers.hpp"
-#include "write/page_mark.hpp"
+#include "write/page/page_sink.hpp"
 #include "write/page_parts.hpp"
-#include "write/page_relief.hpp"
-#include "write/page_sink.hpp"
-#include "write/page_stack.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -54,9 +50,9 @@ class Unpacked {
     std::size_t at_ = 0;
 };
 
-TEST(PackedNumbers, areThoseThatWerePut) {
+TEST(VarintBuffer, areThoseThatWerePut) {
     std::mt19937_64 random(3);
-    PackedNumbers numbers;
+    VarintBuffer numbers;
     std::vector<std::int64_t> put{0,
                                   -1,
                                   1,
@@ -69,7 +65,7 @@ TEST(PackedNumbers, areThoseThatWerePut) {
         put.push_back(static_cast<std::int64_t>(random() >> static_cast<unsigned>(digits)) *
                       (digits % 2 == 0 ? 1 : -1));
     for (const std::int64_t number : put)
-        numbers.put_signed(number);
+        numbers.put_zigzag(number);
     numbers.put(300);
     EXPECT_EQ(numbers.bytes().substr(0, 4), std::string("\0\1\2\x7E", 4));  // 0, -1, 1, 63
     Unpacked unpacked(numbers.bytes());
@@ -85,12 +81,12 @@ TEST(Base64, asTheStandardHasIt) {
     EXPECT_EQ(base64("foo"), "Zm9v");
     EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
     EXPECT_EQ(base64("\xFB\xFF"), "+/8=");
-    EXPECT_EQ(bytes_of_hex("00ff1a"), std::string("\0\xFF\x1A", 3));
+    EXPECT_EQ(hex_decoded("00ff1a"), std::string("\0\xFF\x1A", 3));
 }
 
 TEST(Deflated, isInflatedAgain) {
     const std::string text(100000, 'x');
-    const std::string packed = deflated(text);
+    const std::string packed = zlib_compressed(text);
     EXPECT_LT(packed.size(), 1000U);
     std::size_t size = 0;
     const std::unique_ptr<void, decltype(&VSIFree)> bytes(
@@ -203,8 +199,8 @@ class PageTest : public WriteTest {
         if (page_parts() == nullptr)
             GTEST_SKIP() << "built without pages";
     }
-    [[nodiscard]] RasterPlace place(const std::string& name, bool overwrite = false) const {
-        return locate_raster({path(name), overwrite, {}, RasterFormat::page});
+    [[nodiscard]] FileDestination place(const std::string& name, bool overwrite = false) const {
+        return resolve_file_target({path(name), overwrite, {}, FileKind::page});
     }
     static SurfacePart part(std::int64_t id) {
         SurfacePart part;
@@ -236,7 +232,7 @@ std::string between(const std::string& text, const std::string& begin, const std
 
 TEST_F(PageTest, namesAreTextAndNothingComesFromOutside) {
     const std::string page = written("<script>alert(1)&.html");
-    EXPECT_TRUE(begins_a_page(page));
+    EXPECT_TRUE(looks_like_page(page));
     EXPECT_EQ(between(page, "<title>", "</title>"), "&lt;script&gt;alert(1)&amp;");
     EXPECT_EQ(page.find("<script>alert"), std::string::npos);
     EXPECT_EQ(std::ranges::count(page, '@'), std::ranges::count(std::string(page_parts()->script), '@') +
@@ -329,7 +325,7 @@ TEST_F(WriteTest, pagesNeedThePartsOfTheBuild) {
     const DemInfo dem;
     EXPECT_EQ(thrown<OptionError>([&] {
                   static_cast<void>(
-                      open_page(locate_raster({path("a.html"), false, {}, RasterFormat::page}), {dem}));
+                      open_page(resolve_file_target({path("a.html"), false, {}, FileKind::page}), {dem}));
               }),
               "This dem2buildings was built without pages; leave -page out, or build it with -D "
               "D2B_BUILD_PAGE=ON.");

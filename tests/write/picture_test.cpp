@@ -6,7 +6,7 @@
 
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/error.hpp"
-#include "write/picture_file.hpp"
+#include "write/raster/picture_file.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -15,8 +15,8 @@ namespace {
 
 class PictureTest : public WriteTest {
   protected:
-    [[nodiscard]] RasterTarget picture(const std::string& name, bool overwrite = false) const {
-        return {path(name), overwrite, {}, RasterFormat::picture};
+    [[nodiscard]] FileTarget picture(const std::string& name, bool overwrite = false) const {
+        return {path(name), overwrite, {}, FileKind::picture};
     }
 };
 

@@ -1,10 +1,8 @@
-#include "write/row_inserts.hpp"
-
 #include <array>
 
 #include "dem2buildings/error.hpp"
+#include "write/geopackage/spatial_index.hpp"
 #include "write/sql.hpp"
-#include "write/sqlite_handle.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {

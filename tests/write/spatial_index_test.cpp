@@ -1,9 +1,10 @@
+#include "write/geopackage/spatial_index.hpp"
+
 #include <cmath>
 #include <map>
 #include <random>
 
 #include "dem2buildings/open_sinks.hpp"
-#include "write/packed_rtree.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {

@@ -2,8 +2,7 @@
 
 #include <fstream>
 
-#include "write/file_moves.hpp"
-#include "write/layer_counts.hpp"
+#include "write/vector/layer_writer.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -14,14 +13,14 @@ namespace fs = std::filesystem;
 
 class StagingTest : public WriteTest {
   protected:
-    static void put_in(const Staging& staging, const std::string& name, const std::string& text) {
+    static void put_in(const StagingFolder& staging, const std::string& name, const std::string& text) {
         std::ofstream(staging.folder() / name) << text;
     }
 };
 
 TEST_F(StagingTest, TheFolderIsHiddenAndGoes) {
     {
-        const Staging staging("name", path("a.txt"));
+        const StagingFolder staging("name", path("a.txt"));
         ASSERT_EQ(entries().size(), 1u);
         EXPECT_EQ(entries().front().find(".dem2buildings."), 0u);
         put_in(staging, "a.txt", "new");
@@ -34,7 +33,7 @@ TEST_F(StagingTest, ASetOfFilesComesAsAWhole) {
     put("a.idx", "old index");
     put("a.more", "old sidecar");
     {
-        Staging staging("name", path("a.txt"));
+        StagingFolder staging("name", path("a.txt"));
         put_in(staging, "a.txt", "new");
         put_in(staging, "a.idx", "new index");
         staging.seal();
@@ -53,7 +52,7 @@ TEST_F(StagingTest, ASetOfFilesGoesBackAsAWhole) {
     put("a.idx", "old index");
     put("a.tab", "another's");
     {
-        Staging staging("name", path("a.txt"));
+        StagingFolder staging("name", path("a.txt"));
         for (const char* name : {"a.txt", "a.idx", "a.tab"})
             put_in(staging, name, "new");
         staging.seal();
@@ -69,7 +68,7 @@ TEST_F(StagingTest, ASetOfFilesGoesBackAsAWhole) {
 }
 
 TEST_F(StagingTest, WhatIsMissingIsSaid) {
-    Staging staging("name", path("a.txt"));
+    StagingFolder staging("name", path("a.txt"));
     EXPECT_EQ(thrown<OutputError>([&] { staging.seal(); }),
               "Cannot write \"name\": the driver has written no file of this name.");
     EXPECT_EQ(thrown<OutputError>([&] { staging.copy_in({path("gone.txt")}); }),
@@ -84,7 +83,7 @@ TEST_F(StagingTest, AResultThatShowsCanBeTakenBack) {
     put("a.more", "old sidecar");
     for (const bool keeps : {false, true}) {
         {
-            Staging staging("name", path("a.txt"));
+            StagingFolder staging("name", path("a.txt"));
             put_in(staging, "a.txt", "new");
             put_in(staging, "a.idx", "new index");
             staging.seal();
@@ -92,7 +91,7 @@ TEST_F(StagingTest, AResultThatShowsCanBeTakenBack) {
             EXPECT_EQ(bytes("a.txt"), "new");
             EXPECT_FALSE(fs::exists(path("a.more")));
             if (!keeps) {
-                EXPECT_EQ(staging.take_back(), "");
+                EXPECT_EQ(staging.roll_back(), "");
                 EXPECT_EQ(bytes("a.txt"), "old");
             }
         }
@@ -103,13 +102,13 @@ TEST_F(StagingTest, AResultThatShowsCanBeTakenBack) {
 TEST_F(StagingTest, AFolderThatShowsCanBeTakenBack) {
     fs::create_directory(path("a"));
     {
-        Staging staging("name", path("a"));
+        StagingFolder staging("name", path("a"));
         fs::create_directory(staging.dataset());
         put_in(staging, "a/new", "1");
         staging.seal();
         staging.publish({});
         EXPECT_EQ(entries("a"), Names{"new"});
-        EXPECT_EQ(staging.take_back(), "");
+        EXPECT_EQ(staging.roll_back(), "");
         EXPECT_EQ(entries("a"), Names{});
         put("a/mine", "somebody else's");
         EXPECT_EQ(thrown<OutputError>([&] { staging.publish({}); }),
@@ -123,23 +122,23 @@ TEST_F(StagingTest, WhatCannotBeTakenBackIsSaidAndKept) {
     put("a.txt", "old");
     std::string folder;
     {
-        Staging staging("name", path("a.txt"));
+        StagingFolder staging("name", path("a.txt"));
         put_in(staging, "a.txt", "new");
         staging.seal();
         staging.publish({path("a.txt")});
         fs::remove(path("a.txt"));
         folder = staging.folder().string();
-        EXPECT_EQ(staging.take_back(), "old files of \"name\" lie in \"" + folder + "\" now");
+        EXPECT_EQ(staging.roll_back(), "old files of \"name\" lie in \"" + folder + "\" now");
     }
     EXPECT_EQ(bytes(fs::path(folder).filename().string() + "/a.txt"), "old");
     fs::remove_all(folder);
     {
-        Staging staging("name", path("b.txt"));
+        StagingFolder staging("name", path("b.txt"));
         put_in(staging, "b.txt", "new");
         staging.seal();
         staging.publish({});
         fs::remove_all(staging.folder());
-        EXPECT_EQ(staging.take_back(), "\"name\" is there already");
+        EXPECT_EQ(staging.roll_back(), "\"name\" is there already");
     }
     EXPECT_EQ(entries(), Names{"b.txt"});
 }
@@ -150,7 +149,7 @@ TEST_F(StagingTest, PlacesAreExchanged) {
     put("a/one", "1");
     put("b/two", "2");
     {
-        FileMoves moves;
+        RenameTransaction moves;
         moves.replace(path("a"), path("b"), path("spare"));
         EXPECT_EQ(entries("a"), Names{"two"});
         EXPECT_EQ(entries("b"), Names{"one"});

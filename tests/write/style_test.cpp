@@ -2,8 +2,7 @@
 
 #include "core/height_classes.hpp"
 #include "dem2buildings/open_sinks.hpp"
-#include "write/layer_metadata.hpp"
-#include "write/qml_style.hpp"
+#include "write/qgis/qgis_style.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -105,7 +104,7 @@ TEST_F(StyleTest, AShapefileHasItsStyleBeside) {
     write(to("a.shp"), 1);
     const Names names = entries();
     EXPECT_TRUE(std::ranges::find(names, "a.qml") != names.end());
-    EXPECT_NE(bytes("a.qml").find(style_mark), std::string::npos);
+    EXPECT_NE(bytes("a.qml").find(style_signature), std::string::npos);
     write(to("folder", "ESRI Shapefile"), 1);
     EXPECT_FALSE(bytes("folder/buildings.qml").empty());
     EXPECT_FALSE(bytes("folder/contours.qml").empty());
@@ -129,7 +128,7 @@ TEST_F(StyleTest, OurStyleOfAShapefileIsReplacedAndAUsersIsNot) {
     folder.overwrite = true;
     write(folder, 1);
     EXPECT_EQ(bytes("folder/contours.qml"), "the user's");
-    EXPECT_NE(bytes("folder/buildings.qml").find(style_mark), std::string::npos);
+    EXPECT_NE(bytes("folder/buildings.qml").find(style_signature), std::string::npos);
 }
 
 TEST_F(StyleTest, ColumnsOfTheLayerAreNamedNotThoseOfTheSpec) {

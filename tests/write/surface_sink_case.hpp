@@ -4,7 +4,7 @@
 #include <string>
 
 #include "dem2buildings/surfaces.hpp"
-#include "write/raster_target.hpp"
+#include "write/file_target.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -18,11 +18,11 @@ class SurfaceSinkCase : public WriteTest {
         meta_.frame.origin = {1000, 2010, 7};
         meta_.provenance.metadata = {{"D2B_SOURCE", "a\nb\\.tif"}};
     }
-    [[nodiscard]] RasterPlace place(const std::string& name, bool overwrite = false) const {
-        return locate_raster({path(name), overwrite, {}, RasterFormat::surface});
+    [[nodiscard]] FileDestination place(const std::string& name, bool overwrite = false) const {
+        return resolve_file_target({path(name), overwrite, {}, FileKind::surface});
     }
-    [[nodiscard]] RasterPlace materials(const std::string& name, bool overwrite = false) const {
-        return locate_raster({path(name), overwrite, {}, RasterFormat::materials});
+    [[nodiscard]] FileDestination materials(const std::string& name, bool overwrite = false) const {
+        return resolve_file_target({path(name), overwrite, {}, FileKind::materials});
     }
     /// Half of a tetrahedron, in two buildings: what is in it is not looked at.
     static SurfacePart part(std::int64_t id) {

@@ -1,9 +1,7 @@
-#include "write/surface_sinks.hpp"
-
 #include <optional>
 
 #include "dem2buildings/error.hpp"
-#include "write/surface_format.hpp"
+#include "write/surface/surface_sink.hpp"
 #include "write/surface_sink_case.hpp"
 
 namespace d2b::test {
@@ -13,7 +11,7 @@ namespace {
 class EachSurfaceSink : public SurfaceSinkCase, public ::testing::WithParamInterface<std::string> {
   protected:
     [[nodiscard]] std::unique_ptr<SurfaceSink> open(bool overwrite = false) const {
-        return open_surface_sink(locate_surface({path(GetParam()), overwrite, {}, RasterFormat::surface}),
+        return open_surface_sink(resolve_surface_target({path(GetParam()), overwrite, {}, FileKind::surface}),
                                  SurfaceSolids::each);
     }
 };
@@ -45,9 +43,9 @@ TEST_P(EachSurfaceSink, aFileThatHasChangedMeanwhileIsLeftAlone) {
 /// The materials of an OBJ stand in a file beside it, which is replaced with it and by nothing else.
 TEST_F(SurfaceSinkCase, materialsGoWithTheirObj) {
     const auto located = [&](bool overwrite) {
-        return locate_surface({path("a.obj"), overwrite, {}, RasterFormat::surface});
+        return resolve_surface_target({path("a.obj"), overwrite, {}, FileKind::surface});
     };
-    EXPECT_FALSE(locate_surface({path("a.stl"), false, {}, RasterFormat::surface}).materials);
+    EXPECT_FALSE(resolve_surface_target({path("a.stl"), false, {}, FileKind::surface}).materials);
     put("a.mtl", "Dear diary\n");
     EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(located(false)); }),
               "\"" + path("a.mtl") + "\" exists; give another name, or -overwrite to replace it.");
@@ -64,11 +62,11 @@ TEST_F(SurfaceSinkCase, materialsGoWithTheirObj) {
 }
 
 TEST(SurfaceFormats, materialsHaveTheNameOfTheirObj) {
-    EXPECT_EQ(materials_name("a/b.c/Town 1.OBJ"), "a/b.c/Town 1.mtl");
+    EXPECT_EQ(mtl_name("a/b.c/Town 1.OBJ"), "a/b.c/Town 1.mtl");
     // A line of an OBJ would end there, or go on on the next one.
-    EXPECT_EQ(materials_name("a\\b/a\nb\\.obj"), "a\\b/a_b_.mtl");
-    EXPECT_TRUE(begins_materials("# x\n\nnewmtl a\n"));
-    EXPECT_FALSE(begins_materials("Kd 1 0 0\n"));
+    EXPECT_EQ(mtl_name("a\\b/a\nb\\.obj"), "a\\b/a_b_.mtl");
+    EXPECT_TRUE(looks_like_mtl("# x\n\nnewmtl a\n"));
+    EXPECT_FALSE(looks_like_mtl("Kd 1 0 0\n"));
 }
 
 TEST(SurfaceFormats, byTheEndOfAName) {
@@ -84,7 +82,7 @@ TEST(SurfaceFormats, byTheEndOfAName) {
 }
 
 TEST(SurfaceFormats, whatMayBeReplaced) {
-    const auto is_obj = [](const char* text) { return begins_a_surface(SurfaceFormat::obj, text); };
+    const auto is_obj = [](const char* text) { return looks_like_surface(SurfaceFormat::obj, text); };
     EXPECT_TRUE(is_obj("# of another program\n\nmtllib a.mtl\n"));
     EXPECT_TRUE(is_obj("v 1 2 3\n"));
     EXPECT_TRUE(is_obj("o\tone\r\n"));
@@ -95,11 +93,11 @@ TEST(SurfaceFormats, whatMayBeReplaced) {
 }
 
 TEST(SurfaceFormats, whatMayBeReplacedOfOtherFormats) {
-    EXPECT_TRUE(begins_a_surface(SurfaceFormat::stl, "solid of another program\n facet"));
-    EXPECT_FALSE(begins_a_surface(SurfaceFormat::stl, "Dear diary, a solid day\n"));
-    EXPECT_TRUE(begins_a_surface(SurfaceFormat::glb, "glTF\2"));
-    EXPECT_FALSE(begins_a_surface(SurfaceFormat::glb, "{\"asset\":"));
-    const auto is_city = [](const char* text) { return begins_a_surface(SurfaceFormat::cityjson, text); };
+    EXPECT_TRUE(looks_like_surface(SurfaceFormat::stl, "solid of another program\n facet"));
+    EXPECT_FALSE(looks_like_surface(SurfaceFormat::stl, "Dear diary, a solid day\n"));
+    EXPECT_TRUE(looks_like_surface(SurfaceFormat::glb, "glTF\2"));
+    EXPECT_FALSE(looks_like_surface(SurfaceFormat::glb, "{\"asset\":"));
+    const auto is_city = [](const char* text) { return looks_like_surface(SurfaceFormat::cityjson, text); };
     EXPECT_TRUE(is_city("\n{ \"type\" : \"CityJSON\", "));
     EXPECT_TRUE(is_city("{\"version\": \"1.1\", \"type\": \"CityJSON\""));
     EXPECT_FALSE(is_city("{\"type\": \"FeatureCollection\""));

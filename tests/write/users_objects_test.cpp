@@ -1,13 +1,13 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
-#include "write/without_database.hpp"
+#include "write/geopackage/dependent_objects.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
 
 namespace {
 
-class UsersObjects : public WriteTest {
+class DependentObjects : public WriteTest {
   protected:
     void run(const std::string& statement) const { sql(path("a.gpkg"), statement, true); }
     [[nodiscard]] std::string ask(const std::string& statement) const {
@@ -25,7 +25,7 @@ class UsersObjects : public WriteTest {
         spec.fields[1].name = "tallness";
         const auto sink = open_sink(over(), callbacks_);
         const std::string message = thrown<OutputError>([&] {
-            sink->rehearse({&spec, 1}, provenance(), {});
+            sink->preflight({&spec, 1}, provenance(), {});
         });
         EXPECT_EQ(bytes("a.gpkg"), before);
         EXPECT_EQ(entries(), std::vector<std::string>{"a.gpkg"});
@@ -42,7 +42,7 @@ class UsersObjects : public WriteTest {
     }
 };
 
-TEST_F(UsersObjects, AViewStays) {
+TEST_F(DependentObjects, AViewStays) {
     for (const bool registered : {false, true}) {
         std::filesystem::remove(path("a.gpkg"));
         write(to("a.gpkg"), 2);
@@ -56,7 +56,7 @@ TEST_F(UsersObjects, AViewStays) {
     }
 }
 
-TEST_F(UsersObjects, AViewOnAFieldThatIsGoneIsNamed) {
+TEST_F(DependentObjects, AViewOnAFieldThatIsGoneIsNamed) {
     write(to("a.gpkg"), 2);
     make_view(true);
     const auto sink = open_sink(over(), callbacks_);
@@ -72,7 +72,7 @@ TEST_F(UsersObjects, AViewOnAFieldThatIsGoneIsNamed) {
     EXPECT_TRUE(message.ends_with("); remove it first, or write to another destination.")) << message;
 }
 
-TEST_F(UsersObjects, WhatNeedsAFieldThatIsGoneIsNamedBeforeTheWork) {
+TEST_F(DependentObjects, WhatNeedsAFieldThatIsGoneIsNamedBeforeTheWork) {
     const std::string end = "); remove it first, or write to another destination.";
     for (const auto& [what, statement] : std::vector<std::pair<std::string, std::string>>{
              {"view \"tall\"", "CREATE VIEW tall AS SELECT fid, height FROM buildings"},
@@ -108,37 +108,37 @@ TEST(WithoutDatabase, TakesItOffTheNamesOfTablesAlone) {
               "SELECT 'main.buildings', domain.buildings, main.buildings2 FROM main"},
              {"SELECT 'it''s main.buildings', \"a", "SELECT 'it''s main.buildings', \"a"},
              {"main.", "main."}})
-        EXPECT_EQ(without_database(sql, tables), bare);
+        EXPECT_EQ(strip_database_name(sql, tables), bare);
 }
 
-TEST_F(UsersObjects, AViewOnAViewIsLookedAtToo) {
+TEST_F(DependentObjects, AViewOnAViewIsLookedAtToo) {
     write(to("a.gpkg"), 2);
     make_view(true);
     run("CREATE VIEW taller AS SELECT * FROM tall WHERE height > 9");
     EXPECT_NE(refusal_without_height().find("its view \"tall\" does not fit"), std::string::npos);
 }
 
-TEST_F(UsersObjects, AViewOnAnotherLayerIsNoReason) {
+TEST_F(DependentObjects, AViewOnAnotherLayerIsNoReason) {
     write(to("a.gpkg"), 2);
     run("CREATE VIEW high AS SELECT height FROM contours");
     LayerSpec spec = layer_spec("buildings");
     spec.fields[1].name = "tallness";
     const auto sink = open_sink(over(), callbacks_);
-    sink->rehearse({&spec, 1}, provenance(), {});
+    sink->preflight({&spec, 1}, provenance(), {});
 }
 
-TEST_F(UsersObjects, LayerOptionsCount) {
+TEST_F(DependentObjects, LayerOptionsCount) {
     write(to("a.gpkg"), 2);
     make_view(false);
     const LayerSpec spec = layer_spec("buildings");
     WriteOptions options = over();
     options.layer_options = {"GEOMETRY_NAME=shape"};
     const auto sink = open_sink(options, callbacks_);
-    const std::string message = thrown<OutputError>([&] { sink->rehearse({&spec, 1}, provenance(), {}); });
+    const std::string message = thrown<OutputError>([&] { sink->preflight({&spec, 1}, provenance(), {}); });
     EXPECT_NE(message.find("its view \"tall\" does not fit the new layers ("), std::string::npos) << message;
 }
 
-TEST_F(UsersObjects, AViewThatNeverWorkedIsNoReason) {
+TEST_F(DependentObjects, AViewThatNeverWorkedIsNoReason) {
     write(to("a.gpkg"), 2);
     run("CREATE VIEW broken AS SELECT absent FROM nowhere");
     write(over(), 3);
@@ -146,7 +146,7 @@ TEST_F(UsersObjects, AViewThatNeverWorkedIsNoReason) {
     EXPECT_EQ(ask("SELECT COUNT(*) FROM sqlite_master WHERE name = 'broken'"), "1");
 }
 
-TEST_F(UsersObjects, TriggersAndIndicesStay) {
+TEST_F(DependentObjects, TriggersAndIndicesStay) {
     write(to("a.gpkg"), 2);
     run("CREATE TABLE journal (what TEXT)");
     run("CREATE TRIGGER noted AFTER UPDATE OF height ON buildings BEGIN INSERT INTO journal VALUES (NEW.id); "
@@ -162,7 +162,7 @@ TEST_F(UsersObjects, TriggersAndIndicesStay) {
     EXPECT_EQ(ask("SELECT what FROM journal"), "3");
 }
 
-TEST_F(UsersObjects, ATriggerOnAFieldThatIsGoneIsNamed) {
+TEST_F(DependentObjects, ATriggerOnAFieldThatIsGoneIsNamed) {
     write(to("a.gpkg"), 2);
     run("CREATE TABLE journal (what TEXT)");
     run("CREATE TRIGGER noted AFTER UPDATE ON buildings BEGIN INSERT INTO journal VALUES (NEW.height); END");
@@ -175,7 +175,7 @@ TEST_F(UsersObjects, ATriggerOnAFieldThatIsGoneIsNamed) {
         << message;
 }
 
-TEST_F(UsersObjects, RelationsAndForeignKeysAreRefused) {
+TEST_F(DependentObjects, RelationsAndForeignKeysAreRefused) {
     write(to("a.gpkg"), 2);
     const auto refusal = [&] {
         return thrown<OptionError>([&] { static_cast<void>(open_sink(over(), callbacks_)); });

@@ -9,8 +9,8 @@
 #include <cpl_string.h>
 
 #include "dem2buildings/open_sinks.hpp"
-#include "write/layer_choice.hpp"
-#include "write/vector_format.hpp"
+#include "write/vector/layer_names.hpp"
+#include "write/vector/vector_format.hpp"
 
 /// Asked by LeakSanitizer. GDAL 3.6 takes no handler of files back, and forgets one whose prefix is used
 /// again, which is the address of the object that watches (write/write_watch.hpp).
@@ -74,7 +74,7 @@ std::int64_t WriteTest::write(const WriteOptions& options, int n) {
         specs.push_back(layer_spec(sink->layer_name(LayerRole::buildings, layers), options.with_z));
     if (layers != Layers::buildings)
         specs.push_back(layer_spec(sink->layer_name(LayerRole::contours, layers), options.with_z));
-    sink->rehearse(specs, provenance(), {});
+    sink->preflight(specs, provenance(), {});
     sink->begin(specs, provenance());
     for (int i = 0; i < n; ++i)
         for (std::size_t layer = 0; layer < specs.size(); ++layer)

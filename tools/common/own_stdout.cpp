@@ -61,7 +61,7 @@ bool OwnStdout::is_written() {
 
 void OwnStdout::finish() {
     if (!is_written())
-        refuse_lost_output();
+        throw_stdout_failure();
 }
 
 void OwnStdout::finish_aside() {

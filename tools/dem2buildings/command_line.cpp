@@ -3,7 +3,7 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/tokens.hpp"
 #include "options/option_checks.hpp"
-#include "options/side_files.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
 namespace {
@@ -72,7 +72,7 @@ void take_file_names(const std::vector<std::string>& names, Options& options) {
 
 /// Rasters, surfaces and pictures that are written beside the layers.
 void check_side_files(const WriteOptions& write) {
-    std::vector<std::string> names = side_files_of(write);
+    std::vector<std::string> names = auxiliary_file_names(write);
     names.push_back(write.preview);
     for (const std::string& name : names)
         if (name.starts_with("/vsimem/"))

@@ -101,7 +101,7 @@ Json number_of(const std::optional<double>& number) {
 }
 
 Json sampling_of(const SamplingReport& sampling) {
-    return {{"filled_share", sampling.filled_share},
+    return {{"filled_share", sampling.interpolated_fraction},
             {"points_per_cell", number_of(sampling.points_per_cell)},
             {"step_width_cells", number_of(sampling.step_width_cells)},
             {"value_step", number_of(sampling.value_step)}};

@@ -18,7 +18,7 @@
 #include "dem2buildings/spool.hpp"
 #include "dem2buildings/sweep.hpp"
 #include "dem2buildings/version.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b {
 namespace {

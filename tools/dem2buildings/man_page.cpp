@@ -1,7 +1,7 @@
 #include "common/roff.hpp"
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/version.hpp"
-#include "options/contour_options.hpp"
+#include "options/gdal_contour_options.hpp"
 
 namespace d2b {
 namespace {
@@ -28,8 +28,8 @@ std::string contour_table() {
     std::string text =
         roff_section("OPTIONS OF GDAL_CONTOUR") +
         roff_paragraph("Command lines of gdal_contour(1) work where the option is the same or accepted.");
-    for (const ContourOption& option : contour_options()) {
-        const auto fate = std::string(fate_names[static_cast<std::size_t>(option.fate)]);
+    for (const GdalContourOption& option : gdal_contour_options()) {
+        const auto fate = std::string(option_support_names[static_cast<std::size_t>(option.fate)]);
         text += roff_item(option.synopsis, fate + ": " + std::string(option.note) + ".");
     }
     return text;

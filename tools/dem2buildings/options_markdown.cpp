@@ -1,5 +1,5 @@
 #include "dem2buildings/help.hpp"
-#include "options/contour_options.hpp"
+#include "options/gdal_contour_options.hpp"
 
 namespace d2b {
 namespace {
@@ -53,9 +53,9 @@ std::string options_markdown() {
         "\n## Options of gdal_contour\n\nHow dem2buildings treats the options of gdal_contour (GDAL 3.6 to "
         "3.11).\n\n";
     text += "| gdal_contour | Here | |\n| --- | --- | --- |\n";
-    for (const ContourOption& option : contour_options())
+    for (const GdalContourOption& option : gdal_contour_options())
         text += "| `" + cell(option.synopsis) + "` | " +
-                std::string(fate_names[static_cast<std::size_t>(option.fate)]) + " | " +
+                std::string(option_support_names[static_cast<std::size_t>(option.fate)]) + " | " +
                 cell(prose(option.note)) + " |\n";
     return text;
 }

@@ -6,9 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "pipeline/preview.hpp"
-#include "preview/contact_sheet.hpp"
+#include "preview/map_page.hpp"
 
 namespace d2b {
 namespace {
@@ -23,7 +23,7 @@ std::string aligned(const std::string& text) {
 /// Draws a trial.
 class TrialMap final : public TrialView {
   public:
-    TrialMap(FeatureSink& nothing, const MapFrame& frame, PictureFormat format, PreviewSink::Taken taken)
+    TrialMap(FeatureSink& nothing, const MapFrame& frame, PictureFormat format, PreviewSink::OnMap taken)
         : sink_(nothing, frame, format, std::move(taken)) {}
     [[nodiscard]] FeatureSink& features() override { return sink_; }
     [[nodiscard]] RasterSink& elevations() override { return sink_.relief(); }
@@ -82,8 +82,8 @@ void run_sweep(const Options& options, const Sources& sources, const SweepPlan& 
     }
     const std::unique_ptr<PictureFile> file = open_picture(picture_target(options));
     const SheetPlan sheet = plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
-    const MapGround ground = ground_of(options, sources.dem.info());
-    const MapFrame frame(ground, map_on_sheet(ground, sheet));
+    const MapArea ground = map_area_of(options, sources.dem.info());
+    const MapFrame frame(ground, map_size_on_sheet(ground, sheet));
     std::vector<TrialPicture> pictures;
     const std::vector<Trial> trials = run_trials(
         options, sources, plan,

@@ -8,7 +8,7 @@
 #include <boost/program_options.hpp>
 
 #include "dem2buildings/error.hpp"
-#include "options/contour_options.hpp"
+#include "options/gdal_contour_options.hpp"
 #include "options/option_checks.hpp"
 #include "options/option_values.hpp"
 
@@ -142,7 +142,7 @@ Tokens split_tokens(std::vector<std::string> arguments) {
 
 void refuse_unknown_option(const std::string& token) {
     const std::string name = split_name(token).first;
-    if (const std::string refusal = contour_option_refusal(name); !refusal.empty())
+    if (const std::string refusal = gdal_contour_refusal(name); !refusal.empty())
         throw OptionError(refusal);
     // GDAL's own switches were taken before; they need two dashes.
     Strings candidates{"-config", "-debug", "-formats", "-format", "-optfile", "-help-general"};

@@ -9,13 +9,13 @@
 #include "core/disjoint_sets.hpp"
 #include "dem2buildings/error.hpp"
 #include "surface/partition.hpp"
-#include "surface/take_apart_pinches.hpp"
+#include "surface/resolve_nonmanifold.hpp"
 
 namespace d2b::mesh {
 namespace {
 
-std::vector<PlanContour> contours_of(const CityModel& city) {
-    std::vector<PlanContour> contours;
+std::vector<PartitionContour> contours_of(const CityModel& city) {
+    std::vector<PartitionContour> contours;
     for (std::size_t i = 0; i < city.buildings.size(); ++i)
         for (const CityRoof& roof : city.buildings[i].roofs)
             contours.push_back({roof.outline, -1, static_cast<std::int32_t>(i), roof.z});
@@ -28,7 +28,7 @@ void level_bases(const CityModel& city, CityPlan& result) {
     const auto building = [&](std::int32_t region) {
         return static_cast<std::uint32_t>(result.regions[static_cast<std::size_t>(region)].building);
     };
-    for (const PlanEdge& edge : result.plan.edges)
+    for (const PartitionEdge& edge : result.plan.edges)
         if (edge.left != open_ground && edge.right != open_ground)
             static_cast<void>(blocks.join(building(edge.left), building(edge.right)));
     std::vector<std::int64_t> lowest(city.buildings.size(), std::numeric_limits<std::int64_t>::max());
@@ -40,14 +40,14 @@ void level_bases(const CityModel& city, CityPlan& result) {
         region.base = lowest[blocks.find(static_cast<std::uint32_t>(region.building))];
 }
 
-void take_apart(const CityModel& city, const std::vector<PlanContour>& contours, const PlanGaps& gaps,
-                CityPlan& result) {
-    const PinchesTaken taken = take_apart_pinches(result.plan, contours, {0, gaps});
-    for (const PinchMend& mend : taken.mends)
+void take_apart(const CityModel& city, const std::vector<PartitionContour>& contours,
+                const GapTolerances& gaps, CityPlan& result) {
+    const ResolvedVertices taken = resolve_nonmanifold_vertices(result.plan, contours, {0, gaps});
+    for (const VertexRepair& mend : taken.repairs)
         result.pinches.push_back(mend.place);
-    if (taken.stuck.empty())
+    if (taken.unresolved.empty())
         return;
-    const PlanContour& contour = contours[taken.stuck.front()];
+    const PartitionContour& contour = contours[taken.unresolved.front()];
     throw InputError(
         "'" + city.name + "' has " + city.buildings[static_cast<std::size_t>(contour.building)].name +
         ", near " + place_text(city, contour.outline.exterior.front()) +
@@ -64,11 +64,11 @@ void require_height(const CityModel& city, const Region& region) {
 
 }  // namespace
 
-CityPlan make_city_plan(const CityModel& city, const PlanGaps& gaps) {
-    const std::vector<PlanContour> contours = contours_of(city);
-    Partition partition = make_partition(contours);
-    if (!partition.at_odds.empty()) {
-        const PlanContour& other = contours[*std::ranges::min_element(partition.at_odds)];
+CityPlan make_city_plan(const CityModel& city, const GapTolerances& gaps) {
+    const std::vector<PartitionContour> contours = contours_of(city);
+    PartitionResult partition = make_partition(contours);
+    if (!partition.conflicting.empty()) {
+        const PartitionContour& other = contours[*std::ranges::min_element(partition.conflicting)];
         throw InputError("'" + city.name + "' has two roofs over one place, or roofs that cross, near " +
                          place_text(city, other.outline.exterior.front()) + " (" +
                          city.buildings[static_cast<std::size_t>(other.building)].name +
@@ -76,7 +76,7 @@ CityPlan make_city_plan(const CityModel& city, const PlanGaps& gaps) {
     }
     CityPlan result{std::move(partition.plan), {}, {}};
     take_apart(city, contours, gaps, result);
-    for (const PlanContour& contour : contours)
+    for (const PartitionContour& contour : contours)
         result.regions.push_back({contour.building, contour.top, 0});
     level_bases(city, result);
     for (const Region& region : result.regions)

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "dem2buildings_mesh/city_model.hpp"
-#include "surface/plan.hpp"
-#include "surface/plan_gaps.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b::mesh {
 
@@ -20,7 +19,7 @@ struct Region {
 /// The roofs of a city as a partition of the plane, exactly on the steps of its file. Sides of an edge are
 /// regions, or open_ground.
 struct CityPlan {
-    Plan plan;
+    PlanarPartition plan;
     std::vector<Region> regions;
     std::vector<FinePoint> pinches;  ///< places where it was changed by a few steps
 };
@@ -30,6 +29,6 @@ struct CityPlan {
 /// Where a vertical edge would have more than two walls, corners move apart, as -surface has it: a file that
 /// -surface has written has no such place. @throws InputError two roofs over one place, no room to move
 /// corners
-[[nodiscard]] CityPlan make_city_plan(const CityModel& city, const PlanGaps& gaps);
+[[nodiscard]] CityPlan make_city_plan(const CityModel& city, const GapTolerances& gaps);
 
 }  // namespace d2b::mesh

@@ -14,8 +14,7 @@
 #include "dem2buildings_mesh/help.hpp"
 #include "dem2buildings_mesh/mesh_city.hpp"
 #include "dem2buildings_mesh/report.hpp"
-#include "read/gdal_command_line.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b::mesh {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/crs.hpp"
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings_mesh/check_shell.hpp"
 #include "dem2buildings_mesh/city_plan.hpp"
@@ -43,10 +43,10 @@ Crs crs_of(const CityModel& city) {
     return crs;
 }
 
-PlanGaps gaps_of(const CityModel& city, const Crs& crs) {
+GapTolerances gaps_of(const CityModel& city, const Crs& crs) {
     const auto unit = crs.horizontal_unit();
     const double metres = FinePoint::steps * (unit ? unit->metres : 1);
-    return plan_gaps({city.scale[0] * metres, city.scale[1] * metres});
+    return gap_tolerances({city.scale[0] * metres, city.scale[1] * metres});
 }
 
 PlanFrame frame_of(const CityModel& city, const CityPlan& plan, const Crs& crs) {

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/disjoint_sets.hpp"
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings_mesh/mesh_text.hpp"
 
 namespace d2b::mesh {

@@ -31,12 +31,12 @@ const MeshFormat* format_of(std::string name) {
 
 }  // namespace
 
-RasterPlace locate_mesh(const MeshRequest& request) {
+FileDestination locate_mesh(const MeshRequest& request) {
     if (format_of(request.destination) == nullptr)
         throw OptionError("Meshes are written as STL, OBJ and CityJSON; give '" + request.destination +
                           "' a name that ends in .stl, .obj or .city.json.");
-    return locate_raster(
-        {request.destination, request.overwrite, {request.city, request.ground}, RasterFormat::surface});
+    return resolve_file_target(
+        {request.destination, request.overwrite, {request.city, request.ground}, FileKind::surface});
 }
 
 bool is_local(const std::string& destination) {

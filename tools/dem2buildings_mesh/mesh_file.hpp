@@ -7,8 +7,8 @@
 #include "dem2buildings_mesh/mesh_request.hpp"
 #include "dem2buildings_mesh/plan_frame.hpp"
 #include "dem2buildings_mesh/shell.hpp"
-#include "write/raster_target.hpp"
-#include "write/surface_file.hpp"
+#include "write/file_target.hpp"
+#include "write/surface/surface_file.hpp"
 
 namespace d2b::mesh {
 
@@ -21,7 +21,7 @@ struct NamedShell {
 
 /// Where it is to go. @throws OptionError: not .stl, .obj or .city.json, exists, is read by this run.
 /// @throws OutputError
-[[nodiscard]] RasterPlace locate_mesh(const MeshRequest& request);
+[[nodiscard]] FileDestination locate_mesh(const MeshRequest& request);
 
 /// Whether local coordinates are written, in metres from an origin.
 [[nodiscard]] bool is_local(const std::string& destination);

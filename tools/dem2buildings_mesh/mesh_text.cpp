@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/number_text.hpp"
-#include "write/coordinate_text.hpp"
+#include "core/text.hpp"
+#include "write/surface/obj_stl_sink.hpp"
 
 namespace d2b::mesh {
 namespace {

@@ -13,7 +13,7 @@ double fewest_points(const PlanDrawing& drawing, double most) {
     };
     double twice_area = 0;
     double length = 0;
-    for (const PlanEdge& edge : drawing.edges) {
+    for (const PartitionEdge& edge : drawing.edges) {
         const Position& a = drawing.nodes[edge.from];
         const Position& b = drawing.nodes[edge.to];
         twice_area += (a.x * b.y - a.y * b.x) * (is_divided(edge.left) - is_divided(edge.right));
@@ -24,12 +24,12 @@ double fewest_points(const PlanDrawing& drawing, double most) {
 }
 
 void split_long_edges(PlanDrawing& drawing, double most) {
-    std::vector<PlanEdge> edges;
-    for (const PlanEdge& edge : drawing.edges) {
+    std::vector<PartitionEdge> edges;
+    for (const PartitionEdge& edge : drawing.edges) {
         const Position a = drawing.nodes[edge.from];
         const Position b = drawing.nodes[edge.to];
         const int parts = static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y) / most));
-        PlanEdge part = edge;
+        PartitionEdge part = edge;
         for (int i = 1; i < parts; ++i) {
             const double share = static_cast<double>(i) / parts;
             part.to = static_cast<std::uint32_t>(drawing.nodes.size());

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dem2buildings/world_polygon.hpp"
-#include "surface/plan.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b::mesh {
 
@@ -20,8 +20,8 @@ inline constexpr std::int32_t beyond = -2;
 /// east and y to the north.
 struct PlanDrawing {
     std::vector<Position> nodes;
-    std::vector<PlanEdge> edges;  ///< sides are regions, open_ground or beyond
-    bool with_ground = false;     ///< whether open ground is divided, too
+    std::vector<PartitionEdge> edges;  ///< sides are regions, open_ground or beyond
+    bool with_ground = false;          ///< whether open ground is divided, too
 };
 
 struct PlanTriangle {

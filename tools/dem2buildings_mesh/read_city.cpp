@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings_mesh/city_json.hpp"
 #include "dem2buildings_mesh/solid.hpp"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/elevation_limits.hpp"
+#include "core/invalid_elevations.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "read/side_rasters.hpp"
@@ -84,7 +84,7 @@ GroundGrid read_ground(const std::string& path, const CityModel& city, const Crs
     const DemInfo grid = grid_of(open_dem(options)->info(), city, crs);
     const double unit = frame.surface.vertical_metres;
     const std::unique_ptr<DemSource> source =
-        open_terrain(path, grid, unit, on_land.times(1 / unit), callbacks, {TerrainGaps::expected});
+        open_terrain(path, grid, unit, land_elevations.times(1 / unit), callbacks, {TerrainGaps::expected});
     std::vector<double> elevations(static_cast<std::size_t>(grid.window.points()));
     source->read(grid.window, elevations);
     for (const std::string& warning : source->take_warnings())

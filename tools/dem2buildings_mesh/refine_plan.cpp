@@ -156,7 +156,7 @@ void PlanRefiner::insert_nodes() {
 }
 
 void PlanRefiner::insert_edges() {
-    for (const PlanEdge& edge : drawing_.edges)
+    for (const PartitionEdge& edge : drawing_.edges)
         try {
             cdt_.insert_constraint(vertices_[edge.from], vertices_[edge.to]);
         } catch (const Triangulation::Intersection_of_constraints_exception&) {
@@ -205,7 +205,7 @@ void PlanRefiner::label_faces() {
     const std::int32_t outside = drawing_.with_ground ? beyond : open_ground;
     std::vector<Face> front;
     seed(cdt_.infinite_face(), outside, front);
-    for (const PlanEdge& edge : drawing_.edges) {
+    for (const PartitionEdge& edge : drawing_.edges) {
         seed(left_face(vertices_[edge.from], vertices_[edge.to]), edge.left, front);
         seed(left_face(vertices_[edge.to], vertices_[edge.from]), edge.right, front);
     }

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/version.hpp"
 
 namespace d2b::mesh {

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings_mesh/columns.hpp"
 

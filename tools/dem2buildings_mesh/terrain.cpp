@@ -30,7 +30,7 @@ Position cell_size(const GroundGrid& grid, const PlanFrame& frame) {
 
 std::vector<std::array<Position, 2>> outlines(const PlanDrawing& drawing) {
     std::vector<std::array<Position, 2>> edges;
-    for (const PlanEdge& edge : drawing.edges)
+    for (const PartitionEdge& edge : drawing.edges)
         if ((edge.left == open_ground) != (edge.right == open_ground))
             edges.push_back({drawing.nodes[edge.from], drawing.nodes[edge.to]});
     return edges;

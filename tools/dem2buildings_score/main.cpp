@@ -12,8 +12,7 @@
 #include "dem2buildings_score/help.hpp"
 #include "dem2buildings_score/report.hpp"
 #include "geometry/geos.hpp"
-#include "read/gdal_command_line.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b {
 namespace {

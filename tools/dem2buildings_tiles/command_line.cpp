@@ -61,9 +61,9 @@ const TileOption* own_option(const TileStepName& step, const std::string& token)
 
 void apply(const TileOption& option, const std::string& value, TileCommand& command) {
     if (option.name == "tile")
-        command.side = parse_whole("tile", {1, TilePlan::most_side}, value);
+        command.side = parse_integer("tile", {1, TilePlan::most_side}, value);
     else if (option.name == "threads")
-        command.threads = parse_whole("threads", {1, 1024}, value);
+        command.threads = parse_integer("threads", {1, 1024}, value);
     else if (option.name == "input_file_list")
         command.list = value;
     else if (option.name == "json")

@@ -14,7 +14,7 @@
 #include "dem2buildings_tiles/command_line.hpp"
 #include "dem2buildings_tiles/help.hpp"
 #include "dem2buildings_tiles/steps.hpp"
-#include "read/start_gdal.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b {
 namespace {

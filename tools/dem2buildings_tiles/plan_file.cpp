@@ -12,7 +12,7 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/version.hpp"
 #include "dem2buildings_tiles/source_mosaic.hpp"
-#include "write/small_file.hpp"
+#include "write/staging.hpp"
 
 namespace d2b {
 namespace {
@@ -151,7 +151,7 @@ void write_plan(const std::filesystem::path& work, const TilePlan& plan, const T
     std::filesystem::create_directories(work, error);
     if (error)
         refuse_folder(work, error);
-    write_small_file(path_of(work), plan_text(plan, cost));
+    write_text_file(path_of(work), plan_text(plan, cost));
 }
 
 KnownPlan read_plan(const std::filesystem::path& work) {

@@ -23,7 +23,7 @@ struct TilePlan {
     std::int64_t tiles = 0;
     Window window;  ///< of the source
     std::vector<SourceFile> files;
-    UndeclaredValues undeclared = {};  ///< of the source
+    UndeclaredNodata undeclared = {};  ///< of the source
 };
 
 /// What a tile is expected to take, with one thread.
@@ -41,7 +41,7 @@ void write_plan(const std::filesystem::path& work, const TilePlan& plan, const T
 /// A plan that is there, and its digest.
 struct KnownPlan {
     TilePlan plan;
-    TileWork work;
+    TileRunParameters work;
 };
 /// @throws InputError where there is none, or it is of another version, or damaged
 [[nodiscard]] KnownPlan read_plan(const std::filesystem::path& work);

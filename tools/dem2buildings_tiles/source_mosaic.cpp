@@ -8,7 +8,6 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings_tiles/command_line.hpp"
-#include "read/raster_list.hpp"
 #include "read/raster_mosaic.hpp"
 
 namespace d2b {
@@ -36,7 +35,7 @@ void refuse_other_plan(const fs::path& work) {
 }
 
 SourceMosaic::SourceMosaic(const std::string& list, const fs::path& work, int band) {
-    const std::vector<std::string> rasters = listed_rasters(list);
+    const std::vector<std::string> rasters = read_raster_list(list);
     std::error_code error;
     if (!fs::exists(work, error))
         folder_.path = work;

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/number_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/extract_file.hpp"
@@ -20,8 +20,7 @@
 #include "dem2buildings_tiles/source_mosaic.hpp"
 #include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
-#include "write/layer_mosaic.hpp"
-#include "write/part_sink.hpp"
+#include "write/vector/layer_parts.hpp"
 
 namespace d2b {
 namespace {
@@ -74,7 +73,7 @@ std::string spoken(const TilePlan& plan, const TileCost& cost, const std::string
 /// All that the steps read beside each other's files.
 std::vector<SourceFile> files_behind(const Options& options) {
     std::vector<SourceFile> files = source_files(options.read);
-    std::ranges::copy(side_files(options), std::back_inserter(files));
+    std::ranges::copy(list_auxiliary_files(options), std::back_inserter(files));
     return files;
 }
 
@@ -90,7 +89,7 @@ void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
 
 void plan(const TileCommand& command, const Callbacks& callbacks) {
     const Options& options = command.request.options;
-    require_tiles(options);
+    require_tileable(options);
     const bool parts = detects_buildings(options) && writes_parts(options.write);
     if (parts && (options.write.append || options.write.overwrite))
         throw OptionError(
@@ -214,7 +213,7 @@ bool has_numbers(const Planned& planned) {
 
 void merge(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& callbacks) {
     std::vector<std::string> warnings;
-    const Callbacks heard = remembering(callbacks, warnings);
+    const Callbacks heard = recording_warnings(callbacks, warnings);
     const Planned planned = open_planned(command, heard);
     if (has_numbers(planned))
         return;
@@ -235,7 +234,7 @@ void merge(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& c
 
 /// Where all parts are there, each layer is shown as one.
 void show_parts(const TileRun& run, std::int64_t after) {
-    const std::optional<NumberedWhole> whole = written_parts(run, after);
+    const std::optional<NumberedWhole> whole = written_totals(run, after);
     if (!whole)
         return;
     const RunSetup& setup = run.setup();

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/utf8_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {

@@ -43,8 +43,8 @@ Callbacks callbacks_of(const PythonEars& ears) {
 }
 
 /// @param beside which must outlive what is returned
-SideArrays side_arrays(const PyArrays& beside) {
-    SideArrays arrays;
+AuxiliaryArrays side_arrays(const PyArrays& beside) {
+    AuxiliaryArrays arrays;
     for (const auto& [option, array] : beside) {
         std::optional<ElevationArray>& place = option == "ground" ? arrays.terrain
                                                : option == "mask" ? arrays.mask
@@ -54,12 +54,12 @@ SideArrays side_arrays(const PyArrays& beside) {
     return arrays;
 }
 
-Extraction extract(const Options& options, const Opener& open, const SideArrays& beside,
+Extraction extract(const Options& options, const Opener& open, const AuxiliaryArrays& beside,
                    const PythonEars& ears) {
     std::vector<std::string> warnings;
-    const Callbacks callbacks = remembering(callbacks_of(ears), warnings);
+    const Callbacks callbacks = recording_warnings(callbacks_of(ears), warnings);
     const auto source = open(options.read, callbacks);
-    const SideSources side = open_side_sources(options, source->info(), callbacks, beside);
+    const AuxiliarySources side = open_auxiliary_sources(options, source->info(), callbacks, beside);
     CollectingSink sink;
     RunReport report =
         run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get()},
@@ -72,7 +72,7 @@ py::tuple extract_listening(const GivenOptions& given, const PyArrays& beside, c
                             const Opener& open, const std::string& source) {
     Options options = options_of(given);
     options.read.source = source;
-    const SideArrays arrays = side_arrays(beside);
+    const AuxiliaryArrays arrays = side_arrays(beside);
     Extraction result;
     run_listening(listener, [&](const PythonEars& ears) { result = extract(options, open, arrays, ears); });
     return py::make_tuple(result.layers, result.provenance.crs_wkt, result.provenance.metadata,
@@ -106,7 +106,7 @@ std::string extract_to_file(const std::string& source, const std::string& destin
     Options options = options_of(given);
     options.read.source = source;
     options.write.destination = destination;
-    const SideArrays arrays = side_arrays(beside);
+    const AuxiliaryArrays arrays = side_arrays(beside);
     std::string report;
     run_listening(listener, [&](const PythonEars& ears) {
         report = json_report(extract_file(options, callbacks_of(ears), {}, arrays));

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/utf8_text.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {

@@ -7,7 +7,7 @@
 
 #include "core/crs.hpp"
 #include "core/crs/lon_lat.hpp"
-#include "core/crs/proj_objects.hpp"
+#include "core/crs/proj.hpp"
 
 namespace d2b {
 

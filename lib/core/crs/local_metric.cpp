@@ -74,7 +74,7 @@ Quadratic fitted(const Samples& values) {
 }
 
 /// Returns the largest residual, relative to `scale`.
-double misfit(const Quadratic& fit, const Samples& values, double scale) {
+double relative_residual(const Quadratic& fit, const Samples& values, double scale) {
     double largest = 0;
     for (int row = 0; row < n; ++row)
         for (int col = 0; col < n; ++col)
@@ -124,7 +124,7 @@ Quadratic Quadratic::about(double x0, double y0) const {
 }
 
 std::optional<LocalMetric> LocalMetric::fit(const Position& centre, double reach, const LonLat& lon_lat) {
-    constexpr double most_misfit = 2e-8;
+    constexpr double max_residual = 2e-8;
     const double unit = reach / middle;
     const std::optional<Places> places = sample(centre, unit, lon_lat);
     if (!places)
@@ -158,9 +158,10 @@ std::optional<LocalMetric> LocalMetric::fit(const Position& centre, double reach
     metric.along_y_ = fitted(along_y);
     metric.area_ = fitted(area);
     const double scale = area[index(middle, middle)];
-    if (!(std::max({misfit(metric.along_x_, along_x, scale), misfit(metric.mixed_, mixed, scale),
-                    misfit(metric.along_y_, along_y, scale), misfit(metric.area_, area, scale)}) <=
-          most_misfit))
+    if (!(std::max({relative_residual(metric.along_x_, along_x, scale),
+                    relative_residual(metric.mixed_, mixed, scale),
+                    relative_residual(metric.along_y_, along_y, scale),
+                    relative_residual(metric.area_, area, scale)}) <= max_residual))
         return std::nullopt;
     for (Quadratic* form : {&metric.along_x_, &metric.mixed_, &metric.along_y_, &metric.area_})
         *form = scaled(*form, unit);

@@ -7,7 +7,6 @@
 
 #include "core/crs.hpp"
 #include "core/crs/lon_lat.hpp"
-#include "core/crs/position_math.hpp"
 #include "dem2buildings/sinks.hpp"
 
 namespace d2b {

@@ -1,12 +1,14 @@
 #include "core/crs/lon_lat.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
-#include "core/crs/axis_units.hpp"
-#include "core/crs/operation.hpp"
+#include "core/crs/proj.hpp"
 
 namespace d2b {
 namespace {
@@ -44,7 +46,7 @@ std::unique_ptr<LonLat> LonLat::copy() const {
 
 void LonLat::apply(std::span<Position> positions) const {
     if (operation)
-        carry_out(operation.get(), positions);
+        transform_in_place(operation.get(), positions);
     for (Position& p : positions) {
         p = {p.x * degrees, p.y * degrees};
         if (!(std::abs(p.y) <= 90))  // rounding may overshoot a pole
@@ -74,6 +76,62 @@ std::unique_ptr<LonLat> lon_lat_of(const PJ* horizontal) {
         return result;
     result->operation = operation_between(context, crs.get(), base.get(), nullptr);
     return result->operation ? std::move(result) : nullptr;
+}
+
+namespace {
+
+/// Moves bounds off the antimeridian, because PROJ 9.1 recurses until the stack overflows for an area beyond
+/// 180 or -180 degrees.
+std::pair<double, double> avoid_antimeridian(std::pair<double, double> range) {
+    constexpr double half = 180;
+    auto& [west, east] = range;
+    if (west == east)
+        return west == half ? std::pair(-half, -half) : range;
+    if (west == half)
+        west = -half;
+    if (east == -half)
+        east = half;
+    return range;
+}
+
+/// Returns the smallest range that holds all longitudes: the circle without its widest gap. If the first is
+/// east of the second, the range crosses the antimeridian.
+std::pair<double, double> longitude_range(std::vector<double> longitudes) {
+    std::sort(longitudes.begin(), longitudes.end());
+    std::pair<double, double> range{longitudes.front(), longitudes.back()};
+    double widest = longitudes.front() + 360 - longitudes.back();
+    for (std::size_t i = 1; i < longitudes.size(); ++i) {
+        if (longitudes[i] - longitudes[i - 1] > widest) {
+            widest = longitudes[i] - longitudes[i - 1];
+            range = {longitudes[i], longitudes[i - 1]};
+        }
+    }
+    return range;
+}
+
+}  // namespace
+
+AreaPtr area_of(const PJ* crs, std::span<const Position> positions) {
+    const std::unique_ptr<LonLat> lon_lat = lon_lat_of(crs);
+    if (!lon_lat)
+        return nullptr;
+    std::vector<Position> places(positions.begin(), positions.end());
+    lon_lat->apply(places);
+    std::erase_if(places, [](const Position& p) { return !is_finite(p); });
+    if (places.empty())
+        return nullptr;
+    double south = 90;
+    double north = -90;
+    std::vector<double> longitudes;
+    for (const Position& p : places) {
+        longitudes.push_back(std::remainder(p.x + lon_lat->prime_meridian, 360.0));
+        south = std::min(south, p.y);
+        north = std::max(north, p.y);
+    }
+    const auto [west, east] = avoid_antimeridian(longitude_range(std::move(longitudes)));
+    AreaPtr area(proj_area_create());
+    proj_area_set_bbox(area.get(), west, south, east, north);
+    return area;
 }
 
 }  // namespace d2b

@@ -36,7 +36,7 @@ class PendingResult {
     virtual void confirm() {}
     /// Restores the previous state after show(). @return "" on success, otherwise the remaining change as a
     /// clause: "\"a.gpkg\" has been changed already"
-    [[nodiscard]] virtual std::string take_back() = 0;
+    [[nodiscard]] virtual std::string roll_back() = 0;
     /// Discards the previous state.
     virtual void keep() {}
 };
@@ -69,7 +69,7 @@ class CommitList {
 
   private:
     void show_all(std::size_t& shown);
-    [[nodiscard]] std::string take_back(std::size_t shown) const;
+    [[nodiscard]] std::string roll_back(std::size_t shown) const;
 
     std::vector<PendingResult*> results_;
 };

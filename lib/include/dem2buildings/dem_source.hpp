@@ -47,7 +47,7 @@ struct DemInfo {
     double scale = 1;   ///< elevation = stored value * scale + offset
     double offset = 0;  ///< see scale
     /// Elevation of the file's own NoData value, if an option says to use it as an elevation.
-    std::optional<double> set_aside_nodata;
+    std::optional<double> overridden_nodata;
     std::string driver;      ///< short name of the format, for the report
     std::int32_t bands = 1;  ///< number of bands of the raster
     bool bytes = false;      ///< true if the band's values are integers from 0 to 255

@@ -12,7 +12,7 @@ namespace d2b {
 /// Opened sources of the options.
 struct Inputs {
     std::unique_ptr<DemSource> dem;
-    SideSources side;
+    AuxiliarySources side;
 
     [[nodiscard]] Sources sources() const {
         return {*dem, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get()};
@@ -21,11 +21,11 @@ struct Inputs {
 
 /// @throws InputError; OptionError, also if source and destination were given in the wrong order
 [[nodiscard]] Inputs open_inputs(const Options& options, const Callbacks& callbacks = {},
-                                 const SideArrays& arrays = {});
+                                 const AuxiliaryArrays& arrays = {});
 
-/// Returns callbacks that report each warning once and also append it to `heard`. @param heard must outlive
+/// Returns callbacks that report each warning once and also append it to `recorded`, which must outlive
 /// them
-[[nodiscard]] Callbacks remembering(const Callbacks& callbacks, std::vector<std::string>& heard);
+[[nodiscard]] Callbacks recording_warnings(const Callbacks& callbacks, std::vector<std::string>& recorded);
 
 /// Runs the complete job on files: reads the inputs named by the options and writes the destination and all
 /// additional outputs. They become visible together, when all are complete, or not at all (see CommitList).
@@ -38,6 +38,6 @@ struct Inputs {
 /// @param arrays replace rasters named by the options
 /// @return the report of the run with all warnings since the source was opened @throws Error
 RunReport extract_file(const Options& options, const Callbacks& callbacks = {},
-                       const ReportReader<RunReport>& reader = {}, const SideArrays& arrays = {});
+                       const ReportReader<RunReport>& reader = {}, const AuxiliaryArrays& arrays = {});
 
 }  // namespace d2b

@@ -29,7 +29,7 @@ namespace d2b {
                                                      const Callbacks& callbacks = {});
 
 /// Additional outputs named by the options; empty if there are none.
-struct SideSinks {
+struct AuxiliarySinks {
     std::unique_ptr<RasterSink> ground;
     std::unique_ptr<RasterSink> height;
     std::unique_ptr<RasterSink> canopy;
@@ -41,6 +41,6 @@ struct SideSinks {
 
 /// Opens GeoTIFFs and files of surfaces, each of which appears as a whole or not at all. @throws OptionError,
 /// OutputError
-[[nodiscard]] SideSinks open_side_sinks(const Options& options, const DemInfo& dem);
+[[nodiscard]] AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem);
 
 }  // namespace d2b

@@ -47,7 +47,7 @@ struct ElevationArray {
                                                   const Callbacks& callbacks = {});
 
 /// Additional inputs named by the options; empty if there are none.
-struct SideSources {
+struct AuxiliarySources {
     std::unique_ptr<DemSource> terrain;
     std::unique_ptr<DemSource> mask;
     std::unique_ptr<DemSource> ndvi;
@@ -56,7 +56,7 @@ struct SideSources {
 
 /// Rasters in memory that replace those named by the options: one value per cell of the whole DEM, with its
 /// transform and CRS. Elevations are in the DEM's vertical unit. They are copied.
-struct SideArrays {
+struct AuxiliaryArrays {
     std::optional<ElevationArray> terrain;
     std::optional<ElevationArray> mask;
     std::optional<ElevationArray> ndvi;
@@ -64,7 +64,8 @@ struct SideArrays {
 
 /// Opens a terrain model, a mask, an NDVI and parcels on the grid of the DEM. @throws InputError;
 /// OptionError, also if an array differs in size from the DEM
-[[nodiscard]] SideSources open_side_sources(const Options& options, const DemInfo& dem,
-                                            const Callbacks& callbacks = {}, const SideArrays& arrays = {});
+[[nodiscard]] AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& dem,
+                                                      const Callbacks& callbacks = {},
+                                                      const AuxiliaryArrays& arrays = {});
 
 }  // namespace d2b

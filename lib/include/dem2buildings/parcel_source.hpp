@@ -13,13 +13,13 @@ namespace d2b {
 
 /// Parcels at the centre of a cell.
 struct ParcelCell {
-    static constexpr std::int64_t nobody = std::numeric_limits<std::int64_t>::min();
+    static constexpr std::int64_t no_parcel = std::numeric_limits<std::int64_t>::min();
 
-    std::int64_t parcel = nobody;  ///< number of the covering polygon, the lowest if there are several
-    bool cut_right = false;        ///< a line passes between this cell and the next one in its row
-    bool cut_below = false;        ///< a line passes between this cell and the next one in its column
-    bool several = false;          ///< more than one polygon covers it
-    bool invalid = false;          ///< the polygon is not valid
+    std::int64_t parcel = no_parcel;  ///< number of the covering polygon, the lowest if there are several
+    bool cut_right = false;           ///< a line passes between this cell and the next one in its row
+    bool cut_below = false;           ///< a line passes between this cell and the next one in its column
+    bool several = false;             ///< more than one polygon covers it
+    bool invalid = false;             ///< the polygon is not valid
 };
 
 /// Source of polygons or lines that divide blocks into houses, on the grid of a DEM.

@@ -56,7 +56,7 @@ struct BuildingRecord {
     double mean_m = 0;       ///< mean height above ground
     double confidence = 0;   ///< between 0 and 1; NaN without detection
     std::string_view doubt;  ///< strongest evidence against a building
-    std::int64_t parcel_number = ParcelCell::nobody;
+    std::int64_t parcel_number = ParcelCell::no_parcel;
     std::string_view parcel;  ///< identifier of its parcel; "" if there is none
     bool at_edge = false;
     double area_m2 = 0;

@@ -146,7 +146,7 @@ struct ParcelReport {
 
 /// Resolution of the raster, estimated from its own values.
 struct SamplingReport {
-    double filled_share =
+    double interpolated_fraction =
         0;  ///< share of cells without a point of their own, which have a neighbour's height
     std::optional<double> points_per_cell;   ///< nothing if too many to estimate
     std::optional<double> step_width_cells;  ///< distance over which a wall falls from nine tenths of its

@@ -117,8 +117,8 @@ class FeatureSink {
     /// Preflight check: tries to write such layers and removes them again. Called before the work begins.
     /// @param provenance as far as it is known @param place position of one of the features @throws
     /// OutputError, OptionError
-    virtual void rehearse(std::span<const LayerSpec> /*layers*/, const Provenance& /*provenance*/,
-                          const Position& /*place*/) {}
+    virtual void preflight(std::span<const LayerSpec> /*layers*/, const Provenance& /*provenance*/,
+                           const Position& /*place*/) {}
     /// @throws OutputError
     virtual void begin(std::span<const LayerSpec> layers, const Provenance& provenance) = 0;
     /// @param layer index into the layers passed to begin() @throws OutputError
@@ -161,7 +161,8 @@ class FeatureSink {
     }
 };
 
-/// Receives a raster on the DEM's window: a file (see open_side_sinks()), or an array in a program or test.
+/// Receives a raster on the DEM's window: a file (see open_auxiliary_sinks()), or an array in a program or
+/// test.
 ///
 /// Call order: write() for parts of the window, each cell once; prepare() or finish(). All calls come from
 /// the thread that called run(). Detection results come unit by unit, a few rows at a time; elevations

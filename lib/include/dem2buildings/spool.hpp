@@ -63,7 +63,7 @@ class FileSpool : public Spool {
     [[nodiscard]] std::uint64_t in_file() const;
     void flush();
 
-    static constexpr std::size_t bytes_a_write = std::size_t{4} << 20;
+    static constexpr std::size_t bytes_per_write = std::size_t{4} << 20;
 
     std::string folder_;
     std::size_t most_in_memory_;

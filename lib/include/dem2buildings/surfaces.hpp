@@ -109,7 +109,8 @@ struct SurfaceMeta {
     std::vector<std::string> first_fields{};  ///< most relevant fields of a building, by name
 };
 
-/// Receives the surface of the buildings: a file (see open_side_sinks()), or a list in a program or test.
+/// Receives the surface of the buildings: a file (see open_auxiliary_sinks()), or a list in a program or
+/// test.
 ///
 /// Call order: optionally rehearse(); begin(); add() in an order that depends only on the input; prepare() or
 /// finish(). All calls come from the thread that called run(). A sink destroyed before prepare() or finish()
@@ -126,7 +127,7 @@ class SurfaceSink {
     /// Preflight check, called before the work begins. @param meta without fields, metadata and the height of
     /// the origin, which are not known yet @throws OptionError, OutputError if the destination cannot hold
     /// such coordinates
-    virtual void rehearse(const SurfaceMeta& /*meta*/) {}
+    virtual void preflight(const SurfaceMeta& /*meta*/) {}
     /// @throws OutputError
     virtual void begin(const SurfaceMeta& meta) = 0;
     /// @param part a building, or a block of touching ones @throws OutputError

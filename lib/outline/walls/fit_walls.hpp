@@ -1,11 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <vector>
 
+#include "core/executor.hpp"
 #include "core/lattice.hpp"
+#include "dem2buildings/spool.hpp"
+#include "outline/arc_graph.hpp"
 #include "outline/walls/wall_clusters.hpp"
+#include "trace/contour.hpp"
 
 namespace d2b {
 
@@ -37,21 +44,68 @@ struct ClusterOutlines {
 ///        |  build_wall_graph()
 ///        v
 ///     WallGraph                       their arcs, as few as possible; arcs of one rank form Chains
-///        |  WallDrawing               draws chains by rank, lowest first:
-///        v                              ChainDrawing: turning_points(), plan_walls(), find_circular_arcs(),
-///                                       draw_walls(), and compose_chain() if a ChainForm contains Middles
-///     Course                          a drawn chain and the positions of the nodes on it
-///        |  WallCheck, PartCheck      is the topology that of the trace? exact, with integers
+///        |  WallLayout                draws chains by rank, lowest first:
+///        v                              ChainFitter: turning_points(), plan_walls(), find_circular_arcs(),
+///                                       draw_walls(), compose_chain() if steps have another FitMode
+///     PlacedPolyline                  a drawn chain and the positions of the nodes on it
+///        |  WallCheck, ContainmentCheck  is the topology that of the trace? exact, with integers
 ///        |  RingAreas                 are areas preserved?
 ///        v
-///     WallRounds                      conflicting parts follow their trace more closely; repeat
+///     WallFitter                      conflicting parts follow their trace more closely; repeat
 ///        |
 ///        v
-///     DrawnOutlines                   outlines of the contours, assembled from the shared arcs
+///     OutlineAssembler                outlines of the contours, assembled from the shared arcs
 ///
 /// Depends only on the cluster, so the results do not depend on threads or tiles. O(n log n) in the number of
 /// corners, plus some rounds for conflicts. @throws Cancelled
 [[nodiscard]] ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options,
-                                        const StopRequest& stop = {});
+                                        const StopToken& stop = {});
+
+/// Regularized outlines of all contours. Clusters of contours are fitted in parallel and the results are
+/// spooled, at a few bytes per vertex.
+class RegularizedOutlines {
+  public:
+    /// @param contours must outlive this @throws Cancelled
+    RegularizedOutlines(const ContourList& contours, const WallOptions& options, std::unique_ptr<Spool> spool,
+                        Executor& executor);
+
+    /// Outline of a contour; neighbours and other levels share vertices exactly.
+    [[nodiscard]] FinePolygon polygon(std::size_t contour) const { return fetch(outlines_[contour]); }
+    [[nodiscard]] WallQuality quality(std::size_t contour) const { return outlines_[contour].quality; }
+    /// Outline of a contour of level 0 or 1 without vertices of higher levels.
+    [[nodiscard]] FinePolygon footprint(std::size_t contour) const { return fetch(low(contour)); }
+    [[nodiscard]] WallQuality footprint_quality(std::size_t contour) const { return low(contour).quality; }
+    /// Groups of contours whose walls were fitted together.
+    [[nodiscard]] const std::vector<ClusterPlan>& clusters() const { return clusters_; }
+    /// Traced outline of a contour, with every corner of other contours on it.
+    [[nodiscard]] FinePolygon traced(std::size_t contour) const;
+
+  private:
+    struct SpooledOutline {
+        SpoolEntry place;  // empty if there is none
+        WallQuality quality;
+    };
+    [[nodiscard]] const SpooledOutline& low(std::size_t contour) const {
+        return contour < footprints_.size() && footprints_[contour].place.size > 0 ? footprints_[contour]
+                                                                                   : outlines_[contour];
+    }
+    /// Caches the corners of large clusters on first use, because otherwise each contour that GEOS rejects
+    /// would load its whole cluster.
+    struct LargeClusters {
+        std::mutex mutex;
+        std::map<std::uint32_t, std::shared_ptr<const CornerIndex>> corners;
+    };
+    [[nodiscard]] std::shared_ptr<const CornerIndex> corners(std::uint32_t cluster) const;
+    [[nodiscard]] SpooledOutline spool_outline(const WallOutline& outline);
+    [[nodiscard]] FinePolygon fetch(const SpooledOutline& kept) const;
+
+    const ContourList& contours_;
+    std::unique_ptr<Spool> spool_;
+    std::vector<ClusterPlan> clusters_;
+    std::vector<std::uint32_t> cluster_of_;  // per contour
+    std::vector<SpooledOutline> outlines_;
+    std::vector<SpooledOutline> footprints_;  // footprints of levels 0 and 1 that differ from their outlines
+    std::unique_ptr<LargeClusters> large_clusters_;
+};
 
 }  // namespace d2b

@@ -8,10 +8,10 @@
 namespace d2b {
 namespace {
 
-constexpr double largest_area_change = 0.02;
-constexpr double most_inset = 0.4;      // share of an area that walls moving inward may remove
-constexpr double largest_shift = 0.07;  // cells, mean displacement of the border of a ring
-constexpr double least_gain =
+constexpr double max_area_change = 0.02;
+constexpr double max_inset_share = 0.4;  // share of an area that walls moving inward may remove
+constexpr double max_shift = 0.07;       // cells, mean displacement of the border of a ring
+constexpr double min_gain =
     0.1;  // achieved share of a requested change of area below which moving walls is given up
 
 double in_cells(Int128 twice) {
@@ -21,15 +21,15 @@ double in_cells(Int128 twice) {
 }  // namespace
 
 RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const SegmentGrid::Arcs& arcs,
-                     WallDrawing& drawing, double inset, const StopRequest& stop)
+                     WallLayout& layout, double inset, const StopToken& stop)
     : cluster_(cluster),
       graph_(graph),
       arcs_(arcs),
-      drawing_(drawing),
+      layout_(layout),
       inset_(inset),
       stop_(stop),
       areas_(arcs.size()),
-      gathered_(graph.chains.size()),
+      ring_walls_(graph.chains.size()),
       moved_(graph.chains.size()) {
     for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
         const Contour& contour = *cluster_.contours[c];
@@ -61,12 +61,12 @@ void RingAreas::changed(std::uint32_t arc) {
         twice += turn(origin, arcs_[arc][i], arcs_[arc][i + 1]);
     areas_[arc] = twice;
     for (std::uint32_t k = first_of_arc_[arc]; k < first_of_arc_[arc + 1]; ++k)
-        let_wait(rings_of_[k]);
+        enqueue(rings_of_[k]);
 }
 
-void RingAreas::let_wait(std::uint32_t ring) {
-    if (!std::exchange(rings_[ring].waits, true))
-        waiting_rings_.push_back(ring);
+void RingAreas::enqueue(std::uint32_t ring) {
+    if (!std::exchange(rings_[ring].pending, true))
+        pending_rings_.push_back(ring);
 }
 
 Int128 RingAreas::twice_area(const std::vector<ArcUse>& ring) const {
@@ -77,83 +77,82 @@ Int128 RingAreas::twice_area(const std::vector<ArcUse>& ring) const {
 }
 
 void RingAreas::check(const std::vector<bool>& in_conflict) {
-    moved_.wipe();
+    moved_.clear();
     std::vector<std::uint32_t> waiting;
-    std::swap(waiting, waiting_rings_);
+    std::swap(waiting, pending_rings_);
     std::sort(waiting.begin(), waiting.end());
     for (const std::uint32_t r : waiting) {
         stop_.check();
         Ring& ring = rings_[r];
-        if (in_conflict[part_of(ring.uses->front().arc)]) {
-            waiting_rings_.push_back(r);
+        if (in_conflict[component_of(ring.uses->front().arc)]) {
+            pending_rings_.push_back(r);
             continue;
         }
-        ring.waits = false;
+        ring.pending = false;
         const auto before = static_cast<double>(ring.traced);
         const double after = in_cells(twice_area(*ring.uses));
         // Holes grow if walls move inward, because their areas are negative.
         // Narrow rings keep most of their area.
         const double room = inset_ * ring.length;
-        const double least = before > 0 ? before - std::min(room, most_inset * before) : before - room;
+        const double least = before > 0 ? before - std::min(room, max_inset_share * before) : before - room;
         const double kept = std::clamp(after, least, before);
-        if (std::abs(after - kept) >
-            std::max(largest_area_change * std::abs(before), largest_shift * ring.length)) {
-            correct(ring, kept - after);
-            let_wait(r);
+        if (std::abs(after - kept) > std::max(max_area_change * std::abs(before), max_shift * ring.length)) {
+            restore_area(ring, kept - after);
+            enqueue(r);
         }
     }
 }
 
 /// Restores the area of a ring by moving the walls that belong mostly to it, or else by simplifying its
 /// chains of highest rank.
-void RingAreas::correct(Ring& ring, double missing) {
+void RingAreas::restore_area(Ring& ring, double missing) {
     // 1 if the ring is on the left of the wall and grows if the wall moves right
     std::vector<std::pair<Wall, double>> right;
     double whole = 0;
-    gathered_.wipe();
+    ring_walls_.clear();
     for (const ArcUse& use : *ring.uses) {
         const std::uint32_t c = graph_.chain_of[use.arc];
         // A ring must not move the walls of lower rank on which it stands.
         if (graph_.chains[c].rank < 2 * ring.level)
             continue;
-        const ArcUse own = graph_.chains[c].arcs[graph_.place_of[use.arc]];
-        for (const Wall wall : drawing_.walls_along(use.arc)) {
-            if (!gathered_.mark(wall))
+        const ArcUse own = graph_.chains[c].arcs[graph_.index_in_chain[use.arc]];
+        for (const Wall wall : layout_.walls_along(use.arc)) {
+            if (!ring_walls_.insert(wall))
                 continue;
             right.emplace_back(wall, own.reversed == use.reversed ? 1 : -1);
-            whole += drawing_.length(wall);
+            whole += layout_.length(wall);
         }
     }
     // Rings whose walls a neighbour has moved are measured again first.
-    if (std::ranges::any_of(right, [&](const auto& entry) { return moved_.marked(entry.first); }))
+    if (std::ranges::any_of(right, [&](const auto& entry) { return moved_.contains(entry.first); }))
         return;
     // The gain of the previous attempt determines the next request.
-    const double gain = ring.asked == 0 ? 1 : (ring.missing - missing) / ring.asked;
-    if (gain < least_gain || std::abs(missing) >= whole) {
-        simplify_last(ring);
+    const double gain = ring.requested == 0 ? 1 : (ring.missing - missing) / ring.requested;
+    if (gain < min_gain || std::abs(missing) >= whole) {
+        tighten_highest_rank(ring);
         return;
     }
     ring.missing = missing;
-    ring.asked = missing / std::clamp(gain, 0.5, 1.25);
+    ring.requested = missing / std::clamp(gain, 0.5, 1.25);
     for (const auto& [wall, sign] : right) {
-        drawing_.shift(wall, -sign * ring.asked / whole);
-        moved_.mark(wall);
+        layout_.shift(wall, -sign * ring.requested / whole);
+        moved_.insert(wall);
     }
 }
 
-void RingAreas::simplify_last(const Ring& ring) {
+void RingAreas::tighten_highest_rank(const Ring& ring) {
     std::vector<std::uint32_t> chains;
     for (const ArcUse& use : *ring.uses)
         chains.push_back(graph_.chain_of[use.arc]);
     std::sort(chains.begin(), chains.end());
     chains.erase(std::unique(chains.begin(), chains.end()), chains.end());
-    std::erase_if(chains, [&](std::uint32_t c) { return drawing_.form(c).all_cut(); });
+    std::erase_if(chains, [&](std::uint32_t c) { return layout_.mode(c).all_beveled(); });
     int rank = -1;
     for (const std::uint32_t c : chains)
         rank = std::max(rank, graph_.chains[c].rank);
     for (const std::uint32_t c : chains)
         if (graph_.chains[c].rank == rank)
-            drawing_.follow_closer(c);
+            layout_.tighten(c);
 }
 
 }  // namespace d2b

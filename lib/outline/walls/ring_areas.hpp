@@ -5,13 +5,38 @@
 #include <vector>
 
 #include "core/int128.hpp"
-#include "core/stop_request.hpp"
+#include "core/stop_token.hpp"
 #include "outline/segment_grid.hpp"
 #include "outline/walls/wall_clusters.hpp"
-#include "outline/walls/wall_drawing.hpp"
-#include "outline/walls/wall_marks.hpp"
+#include "outline/walls/wall_layout.hpp"
 
 namespace d2b {
+
+/// Set of visited walls that is cleared in O(1), by counting epochs.
+class VisitedSet {
+  public:
+    explicit VisitedSet(std::size_t chains) : epochs_(chains) {}
+
+    void clear() { ++epoch_; }
+    [[nodiscard]] bool contains(WallLayout::Wall wall) const {
+        const auto& of_chain = epochs_[wall.chain];
+        return wall.segment < of_chain.size() && of_chain[wall.segment] == epoch_;
+    }
+    /// @return false if it was marked already
+    bool insert(WallLayout::Wall wall) {
+        if (contains(wall))
+            return false;
+        auto& of_chain = epochs_[wall.chain];
+        if (wall.segment >= of_chain.size())
+            of_chain.resize(wall.segment + 1, 0);
+        of_chain[wall.segment] = epoch_;
+        return true;
+    }
+
+  private:
+    std::vector<std::vector<std::uint32_t>> epochs_;
+    std::uint32_t epoch_ = 1;
+};
 
 /// Preserves the areas of the rings of a cluster while their arcs are drawn.
 class RingAreas {
@@ -21,15 +46,15 @@ class RingAreas {
         std::int64_t traced = 0;  // area in cells
         double length = 0;        // traced length in steps
         int level = 0;
-        bool waits = false;  // has yet to be measured
-        double missing = 0;  // area missing when walls were last moved
-        double asked = 0;    // area requested from them
+        bool pending = false;  // has yet to be measured
+        double missing = 0;    // area missing when walls were last moved
+        double requested = 0;  // area requested from them
     };
     /// @param arcs as drawn
     /// @param inset cells by which walls were moved inward; areas may shrink accordingly
     /// @param stop must outlive this, as must the others
     RingAreas(const WallCluster& cluster, const WallGraph& graph, const SegmentGrid::Arcs& arcs,
-              WallDrawing& drawing, double inset, const StopRequest& stop);
+              WallLayout& layout, double inset, const StopToken& stop);
 
     /// Registers an arc that was redrawn.
     void changed(std::uint32_t arc);
@@ -46,29 +71,29 @@ class RingAreas {
     }
 
   private:
-    using Wall = WallDrawing::Wall;
+    using Wall = WallLayout::Wall;
 
-    void let_wait(std::uint32_t ring);
-    void correct(Ring& ring, double missing);
-    void simplify_last(const Ring& ring);
-    [[nodiscard]] std::uint32_t part_of(std::uint32_t arc) const {
-        return graph_.part_of[graph_.chain_of[arc]];
+    void enqueue(std::uint32_t ring);
+    void restore_area(Ring& ring, double missing);
+    void tighten_highest_rank(const Ring& ring);
+    [[nodiscard]] std::uint32_t component_of(std::uint32_t arc) const {
+        return graph_.component_of[graph_.chain_of[arc]];
     }
 
     const WallCluster& cluster_;
     const WallGraph& graph_;
     const SegmentGrid::Arcs& arcs_;
-    WallDrawing& drawing_;
+    WallLayout& layout_;
     double inset_;
-    const StopRequest& stop_;
+    const StopToken& stop_;
     std::vector<Int128> areas_;  // per arc: twice the area between it and the origin, in fine squares
     std::vector<Ring> rings_;    // grouped by contour: exterior, then interiors
     std::vector<std::uint32_t> first_ring_;  // per contour
     std::vector<std::uint32_t> rings_of_;    // rings grouped by arc
     std::vector<std::uint32_t> first_of_arc_;
-    std::vector<std::uint32_t> waiting_rings_;
-    WallMarks gathered_;  // walls of the ring being corrected
-    WallMarks moved_;     // walls moved in this round
+    std::vector<std::uint32_t> pending_rings_;
+    VisitedSet ring_walls_;  // walls of the ring being corrected
+    VisitedSet moved_;       // walls moved in this round
 };
 
 }  // namespace d2b

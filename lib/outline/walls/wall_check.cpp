@@ -1,9 +1,132 @@
 #include "outline/walls/wall_check.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace d2b {
+namespace {
+
+/// Returns true if edge a lies east of edge b. Both run downwards across a common row and do not cross.
+bool east_of(const FineSegment& a, const FineSegment& b) {
+    const int above = a.a.row >= b.a.row ? sign(turn(b.a, b.b, a.a)) : -sign(turn(a.a, a.b, b.a));
+    const int below = a.b.row <= b.b.row ? sign(turn(b.a, b.b, a.b)) : -sign(turn(a.a, a.b, b.b));
+    return above + below > 0;
+}
+
+}  // namespace
+
+ContainmentCheck::ContainmentCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs,
+                                   const SegmentGrid& grid, double tolerance, const StopToken& stop)
+    : graph_(graph),
+      arcs_(arcs),
+      grid_(grid),
+      tolerance_(tolerance),
+      stop_(stop),
+      first_of_component_(graph.components + 1),
+      component_changed_(graph.components, 1),
+      westernmost_(graph.components) {
+    const auto component = [&](std::uint32_t arc) { return graph_.component_of[graph_.chain_of[arc]]; };
+    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+        ++first_of_component_[component(arc) + 1];
+    for (std::uint32_t p = 0; p < graph.components; ++p)
+        first_of_component_[p + 1] += first_of_component_[p];
+    component_arcs_.resize(arcs.size());
+    std::vector<std::uint32_t> next = first_of_component_;
+    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
+        component_arcs_[next[component(arc)]++] = arc;
+}
+
+/// Returns true if no arc of another component is so near that the component could have moved to its other
+/// side.
+bool ContainmentCheck::is_isolated(FinePoint place, std::uint32_t component) const {
+    const auto reach = static_cast<std::int64_t>(std::ceil(4 * tolerance_ + 2)) * FinePoint::steps;
+    bool others = false;
+    for (std::int64_t row = grid_.row_of(place.row - reach); row <= grid_.row_of(place.row + reach); ++row)
+        for (std::int64_t col = grid_.col_of(place.col - reach);
+             col <= grid_.col_of(place.col + reach) && !others; ++col)
+            grid_.visit_bucket(
+                row, col, [&](Edge e) { others = others || graph_.component_of[chain_of(e)] != component; });
+    return !others;
+}
+
+std::pair<std::optional<ContainmentCheck::Edge>, std::int32_t> ContainmentCheck::first_edge_west_of(
+    FinePoint place) const {
+    const std::int64_t row = grid_.row_of(place.row);
+    std::optional<Edge> nearest;
+    FineSegment best;  // oriented downwards
+    for (std::int64_t col = grid_.col_of(place.col); col >= 0; --col) {
+        grid_.visit_bucket(row, col, [&](Edge edge) {
+            const FineSegment s = grid_.segment(edge);
+            // Edges that cross the line just below the row of the point, west of it.
+            if ((s.a.row <= place.row) == (s.b.row <= place.row))
+                return;
+            const FineSegment down = s.a.row <= place.row ? s : FineSegment{s.b, s.a};
+            if (turn(down.a, down.b, place) > 0 && (!nearest || east_of(down, best))) {
+                nearest = edge;
+                best = down;
+            }
+        });
+        // The edge may cross the row farther west than this bucket.
+        if (nearest && turn(best.a, best.b, {place.row, grid_.bucket_start(col)}) <= 0)
+            break;
+    }
+    if (!nearest)
+        return {{}, -1};
+    // East of a downward edge is its left side.
+    const WallGraph::Sides& sides = graph_.sides[nearest->arc];
+    return {nearest, grid_.segment(*nearest).a == best.a ? sides.left : sides.right};
+}
+
+void ContainmentCheck::find_westernmost() {
+    for (std::uint32_t component = 0; component < graph_.components; ++component) {
+        if (std::exchange(component_changed_[component], std::uint8_t{0}) == 0)
+            continue;
+        Westernmost& w = westernmost_[component] = {};
+        for (std::uint32_t k = first_of_component_[component]; k < first_of_component_[component + 1]; ++k) {
+            const std::uint32_t arc = component_arcs_[k];
+            for (std::uint32_t i = 0; i < arcs_[arc].size(); ++i) {
+                const FinePoint p = arcs_[arc][i];
+                if (p.col < w.at.col || (p.col == w.at.col && p.row > w.at.row))
+                    w = {p, arc, i};
+            }
+        }
+    }
+}
+
+/// Turning counter-clockwise from west, the first edge is met on its outer side.
+std::int32_t ContainmentCheck::outer_side(const Westernmost& w) const {
+    const auto& points = arcs_[w.arc];
+    if (w.index > 0 && w.index + 1 < points.size()) {
+        const bool forward = precedes_ccw(w.at, points[w.index + 1], points[w.index - 1]);
+        return forward ? graph_.sides[w.arc].right : graph_.sides[w.arc].left;
+    }
+    const std::uint32_t node = graph_.ends[w.arc][w.index == 0 ? 0 : 1];
+    std::uint32_t first = graph_.ends_at(node).front();
+    for (const std::uint32_t end : graph_.ends_at(node))
+        if (precedes_ccw(w.at, next_from(arcs_, end), next_from(arcs_, first)))
+            first = end;
+    return graph_.side_before(first);
+}
+
+void ContainmentCheck::check(WallConflicts& found) {
+    if (graph_.components == 1)
+        return;  // it cannot lie in another component
+    find_westernmost();
+    for (std::uint32_t component = 0; component < graph_.components; ++component) {
+        stop_.check();
+        const Westernmost& w = westernmost_[component];
+        if (is_isolated(w.at, component))
+            continue;
+        const auto [edge, side] = first_edge_west_of(w.at);
+        if (side == outer_side(w))
+            continue;
+        const Edge own{w.arc, w.index > 0 ? w.index - 1 : 0};
+        found.emplace_back(std::minmax(own, edge.value_or(own)));
+    }
+}
+
 namespace {
 
 LatticeBox box_of(const ArcGraph& graph, double margin) {
@@ -27,15 +150,15 @@ std::size_t edges_of(const ArcGraph& graph) {
 }  // namespace
 
 WallCheck::WallCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs, double tolerance,
-                     const StopRequest& stop)
+                     const StopToken& stop)
     : graph_(graph),
       arcs_(arcs),
       grid_(arcs, box_of(graph.graph, tolerance), edges_of(graph.graph)),
       stop_(stop),
       changed_(arcs.size()),
       in_conflict_(arcs.size()),
-      node_waits_(graph.nodes.size()),
-      parts_(graph, arcs, grid_, tolerance, stop) {}
+      node_pending_(graph.nodes.size()),
+      containment_(graph, arcs, grid_, tolerance, stop) {}
 
 WallConflicts WallCheck::conflicts(const std::vector<std::uint32_t>& changed) {
     tested_.clear();
@@ -57,7 +180,7 @@ WallConflicts WallCheck::conflicts(const std::vector<std::uint32_t>& changed) {
     // The other two tests require edges that do not cross.
     if (found.empty()) {
         check_nodes(found);
-        parts_.check(found);
+        containment_.check(found);
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -68,20 +191,20 @@ void WallCheck::update(std::uint32_t arc) {
     grid_.update(arc);
     changed_[arc] = 1;
     tested_.push_back(arc);
-    parts_.changed(graph_.part_of[graph_.chain_of[arc]]);
+    containment_.changed(graph_.component_of[graph_.chain_of[arc]]);
     for (const std::uint32_t node : graph_.ends[arc])
-        if (std::exchange(node_waits_[node], std::uint8_t{1}) == 0)
-            waiting_nodes_.push_back(node);
+        if (std::exchange(node_pending_[node], std::uint8_t{1}) == 0)
+            pending_nodes_.push_back(node);
 }
 
 /// Marks an arc to be tested again even if it does not change.
-void WallCheck::keep(std::uint32_t arc) {
+void WallCheck::mark_conflicting(std::uint32_t arc) {
     if (std::exchange(in_conflict_[arc], std::uint8_t{1}) == 0)
         conflicting_.push_back(arc);
 }
 
 /// Returns true if two edges may share their common point: neighbours within an arc, or edges at a node.
-bool WallCheck::joined(Edge e, Edge f) const {
+bool WallCheck::share_node(Edge e, Edge f) const {
     const FineSegment s = grid_.segment(e);
     const FineSegment t = grid_.segment(f);
     if (e.arc == f.arc && (e.index + 1 == f.index || f.index + 1 == e.index))
@@ -92,21 +215,21 @@ bool WallCheck::joined(Edge e, Edge f) const {
             return graph_.ends[edge.arc][0];
         if (edge.index + 2 == points.size() && points.back() == p)
             return graph_.ends[edge.arc][1];
-        return WallGraph::nobody;
+        return WallGraph::none;
     };
     const FinePoint common = s.a == t.a || s.a == t.b ? s.a : s.b;
     const std::uint32_t node = node_at(e, common);
-    return node != WallGraph::nobody && node == node_at(f, common);
+    return node != WallGraph::none && node == node_at(f, common);
 }
 
 bool WallCheck::conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const {
     if (e.arc == f.arc && e.index + 1 == f.index)
         return overlap_from(s.b, s.a, t.b);  // the most frequent case
-    if (!meet(s, t))
+    if (!segments_intersect(s, t))
         return false;
     const int shared =
         (s.a == t.a ? 1 : 0) + (s.a == t.b ? 1 : 0) + (s.b == t.a ? 1 : 0) + (s.b == t.b ? 1 : 0);
-    if (shared != 1 || s.a == s.b || t.a == t.b || !joined(e, f))
+    if (shared != 1 || s.a == s.b || t.a == t.b || !share_node(e, f))
         return true;
     const FinePoint common = s.a == t.a || s.a == t.b ? s.a : s.b;
     return overlap_from(common, s.a == common ? s.b : s.a, t.a == common ? t.b : t.a);
@@ -119,7 +242,7 @@ void WallCheck::check_arc(std::uint32_t arc, WallConflicts& found) {
         const FineSegment s = grid_.segment(e);
         if (s.a == s.b) {
             found.emplace_back(e, e);
-            keep(arc);
+            mark_conflicting(arc);
         }
         grid_.near(s, [&](Edge f) {
             // A pair of changed arcs is tested once, by the first of the two.
@@ -129,8 +252,8 @@ void WallCheck::check_arc(std::uint32_t arc, WallConflicts& found) {
             if (!conflict(e, s, f, t))
                 return;
             found.emplace_back(std::minmax(e, f));
-            keep(arc);
-            keep(f.arc);
+            mark_conflicting(arc);
+            mark_conflicting(f.arc);
         });
     }
 }
@@ -143,11 +266,11 @@ WallCheck::Edge WallCheck::edge_at(std::uint32_t end) const {
 
 /// Nodes with an invalid order of arcs remain pending.
 void WallCheck::check_nodes(WallConflicts& found) {
-    std::erase_if(waiting_nodes_, [&](std::uint32_t node) {
+    std::erase_if(pending_nodes_, [&](std::uint32_t node) {
         const std::size_t before = found.size();
         check_node(node, found);
         if (found.size() == before)
-            node_waits_[node] = 0;
+            node_pending_[node] = 0;
         return found.size() == before;
     });
 }
@@ -158,7 +281,7 @@ void WallCheck::check_node(std::uint32_t node, WallConflicts& found) {
     const auto& first = arcs_[ends_.front() / 2];
     const FinePoint at = ends_.front() % 2 == 0 ? first.front() : first.back();
     std::sort(ends_.begin(), ends_.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return earlier_from_west(at, next_from(arcs_, a), next_from(arcs_, b));
+        return precedes_ccw(at, next_from(arcs_, a), next_from(arcs_, b));
     });
     for (std::size_t i = 0; i < ends_.size(); ++i) {
         const std::uint32_t next = ends_[i + 1 < ends_.size() ? i + 1 : 0];

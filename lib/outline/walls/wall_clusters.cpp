@@ -11,15 +11,15 @@ namespace d2b {
 namespace {
 
 /// Half-open range of lattice rows.
-struct Rows {
+struct RowRange {
     std::int64_t begin;
     std::int64_t end;
 };
 
 /// Edges of traces in a grid of square buckets, limited to a range of rows.
-class TraceBuckets {
+class TraceEdgeGrid {
   public:
-    TraceBuckets(LatticePoint reach, Rows rows) : reach_(reach), rows_(rows) {}
+    TraceEdgeGrid(LatticePoint reach, RowRange rows) : reach_(reach), rows_(rows) {}
 
     void add(const Contour& contour, std::uint32_t number);
     /// Joins the groups of edges that are near each other.
@@ -31,7 +31,7 @@ class TraceBuckets {
         std::uint32_t contour;
     };
     void add(const PackedRing& packed, std::uint32_t number);
-    void lay_out();
+    void build();
     template <typename Visit>
     void for_each_bucket(const LatticeBox& box, const Visit& visit) const {
         for (std::int64_t row = bucket(box.low.row, low_.row); row <= bucket(box.high.row, low_.row); ++row)
@@ -45,7 +45,7 @@ class TraceBuckets {
     void join_bucket(std::size_t begin, std::size_t end, DisjointSets& groups) const;
 
     LatticePoint reach_;
-    Rows rows_;
+    RowRange rows_;
     std::vector<Edge> edges_;
     LatticePoint low_{std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::max()};
     LatticePoint high_{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
@@ -56,23 +56,23 @@ class TraceBuckets {
 };
 
 /// Bounding box of an edge, buffered by half the conflict distance on each side.
-LatticeBox grown(LatticePoint from, LatticePoint to, LatticePoint reach) {
+LatticeBox buffered(LatticePoint from, LatticePoint to, LatticePoint reach) {
     return {
         {std::min(from.row, to.row) - reach.row / 2, std::min(from.col, to.col) - reach.col / 2},
         {std::max(from.row, to.row) + (reach.row + 1) / 2, std::max(from.col, to.col) + (reach.col + 1) / 2}};
 }
 
-void TraceBuckets::add(const Contour& contour, std::uint32_t number) {
+void TraceEdgeGrid::add(const Contour& contour, std::uint32_t number) {
     add(contour.exterior, number);
     for (const PackedRing& ring : contour.interiors)
         add(ring, number);
 }
 
-void TraceBuckets::add(const PackedRing& packed, std::uint32_t number) {
+void TraceEdgeGrid::add(const PackedRing& packed, std::uint32_t number) {
     const LatticeRing ring = packed.corners();
     LatticePoint from = ring.back();
     for (const LatticePoint to : ring) {
-        const LatticeBox box = grown(from, to, reach_);
+        const LatticeBox box = buffered(from, to, reach_);
         from = to;
         if (box.high.row < rows_.begin || box.low.row >= rows_.end)
             continue;
@@ -82,7 +82,7 @@ void TraceBuckets::add(const PackedRing& packed, std::uint32_t number) {
     }
 }
 
-void TraceBuckets::lay_out() {
+void TraceEdgeGrid::build() {
     const auto buckets = [&] {
         columns_ = bucket(high_.col, low_.col) + 1;
         return (bucket(high_.row, low_.row) + 1) * columns_;
@@ -100,7 +100,7 @@ void TraceBuckets::lay_out() {
         for_each_bucket(edges_[e].box, [&](std::size_t b) { entries_[next[b]++] = e; });
 }
 
-void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, DisjointSets& groups) const {
+void TraceEdgeGrid::join_bucket(std::size_t begin, std::size_t end, DisjointSets& groups) const {
     for (std::size_t i = begin + 1; i < end; ++i) {
         const Edge& edge = edges_[entries_[i]];
         std::uint32_t last = edge.contour;  // consecutive entries mostly belong to one contour
@@ -114,10 +114,10 @@ void TraceBuckets::join_bucket(std::size_t begin, std::size_t end, DisjointSets&
     }
 }
 
-void TraceBuckets::join(DisjointSets& groups) {
+void TraceEdgeGrid::join(DisjointSets& groups) {
     if (edges_.empty())
         return;
-    lay_out();
+    build();
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) {
         // Most buckets hold edges of a single group.
         const auto group = [&](std::size_t i) { return groups.find(edges_[entries_[i]].contour); };
@@ -135,9 +135,9 @@ bool is_low(const ContourHead& head) {
 }
 
 /// Joins contours that are near each other, one strip of rows at a time.
-void join_neighbours(const ContourList& contours, const WallOptions& options, std::int64_t rows_a_strip,
-                     DisjointSets& groups, const StopRequest& stop) {
-    const LatticePoint reach = conflict_reach(options);
+void join_neighbours(const ContourList& contours, const WallOptions& options, std::int64_t rows_per_strip,
+                     DisjointSets& groups, const StopToken& stop) {
+    const LatticePoint reach = conflict_distance(options);
     const auto first_row = [&](std::uint32_t i) {
         return std::int64_t{contours.head(i).key.first.row} - reach.row;
     };
@@ -149,9 +149,9 @@ void join_neighbours(const ContourList& contours, const WallOptions& options, st
     std::vector<std::uint32_t> open;  // contours that extend below the strips processed so far
     auto next = low.begin();
     for (std::int64_t row = low.empty() ? 0 : first_row(low.front()); next != low.end() || !open.empty();
-         row += rows_a_strip) {
-        const Rows rows{row, row + rows_a_strip};
-        TraceBuckets buckets(reach, rows);
+         row += rows_per_strip) {
+        const RowRange rows{row, row + rows_per_strip};
+        TraceEdgeGrid buckets(reach, rows);
         std::vector<std::uint32_t> still_open;
         const auto add = [&](std::uint32_t i) {
             stop.check();
@@ -170,21 +170,21 @@ void join_neighbours(const ContourList& contours, const WallOptions& options, st
 
 }  // namespace
 
-LatticePoint conflict_reach(const WallOptions& options) {
+LatticePoint conflict_distance(const WallOptions& options) {
     const double cell = std::abs(cross(options.shape.col, options.shape.row));
-    const auto steps = [&](Vec other) {
+    const auto steps = [&](Vec2 other) {
         return static_cast<std::int32_t>(std::floor(2 * options.tolerance * length(other) / cell)) + 1;
     };
     return {steps(options.shape.col), steps(options.shape.row)};
 }
 
 std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
-                                       const StopRequest& stop, std::int64_t rows_a_strip) {
+                                       const StopToken& stop, std::int64_t rows_per_strip) {
     DisjointSets groups(static_cast<std::uint32_t>(contours.size()));
     for (std::uint32_t i = 0; i < contours.size(); ++i)
         if (!is_low(contours.head(i)))
             groups.join(i, static_cast<std::uint32_t>(contours.head(i).parent));
-    join_neighbours(contours, options, rows_a_strip, groups, stop);
+    join_neighbours(contours, options, rows_per_strip, groups, stop);
     constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> cluster_of(contours.size(), nowhere);
     std::vector<std::int32_t> place(contours.size());
@@ -206,8 +206,7 @@ std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOp
     return clusters;
 }
 
-FetchedCluster::FetchedCluster(const ContourList& contours, const ClusterPlan& plan,
-                               const StopRequest& stop) {
+FetchedCluster::FetchedCluster(const ContourList& contours, const ClusterPlan& plan, const StopToken& stop) {
     contours_.reserve(plan.numbers.size());
     for (const std::uint32_t number : plan.numbers) {
         stop.check();

@@ -3,11 +3,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/stop_request.hpp"
-#include "outline/walls/wall_options.hpp"
-#include "trace/contour_list.hpp"
+#include "core/stop_token.hpp"
+#include "dem2buildings/options.hpp"
+#include "outline/walls/trace_sums.hpp"
+#include "trace/contour.hpp"
 
 namespace d2b {
+
+/// Parameters of wall fitting.
+struct WallOptions {
+    Walls walls = Walls::automatic;
+    double tolerance = 0;  ///< cells
+    CellShape shape;
+    double inset = 0;  ///< cells by which walls are moved inward
+};
 
 /// Contours whose walls are fitted together.
 struct WallCluster {
@@ -23,23 +32,23 @@ struct ClusterPlan {
 };
 
 /// Rows and columns within which two traces may conflict, because both walls stay within the tolerance.
-[[nodiscard]] LatticePoint conflict_reach(const WallOptions& options);
+[[nodiscard]] LatticePoint conflict_distance(const WallOptions& options);
 
 /// Divides contours into clusters that cannot conflict. Contours on the same contour of level 1 share a
 /// cluster, as do contours whose traces are so close that their walls could meet. The division depends only
 /// on the contours. O(n) in the number of corners of levels 0 and 1 unless they are crowded; only the corners
 /// of one strip are in memory.
-/// @param rows_a_strip rows processed together
+/// @param rows_per_strip rows processed together
 /// @return sorted by their first contours @throws Cancelled
 [[nodiscard]] std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
-                                                     const StopRequest& stop = {},
-                                                     std::int64_t rows_a_strip = 4096);
+                                                     const StopToken& stop = {},
+                                                     std::int64_t rows_per_strip = 4096);
 
 /// Contours of a cluster in memory.
 class FetchedCluster {
   public:
     /// @throws Cancelled
-    FetchedCluster(const ContourList& contours, const ClusterPlan& plan, const StopRequest& stop = {});
+    FetchedCluster(const ContourList& contours, const ClusterPlan& plan, const StopToken& stop = {});
     FetchedCluster(const FetchedCluster&) = delete;
     FetchedCluster& operator=(const FetchedCluster&) = delete;
     ~FetchedCluster() = default;

@@ -2,28 +2,152 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "core/disjoint_sets.hpp"
-#include "outline/walls/chain_tracer.hpp"
 
 namespace d2b {
+
+/// Normalizes the order of the arcs of chains and derives their traces, nodes and steps. The result does not
+/// depend on the division of a chain into arcs.
+class ChainTracer {
+  public:
+    /// @param graph with arcs and their end nodes
+    explicit ChainTracer(const WallGraph& graph) : graph_(graph) {}
+    /// @param chain its arcs in either direction, starting anywhere
+    void trace(Chain& chain);
+
+  private:
+    void collect_points(const Chain& chain);
+    [[nodiscard]] bool is_reversed(const Chain& chain) const;
+    static void reverse(Chain& chain);
+    void rotate(Chain& chain);
+    void find_nodes(Chain& chain);
+    void find_corners(Chain& chain);
+
+    const WallGraph& graph_;
+    std::vector<LatticePoint> points_;  // without repetition if the chain is closed
+    std::vector<std::size_t> begins_;   // index in points_ at which each arc begins
+    std::vector<std::uint32_t> steps_;  // number of steps before each point, and in total
+    std::size_t start_ = 0;             // index of the point at which the trace begins
+};
+
+void ChainTracer::trace(Chain& chain) {
+    collect_points(chain);
+    if (is_reversed(chain)) {
+        reverse(chain);
+        collect_points(chain);
+    }
+    rotate(chain);
+    find_nodes(chain);
+    find_corners(chain);
+}
+
+void ChainTracer::collect_points(const Chain& chain) {
+    points_.clear();
+    begins_.clear();
+    for (const ArcUse& use : chain.arcs) {
+        const Arc& arc = graph_.graph.arcs[use.arc];
+        begins_.push_back(points_.size());
+        if (use.reversed)
+            points_.insert(points_.end(), arc.rbegin(), arc.rend() - 1);
+        else
+            points_.insert(points_.end(), arc.begin(), arc.end() - 1);
+    }
+    const ArcUse& last = chain.arcs.back();
+    const Arc& arc = graph_.graph.arcs[last.arc];
+    if (!chain.closed)
+        points_.push_back(last.reversed ? arc.front() : arc.back());
+    start_ =
+        chain.closed
+            ? static_cast<std::size_t>(std::min_element(points_.begin(), points_.end()) - points_.begin())
+            : 0;
+}
+
+bool ChainTracer::is_reversed(const Chain& chain) const {
+    const std::size_t n = points_.size();
+    // From its first corner in scan order, a ring of normal orientation runs along the row.
+    if (chain.closed)
+        return points_[start_ + 1 < n ? start_ + 1 : 0].row != points_[start_].row;
+    return std::pair(points_[n - 1], points_[n - 2]) < std::pair(points_[0], points_[1]);
+}
+
+void ChainTracer::reverse(Chain& chain) {
+    std::reverse(chain.arcs.begin(), chain.arcs.end());
+    for (ArcUse& use : chain.arcs)
+        use.reversed = !use.reversed;
+}
+
+/// Rotates the arcs of a closed chain so that the first one to begin at or after the start comes first.
+void ChainTracer::rotate(Chain& chain) {
+    const std::size_t n = points_.size();
+    steps_.clear();
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        steps_.push_back(sum);
+        const LatticePoint next = points_[i + 1 < n ? i + 1 : 0];
+        if (chain.closed || i + 1 < n)
+            sum += static_cast<std::uint32_t>(std::abs(next.row - points_[i].row) +
+                                              std::abs(next.col - points_[i].col));
+    }
+    steps_.push_back(sum);
+    if (!chain.closed)
+        return;
+    const auto first = std::lower_bound(begins_.begin(), begins_.end(), start_);
+    const auto shift = first != begins_.end() ? first - begins_.begin() : 0;
+    std::rotate(chain.arcs.begin(), chain.arcs.begin() + shift, chain.arcs.end());
+    std::rotate(begins_.begin(), begins_.begin() + shift, begins_.end());
+}
+
+void ChainTracer::find_nodes(Chain& chain) {
+    const std::uint32_t steps = steps_.back();
+    chain.nodes.reserve(chain.arcs.size() + 1);
+    chain.node_steps.reserve(chain.arcs.size() + 1);
+    for (std::size_t k = 0; k < chain.arcs.size(); ++k) {
+        const ArcUse use = chain.arcs[k];
+        chain.nodes.push_back(graph_.ends[use.arc][use.reversed ? 1 : 0]);
+        const std::size_t begin = begins_[k];
+        chain.node_steps.push_back(steps_[begin] + (begin < start_ ? steps : 0) - steps_[start_]);
+    }
+    const ArcUse& last = chain.arcs.back();
+    chain.nodes.push_back(graph_.ends[last.arc][last.reversed ? 0 : 1]);
+    chain.node_steps.push_back(chain.closed ? chain.node_steps.front() + steps : steps);
+}
+
+void ChainTracer::find_corners(Chain& chain) {
+    const std::size_t n = points_.size();
+    chain.trace.reserve(n);
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t i = start_ + k < n ? start_ + k : start_ + k - n;
+        const LatticePoint at = points_[i];
+        const LatticePoint before = points_[i > 0 ? i - 1 : n - 1];
+        const LatticePoint after = points_[i + 1 < n ? i + 1 : 0];
+        const bool end = !chain.closed && (k == 0 || k + 1 == n);
+        if (end || (before.row == at.row) != (after.row == at.row))
+            chain.trace.push_back(at);
+    }
+}
+
 namespace {
 
 class Builder {
   public:
-    Builder(const WallCluster& cluster, WallGraph& result, const StopRequest& stop)
+    Builder(const WallCluster& cluster, WallGraph& result, const StopToken& stop)
         : cluster_(cluster), walls_(result), stop_(stop), tracer_(result) {}
     void find_sides();
     void find_nodes();
-    void find_mates();
+    void pair_ends();
     void find_chains();
     void find_owners();
-    void find_parts();
+    void find_components();
 
   private:
-    static constexpr std::uint32_t nobody = WallGraph::nobody;
+    static constexpr std::uint32_t none = WallGraph::none;
 
     [[nodiscard]] std::size_t arcs() const { return walls_.graph.arcs.size(); }
     [[nodiscard]] std::uint32_t node_of(std::uint32_t end) const { return walls_.ends[end / 2][end % 2]; }
@@ -32,13 +156,13 @@ class Builder {
 
     const WallCluster& cluster_;
     WallGraph& walls_;
-    const StopRequest& stop_;
+    const StopToken& stop_;
     ChainTracer tracer_;
     std::vector<std::uint32_t> mate_;  // per arc end: the arc end that continues the chain
 };
 
 /// Lowest and highest contours on one side of an arc.
-struct Users {
+struct SideContours {
     std::int32_t lowest = -1;
     std::int32_t highest = -1;
     int lowest_level = std::numeric_limits<int>::max();
@@ -57,7 +181,7 @@ struct Users {
 };
 
 void Builder::find_sides() {
-    std::vector<std::array<Users, 2>> users(arcs());
+    std::vector<std::array<SideContours, 2>> users(arcs());
     for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
         stop_.check();
         const int level = cluster_.contours[c]->key.level;
@@ -73,7 +197,7 @@ void Builder::find_sides() {
     walls_.ranks.reserve(arcs());
     for (const auto& [left, right] : users) {
         const bool left_is_low = left.lowest_level <= right.lowest_level;
-        const Users& low = left_is_low ? left : right;
+        const SideContours& low = left_is_low ? left : right;
         const std::int32_t below = cluster_.parents[static_cast<std::size_t>(low.lowest)];
         walls_.sides.push_back(
             {left.highest < 0 ? below : left.highest, right.highest < 0 ? below : right.highest});
@@ -109,8 +233,8 @@ void Builder::find_nodes() {
 }
 
 /// A chain continues through a node if exactly two of the arcs with the lowest rank meet there.
-void Builder::find_mates() {
-    mate_.assign(2 * arcs(), nobody);
+void Builder::pair_ends() {
+    mate_.assign(2 * arcs(), none);
     for (std::uint32_t n = 0; n < walls_.nodes.size(); ++n) {
         stop_.check();
         const auto ends = walls_.ends_at(n);
@@ -150,18 +274,18 @@ void Builder::walk(std::uint32_t from_end) {
         chain.arcs.push_back({end / 2, end % 2 == 1});
         walls_.chain_of[end / 2] = static_cast<std::uint32_t>(walls_.chains.size());
         end = mate_[end ^ 1U];
-    } while (end != nobody && end != from_end);
+    } while (end != none && end != from_end);
     chain.closed = end == from_end;
     tracer_.trace(chain);
     chain.higher = higher_side(chain);
     for (std::uint32_t k = 0; k < chain.arcs.size(); ++k)
-        walls_.place_of[chain.arcs[k].arc] = k;
+        walls_.index_in_chain[chain.arcs[k].arc] = k;
     walls_.chains.push_back(std::move(chain));
 }
 
 void Builder::find_chains() {
-    walls_.chain_of.assign(arcs(), nobody);
-    walls_.place_of.resize(arcs());
+    walls_.chain_of.assign(arcs(), none);
+    walls_.index_in_chain.resize(arcs());
     std::vector<std::uint32_t> order(arcs());
     std::iota(order.begin(), order.end(), 0U);
     std::stable_sort(order.begin(), order.end(),
@@ -171,10 +295,10 @@ void Builder::find_chains() {
         std::size_t next = i;
         for (; next < order.size() && walls_.ranks[order[next]] == walls_.ranks[order[i]]; ++next)
             for (const std::uint32_t end : {2 * order[next], 2 * order[next] + 1})
-                if (mate_[end] == nobody && walls_.chain_of[order[next]] == nobody)
+                if (mate_[end] == none && walls_.chain_of[order[next]] == none)
                     walk(end);
         for (; i < next; ++i)
-            if (walls_.chain_of[order[i]] == nobody)
+            if (walls_.chain_of[order[i]] == none)
                 walk(2 * order[i]);
     }
 }
@@ -189,26 +313,27 @@ void Builder::find_owners() {
     }
 }
 
-void Builder::find_parts() {
-    DisjointSets parts(static_cast<std::uint32_t>(walls_.chains.size()));
+void Builder::find_components() {
+    DisjointSets components(static_cast<std::uint32_t>(walls_.chains.size()));
     for (std::uint32_t n = 0; n < walls_.nodes.size(); ++n) {
         const auto ends = walls_.ends_at(n);
         for (const std::uint32_t end : ends)
-            parts.join(walls_.chain_of[ends.front() / 2], walls_.chain_of[end / 2]);
+            components.join(walls_.chain_of[ends.front() / 2], walls_.chain_of[end / 2]);
     }
-    walls_.part_of.resize(parts.size());
-    for (std::uint32_t c = 0; c < parts.size(); ++c)
-        walls_.part_of[c] = parts.find(c) == c ? walls_.parts++ : walls_.part_of[parts.find(c)];
+    walls_.component_of.resize(components.size());
+    for (std::uint32_t c = 0; c < components.size(); ++c)
+        walls_.component_of[c] =
+            components.find(c) == c ? walls_.components++ : walls_.component_of[components.find(c)];
 }
 
 }  // namespace
 
-WallGraph build_wall_graph(const WallCluster& cluster, const StopRequest& stop) {
+WallGraph build_wall_graph(const WallCluster& cluster, const StopToken& stop) {
     WallGraph walls;
     walls.graph = build_arc_graph(cluster.contours, stop);
     Builder builder(cluster, walls, stop);
-    for (const auto part : {&Builder::find_sides, &Builder::find_nodes, &Builder::find_mates,
-                            &Builder::find_chains, &Builder::find_owners, &Builder::find_parts}) {
+    for (const auto part : {&Builder::find_sides, &Builder::find_nodes, &Builder::pair_ends,
+                            &Builder::find_chains, &Builder::find_owners, &Builder::find_components}) {
         stop.check();
         (builder.*part)();
     }

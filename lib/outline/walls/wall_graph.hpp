@@ -31,7 +31,7 @@ struct Chain {
 /// boundaries between them. Chains of one rank pass straight through nodes that only arcs of higher rank
 /// join, because a wall must not depend on the walls that end on it.
 struct WallGraph {
-    static constexpr std::uint32_t nobody = 0xffffffff;
+    static constexpr std::uint32_t none = 0xffffffff;
     static constexpr int highest_low_rank = 3;  ///< highest rank of arcs of levels 0 and 1
 
     /// Highest contours on both sides of an arc, as indices in the cluster; -1 if there is none.
@@ -41,9 +41,8 @@ struct WallGraph {
     };
     struct Node {
         LatticePoint at;
-        std::uint32_t owner =
-            nobody;               ///< chain that passes through it; `nobody` if it keeps its traced position
-        std::uint32_t place = 0;  ///< index among the nodes of the owner
+        std::uint32_t owner = none;  ///< chain that passes through it; `none` if it keeps its traced position
+        std::uint32_t place = 0;     ///< index among the nodes of the owner
     };
 
     ArcGraph graph;
@@ -53,9 +52,9 @@ struct WallGraph {
     std::vector<Node> nodes;                         ///< sorted by position
     std::vector<Chain> chains;                       ///< sorted by rank
     std::vector<std::uint32_t> chain_of;             ///< per arc
-    std::vector<std::uint32_t> place_of;             ///< per arc: its index within its chain
-    std::vector<std::uint32_t> part_of;              ///< per chain: its connected component
-    std::uint32_t parts = 0;
+    std::vector<std::uint32_t> index_in_chain;       ///< per arc: its index within its chain
+    std::vector<std::uint32_t> component_of;         ///< per chain: its connected component
+    std::uint32_t components = 0;
 
     /// Arc ends at each node: 2 * arc if the arc begins there, 2 * arc + 1 if it ends there. Those of node n
     /// start at first_end[n].
@@ -75,6 +74,6 @@ struct WallGraph {
 };
 
 /// O(n log n) in the number of corners. @throws Cancelled
-[[nodiscard]] WallGraph build_wall_graph(const WallCluster& cluster, const StopRequest& stop);
+[[nodiscard]] WallGraph build_wall_graph(const WallCluster& cluster, const StopToken& stop);
 
 }  // namespace d2b

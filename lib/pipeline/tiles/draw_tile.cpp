@@ -1,28 +1,161 @@
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <utility>
+#include <vector>
 
-#include "elevations/part_source.hpp"
+#include "core/lattice.hpp"
+#include "detect/units.hpp"
+#include "elevations/elevation_reader.hpp"
 #include "features/drawn_stack.hpp"
-#include "features/target_frame.hpp"
-#include "filter/contour_shelf.hpp"
-#include "pipeline/feature_input.hpp"
-#include "pipeline/measure_stack.hpp"
-#include "pipeline/plan_tiers.hpp"
+#include "features/reprojection.hpp"
+#include "filter/contour_archive.hpp"
 #include "pipeline/report_run.hpp"
-#include "pipeline/tiles/draw_margin.hpp"
-#include "pipeline/tiles/tile_labels.hpp"
+#include "pipeline/run_setup.hpp"
+#include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "pipeline/tiles/trace_tile.hpp"
 #include "pipeline/trace_contours.hpp"
 #include "tiles/drawn_tile.hpp"
+#include "tiles/found_tile.hpp"
 
 namespace d2b {
+
+/// Labels of the buildings that a tile draws, and of other buildings near them, whichever tile found them.
+class TileLabels {
+  public:
+    /// Reads the detection results of all tiles with units in the window. @throws InputError
+    TileLabels(const TileRun& run, const JoinedTile& joined);
+
+    /// Returns the labels of the tile's own buildings.
+    [[nodiscard]] LabelRows own(Context& context) const;
+    /// Marks, by label - 1, buildings with another tile's building within reach. @param reach rows and
+    /// columns
+    [[nodiscard]] std::vector<bool> near_other_tiles(LatticePoint reach) const;
+    /// Returns the cells within reach of the wanted buildings, row by row. @param wanted by label - 1
+    [[nodiscard]] std::vector<RowSpan> cells_near(const std::vector<bool>& wanted, LatticePoint reach) const;
+
+  private:
+    /// Returns the runs of a row of the window, from left to right.
+    [[nodiscard]] std::span<const LabelRun> row(std::int32_t row) const;
+
+    Window window_;
+    Label buildings_;
+    std::vector<LabelRun> runs_;      ///< in scan order; label buildings_ + 1 marks other tiles' buildings
+    std::vector<std::size_t> first_;  ///< first run of each row of the window; one more at the end
+};
+
+namespace {
+
+constexpr std::int32_t rows_per_read = 256;
+
+}  // namespace
+
+TileLabels::TileLabels(const TileRun& run, const JoinedTile& joined)
+    : window_(joined.window), buildings_(static_cast<Label>(joined.buildings.size())) {
+    std::map<std::int64_t, std::vector<const JoinedUnit*>> tiles;  // reads each tile once
+    for (const JoinedUnit& unit : joined.units)
+        tiles[run.tiles().tile_of(unit.unit)].push_back(&unit);
+    for (const auto& [tile, units] : tiles) {
+        const FoundTile found = run.load_found(tile);
+        const std::vector<NumberedUnit> placed = run.tiles().units_of(tile);
+        for (const JoinedUnit* unit : units) {
+            const auto here = std::ranges::find(placed, unit->unit, &NumberedUnit::number);
+            for (LabelRun label : found.units[static_cast<std::size_t>(here - placed.begin())].runs) {
+                label.begin = std::max(label.begin, window_.col);
+                label.end = std::min(label.end, window_.end_col());
+                if (label.label >= unit->number.size())
+                    throw InputError(
+                        "What 'join' wrote of tile " + std::to_string(tile) +
+                        " does not fit what 'find' wrote; delete the folders of both steps and run "
+                        "them again.");
+                label.label = unit->number[label.label];
+                if (label.label != 0 && label.begin < label.end && label.row >= window_.row &&
+                    label.row < window_.end_row())
+                    runs_.push_back(label);
+            }
+        }
+    }
+    std::ranges::sort(runs_, {}, [](const LabelRun& r) { return std::pair(r.row, r.begin); });
+    first_.resize(static_cast<std::size_t>(window_.rows) + 1);
+    for (const LabelRun& label : runs_)
+        ++first_[static_cast<std::size_t>(label.row - window_.row) + 1];
+    for (std::size_t i = 1; i < first_.size(); ++i)
+        first_[i] += first_[i - 1];
+}
+
+std::span<const LabelRun> TileLabels::row(std::int32_t row) const {
+    if (row < window_.row || row >= window_.end_row())
+        return {};
+    const auto i = static_cast<std::size_t>(row - window_.row);
+    return std::span(runs_).subspan(first_[i], first_[i + 1] - first_[i]);
+}
+
+LabelRows TileLabels::own(Context& context) const {
+    LabelRows rows(context.make_spool(), window_);
+    for (std::int32_t first = window_.row; first < window_.end_row(); first += rows_per_read) {
+        const Window part{first, window_.col, std::min(rows_per_read, window_.end_row() - first),
+                          window_.cols};
+        Grid<Label> labels(part.rows, part.cols);
+        for (std::int32_t r = part.row; r < part.end_row(); ++r)
+            for (const LabelRun& run : row(r))
+                if (run.label <= buildings_)
+                    std::fill(labels.row(r - part.row).begin() + (run.begin - part.col),
+                              labels.row(r - part.row).begin() + (run.end - part.col), run.label);
+        rows.append({part, part}, labels, *context.threads);
+    }
+    std::vector<Label> number(buildings_ + std::size_t{1});
+    for (Label label = 0; label <= buildings_; ++label)
+        number[label] = label;
+    rows.renumber(std::move(number));
+    return rows;
+}
+
+std::vector<bool> TileLabels::near_other_tiles(LatticePoint reach) const {
+    std::vector<bool> near(buildings_);
+    for (const LabelRun& other : runs_) {
+        if (other.label <= buildings_)
+            continue;
+        for (std::int32_t r = other.row - reach.row; r <= other.row + reach.row; ++r) {
+            const auto runs = row(r);
+            // Runs of a row do not overlap, so their ends ascend as well.
+            auto run = std::ranges::lower_bound(runs, other.begin - reach.col, {}, &LabelRun::end);
+            for (; run != runs.end() && run->begin <= other.end + reach.col; ++run)
+                if (run->label <= buildings_)
+                    near[run->label - 1] = true;
+        }
+    }
+    return near;
+}
+
+std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted, LatticePoint reach) const {
+    std::vector<RowSpan> expanded;
+    for (const LabelRun& run : runs_) {
+        if (run.label > buildings_ || !wanted[run.label - 1])
+            continue;
+        for (std::int32_t r = std::max(run.row - reach.row, window_.row);
+             r <= std::min(run.row + reach.row, window_.end_row() - 1); ++r)
+            expanded.push_back({r, std::max(run.begin - reach.col, window_.col),
+                                std::min(run.end + reach.col, window_.end_col())});
+    }
+    std::ranges::sort(expanded, {}, [](const RowSpan& s) { return std::pair(s.row, s.begin); });
+    std::vector<RowSpan> spans;
+    for (const RowSpan& span : expanded) {
+        if (!spans.empty() && spans.back().row == span.row && span.begin <= spans.back().end)
+            spans.back().end = std::max(spans.back().end, span.end);
+        else
+            spans.push_back(span);
+    }
+    return spans;
+}
+
 namespace {
 
 /// Contours of a tile, divided into those that can be drawn now and those left to the merge step, because
 /// their outlines depend on other tiles.
-struct Divided {
+struct DividedContours {
     std::unique_ptr<StoredContours> whole;
     std::unique_ptr<StoredContours> left;
 };
@@ -37,10 +170,10 @@ class TileDrawing {
   private:
     [[nodiscard]] FoundBuildings found() const;
     [[nodiscard]] LevelPlan global_levels() const;
-    [[nodiscard]] Divided divide(const StoredContours& contours);
+    [[nodiscard]] DividedContours divide(const StoredContours& contours);
     void draw_whole(const StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
                     DrawnBlocks& blocks);
-    void leave(const StoredContours& contours, DrawnTile& drawn);
+    void defer(const StoredContours& contours, DrawnTile& drawn);
     void read_cells(DrawnTile& drawn);
 
     TileRun& run_;
@@ -49,11 +182,11 @@ class TileDrawing {
     FoundFacts frame_;
     FixedPoint fixed_;
     TileLabels labels_;
-    PartSource part_;
+    SubwindowSource part_;
     ElevationReader reader_;
     LatticePoint reach_;
     Tiers tiers_;
-    std::vector<bool> left_buildings_;  ///< by label - 1
+    std::vector<bool> deferred_buildings_;  ///< by label - 1
 };
 
 TileDrawing::TileDrawing(TileRun& run, const JoinedTile& joined)
@@ -66,7 +199,7 @@ TileDrawing::TileDrawing(TileRun& run, const JoinedTile& joined)
       part_(run.sources().dem, joined.window),
       reader_(part_, context_),
       reach_(draw_reach(run.setup(), context_)),
-      left_buildings_(joined.buildings.size()) {}
+      deferred_buildings_(joined.buildings.size()) {}
 
 FoundBuildings TileDrawing::found() const {
     FoundBuildings found;
@@ -85,78 +218,79 @@ LevelPlan TileDrawing::global_levels() const {
                               run_.setup().plan.levels, uncounted);
 }
 
-Divided TileDrawing::divide(const StoredContours& contours) {
-    const std::vector<bool> near = labels_.near_others(reach_);
-    std::vector<bool> is_left(contours.size());
-    for (const std::vector<std::uint32_t>& group : reach_of(contours, run_.setup(), context_).groups) {
+DividedContours TileDrawing::divide(const StoredContours& contours) {
+    const std::vector<bool> near = labels_.near_other_tiles(reach_);
+    std::vector<bool> is_deferred(contours.size());
+    for (const std::vector<std::uint32_t>& group :
+         outline_dependencies_of(contours, run_.setup(), context_).groups) {
         const bool left =
             std::ranges::any_of(group, [&](std::uint32_t i) { return near[contours.head(i).label - 1]; });
         for (const std::uint32_t i : group) {
-            is_left[i] = left;
+            is_deferred[i] = left;
             if (left)
-                left_buildings_[contours.head(i).label - 1] = true;
+                deferred_buildings_[contours.head(i).label - 1] = true;
         }
     }
-    ContourShelf whole(context_.make_spool());
-    ContourShelf left(context_.make_spool());
+    ContourMerger whole(context_.make_spool());
+    ContourMerger left(context_.make_spool());
     std::vector<std::int64_t> place(contours.size());
     for (std::size_t i = 0; i < contours.size(); ++i) {
-        ContourShelf& shelf = is_left[i] ? left : whole;
+        ContourMerger& merger = is_deferred[i] ? left : whole;
         ContourHead head = contours.head(i);
         if (head.parent >= 0)
             head.parent = place[static_cast<std::size_t>(head.parent)];
-        place[i] = static_cast<std::int64_t>(shelf.size());
-        shelf.add(head, contours.fetch_stored(i));
+        place[i] = static_cast<std::int64_t>(merger.size());
+        merger.add(head, contours.fetch_stored(i));
     }
     return {whole.finish(), left.finish()};
 }
 
 void TileDrawing::draw_whole(const StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
                              DrawnBlocks& blocks) {
-    constexpr std::size_t piece = 64;  // contours per task
+    constexpr std::size_t chunk_size = 64;  // contours per task
     const RunSetup& setup = run_.setup();
-    const RecordMaker records(contours, {tiers_.plan, fixed_, found.footprints, run_.metres(),
-                                         lattice_frame(run_.window(), setup.plan.trace)});
+    const RecordBuilder records(contours, {tiers_.plan, fixed_, found.footprints, run_.metres(),
+                                           lattice_frame(run_.window(), setup.plan.trace)});
     const Outliner outliner = draw_outlines(contours, setup, context_);
     const FeatureInput input =
         feature_input(setup, {contours, outliner, found.buildings, fixed_}, context_.report, {});
     ContourDrawer drawer(input, records, context_);
     DrawnStack stack(context_.make_spool(), joined_.window);
-    context_.threads->in_order((contours.size() + piece - 1) / piece,
+    context_.threads->in_order((contours.size() + chunk_size - 1) / chunk_size,
                                [&](std::size_t k, std::size_t thread) {
                                    std::vector<DrawnContour> all;
-                                   for (std::size_t i = k * piece;
-                                        i < std::min(contours.size(), (k + 1) * piece); ++i)
+                                   for (std::size_t i = k * chunk_size;
+                                        i < std::min(contours.size(), (k + 1) * chunk_size); ++i)
                                        all.push_back(drawer.draw(i, thread));
                                    return all;
                                },
                                [&](std::size_t, const std::vector<DrawnContour>& all) {
                                    for (const DrawnContour& one : all) {
-                                       if (drawer.gives_cells())
-                                           add_to_stack(one, setup.layers.places, stack);
+                                       if (drawer.returns_cells())
+                                           add_to_stack(one, setup.layers.indices, stack);
                                        blocks.add(one);
                                    }
                                });
     blocks.finish();
     for (PolygonMaker& maker : drawer.makers())
         context_.report.merge(maker.tally());
-    if (drawer.gives_cells())
+    if (drawer.returns_cells())
         drawn.error = measure_stack(stack, fixed_, reader_);
 }
 
-void TileDrawing::leave(const StoredContours& contours, DrawnTile& drawn) {
+void TileDrawing::defer(const StoredContours& contours, DrawnTile& drawn) {
     std::vector<Label> number(joined_.buildings.size());
-    for (std::size_t i = 0; i < left_buildings_.size(); ++i)
-        if (left_buildings_[i]) {
-            drawn.left_buildings.push_back({joined_.buildings[i], tiers_.plan.thresholds[i + 1]});
-            number[i] = static_cast<Label>(drawn.left_buildings.size());
+    for (std::size_t i = 0; i < deferred_buildings_.size(); ++i)
+        if (deferred_buildings_[i]) {
+            drawn.deferred_buildings.push_back({joined_.buildings[i], tiers_.plan.thresholds[i + 1]});
+            number[i] = static_cast<Label>(drawn.deferred_buildings.size());
         }
     for (std::size_t i = 0; i < contours.size(); ++i) {
         drawn.left.push_back({contours.head(i), contours.fetch_stored(i)});
         ContourHead& head = drawn.left.back().head;
         head.label = number[head.label - 1];
     }
-    drawn.cells.runs = labels_.around(left_buildings_, reach_);
+    drawn.cells.runs = labels_.cells_near(deferred_buildings_, reach_);
     read_cells(drawn);
 }
 
@@ -176,7 +310,7 @@ DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
     const RunSetup& setup = run_.setup();
     // The survey is run only for its side effect of filtering invalid elevations.
     (void)reader_.survey(
-        run_.sift_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});
+        run_.validity_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});
     const FoundBuildings buildings = found();
     tiers_ = plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
     const TraceFrame frame{joined_.window, tiers_.plan.level_count(), fixed_,
@@ -187,10 +321,10 @@ DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
     DrawnTile drawn;
     drawn.levels = tiers_.plan.level_count();
     drawn.buildings = static_cast<std::int64_t>(buildings_up_to(buildings.buildings, *contours));
-    const Divided divided = divide(*contours);
+    const DividedContours divided = divide(*contours);
     draw_whole(*divided.whole, buildings, drawn, blocks);
     if (divided.left->size() > 0)
-        leave(*divided.left, drawn);
+        defer(*divided.left, drawn);
     drawn.tally.merge(context_.report);
     return drawn;
 }
@@ -201,10 +335,10 @@ void draw_tile(TileRun& run, std::int64_t tile) {
     if (!run.setup().plan.detects_buildings())
         return trace_tile(run, tile);
     const auto path = run.file(TileStep::draw, tile);
-    const Seal seal = run.seal(TileStep::draw, tile);
-    if (is_sealed(path, seal))
+    const CheckpointId seal = run.seal(TileStep::draw, tile);
+    if (checkpoint_exists(path, seal))
         return;
-    SealedFile file(run.file(TileStep::join, tile), run.seal(TileStep::join, tile));
+    CheckpointFile file(run.file(TileStep::join, tile), run.seal(TileStep::join, tile));
     const JoinedTile joined = load_body(file, [&](ByteReader& reader) {
         return load_joined_tile(reader, run.window(), run.tiles().units().count());
     });
@@ -215,7 +349,7 @@ void draw_tile(TileRun& run, std::int64_t tile) {
     ByteWriter writer;
     save(drawn, writer);
     writer.put_list(blocks.blocks());
-    write_sealed(path, seal, writer.bytes(), blocks.bytes());
+    write_checkpoint(path, seal, writer.bytes(), blocks.bytes());
 }
 
 }  // namespace d2b

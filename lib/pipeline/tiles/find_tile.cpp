@@ -1,7 +1,7 @@
 #include <utility>
 
-#include "elevations/part_source.hpp"
-#include "pipeline/find_in_unit.hpp"
+#include "elevations/elevation_reader.hpp"
+#include "pipeline/find_buildings.hpp"
 #include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 ElevationSurvey survey(ElevationReader& reader, const TileRun& run, const Window& own, Context& context) {
     const Window& window = run.window();
     return reader.survey(
-        run.sift_rules(),
+        run.validity_rules(),
         [&](const ElevationBand& band) {
             context.progress(0.3 * static_cast<double>(band.shape.first_row - window.row) / window.rows);
         },
@@ -26,18 +26,18 @@ FoundUnit found_unit(const Unit& unit, FoundInUnit&& here) {
     return {std::move(here.objects), std::move(boxes), std::move(runs), edges_of(unit, here.labels)};
 }
 
-void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationReader& reader,
+void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, ElevationReader& reader,
                 FoundTile& found) {
     const Sources sources{part, run.sources().terrain, run.sources().mask, run.sources().ndvi,
                           run.sources().parcels};
     PlannedSink nowhere(run.setup().plan.layers);
-    SideSinks rasters = open_tile_rasters(run, tile);
+    AuxiliarySinks rasters = open_tile_rasters(run, tile);
     const Sinks sinks{nowhere, rasters.ground.get(), rasters.height.get(), rasters.canopy.get()};
     const UnitSearch search{
         run.setup().plan, sources, sinks, reader, {run.window(), run.setup().cell, run.metres()},
         run.context()};
     FoundFacts& facts = found.facts;
-    for (const PlacedUnit& placed : run.tiles().units_of(tile)) {
+    for (const NumberedUnit& placed : run.tiles().units_of(tile)) {
         FoundInUnit here = find_in_unit(search, placed.unit);
         facts.fit.merge(here.fit);
         facts.slope.merge(here.slope);
@@ -53,9 +53,9 @@ void find_units(TileRun& run, std::int64_t tile, PartSource& part, ElevationRead
 }
 
 /// Collects elevation statistics of the tile's own cells; there is no detection in this mode.
-void find_sums(TileRun& run, std::int64_t tile, FoundTile& found) {
+void survey_tile(TileRun& run, std::int64_t tile, FoundTile& found) {
     const Window own = run.tiles().whole(tile).own;
-    PartSource part(run.sources().dem, own);
+    SubwindowSource part(run.sources().dem, own);
     ElevationReader reader(part, run.context(), {.keep_bytes = 0});  // read only once
     found.facts.survey = survey(reader, run, own, run.context());
     found.units.resize(run.tiles().units_of(tile).size());
@@ -65,25 +65,25 @@ void find_sums(TileRun& run, std::int64_t tile, FoundTile& found) {
 
 void find_tile(TileRun& run, std::int64_t tile) {
     const auto path = run.file(TileStep::find, tile);
-    const Seal seal = run.seal(TileStep::find, tile);
-    if (is_sealed(path, seal) && has_rasters(run, tile))
+    const CheckpointId seal = run.seal(TileStep::find, tile);
+    if (checkpoint_exists(path, seal) && has_rasters(run, tile))
         return;
     Context& context = run.context();
-    FoundTile found{run.no_facts(), {}};
+    FoundTile found{run.empty_facts(), {}};
     if (run.setup().plan.detects_buildings()) {
         const Unit whole = run.tiles().whole(tile);
-        PartSource part(run.sources().dem, grown(whole.seen, 1, 1, run.window()));
+        SubwindowSource part(run.sources().dem, expanded(whole.seen, 1, 1, run.window()));
         ElevationReader reader(part, context);
         found.facts.survey = survey(reader, run, whole.own, context);
         find_units(run, tile, part, reader, found);
     } else {
-        find_sums(run, tile, found);
+        survey_tile(run, tile, found);
     }
     found.facts.tally.merge(context.report);
     found.facts.warnings = run.take_warnings();
     ByteWriter writer;
     save(found, writer);
-    write_sealed(path, seal, writer.bytes());
+    write_checkpoint(path, seal, writer.bytes());
 }
 
 }  // namespace d2b

@@ -1,22 +1,193 @@
+#include "pipeline/tiles/join_tiles.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <unordered_map>
 #include <utility>
 
 #include "pipeline/find_buildings.hpp"
-#include "pipeline/tiles/draw_margin.hpp"
-#include "pipeline/tiles/placed_objects.hpp"
 #include "pipeline/tiles/tile_rasters.hpp"
+#include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
-#include "tiles/joined_tile.hpp"
+#include "tiles/found_tile.hpp"
 
 namespace d2b {
 namespace {
 
-class Join {
+std::vector<bool> labels_at_seams(const FoundUnit& unit) {
+    std::vector<bool> at_seam(unit.objects.size() + 1);
+    for (const UnitEdges::Lines* lines :
+         {&unit.edges.above, &unit.edges.left, &unit.edges.below, &unit.edges.right})
+        for (const std::vector<Label>& line : *lines)
+            for (const Label label : line)
+                at_seam[label] = true;
+    return at_seam;
+}
+
+template <typename T>
+SpoolEntry put_list(Spool& spool, const std::vector<T>& values) {
+    ByteWriter writer;
+    writer.put_list(values);
+    return append(spool, writer);
+}
+
+template <typename T>
+std::vector<T> take_list(const Spool& spool, const SpoolEntry& entry) {
+    return ByteReader(spool, entry).take_list<T>();
+}
+
+}  // namespace
+
+UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, std::int64_t& doubtful) {
+    const std::vector<bool> at_seam = labels_at_seams(unit);
+    UnitObjects divided;
+    divided.marks.assign(unit.objects.size(), UnitObjects::left_out);
+    for (std::size_t i = 0; i < unit.objects.size(); ++i) {
+        const auto label = static_cast<Label>(i + 1);
+        if (at_seam[label]) {
+            divided.at_seams.push_back(label);
+            divided.marks[i] = static_cast<UnitObjects::Mark>(divided.at_seams.size());
+            continue;
+        }
+        SeenObject seen = unit.objects[i];
+        if (seen.own_cells < rules.min_cells)
+            continue;
+        doubtful += seen.is_building ? 0 : 1;
+        if (!seen.is_building && !rules.doubtful)
+            continue;
+        divided.marks[i] = UnitObjects::interior;
+        divided.interior_objects.push_back({seen, unit.boxes[i], label});
+    }
+    return divided;
+}
+
+void InteriorObjects::put(std::int64_t unit, const UnitObjects& objects) {
+    kept_[static_cast<std::size_t>(unit)] = {put_list(*spool_, objects.marks),
+                                             put_list(*spool_, objects.interior_objects)};
+}
+
+std::vector<UnitObjects::Mark> InteriorObjects::marks(std::int64_t unit) const {
+    return take_list<UnitObjects::Mark>(*spool_, kept_[static_cast<std::size_t>(unit)].marks);
+}
+
+std::vector<InteriorObject> InteriorObjects::interior_objects(std::int64_t unit) const {
+    return take_list<InteriorObject>(*spool_, kept_[static_cast<std::size_t>(unit)].interior_objects);
+}
+
+namespace {
+
+/// Translates edge labels to indices of seam objects; labels of other objects become 0.
+UnitEdges seam_labels(UnitEdges edges, const std::vector<UnitObjects::Mark>& marks) {
+    for (UnitEdges::Lines* lines : {&edges.above, &edges.left, &edges.below, &edges.right})
+        for (std::vector<Label>& line : *lines)
+            for (Label& label : line)
+                label = label == 0 ? 0 : marks[label - 1];
+    return edges;
+}
+
+}  // namespace
+
+void BorderObjects::put(std::int64_t number, FoundUnit&& found, const UnitObjects& divided) {
+    const auto i = static_cast<std::size_t>(number);
+    Unit& unit = units_[i];
+    for (const Label label : divided.at_seams) {
+        const SeenObject& seen = found.objects[label - 1];
+        unit.objects.push_back(seen);
+        unit.places.push_back({found.boxes[label - 1], seen.own_cells, number, label});
+    }
+    unit.edges = seam_labels(std::move(found.edges), divided.marks);
+    known_[i] = true;
+}
+
+void BorderObjects::compare_known() {
+    while (next_ < units_.size() && known_[next_])
+        compare_next();
+}
+
+void BorderObjects::compare_next() {
+    Unit unit = std::exchange(units_[next_], {});
+    first_[next_] = merger_.add(unit.objects);
+    seen_.insert(seen_.end(), unit.places.begin(), unit.places.end());
+    unit.edges.add(first_[next_]);
+    const auto cols = static_cast<std::size_t>(cols_);
+    seams_.add(static_cast<std::int32_t>(next_ % cols), std::move(unit.edges), merger_);
+    ++next_;
+}
+
+std::vector<BorderObject> BorderObjects::take() {
+    return std::exchange(seen_, std::vector<BorderObject>());
+}
+
+void ObjectAssignment::place(std::vector<BorderObject> seen, UnitMerger::Merged merged) {
+    number_ = std::move(merged.number);
+    crossing_.resize(merged.objects.size());
+    std::vector<BorderObject> owners(crossing_.size());
+    for (std::size_t label = 1; label < seen.size(); ++label) {
+        const Label number = number_[label];
+        if (number == 0)
+            continue;
+        const BorderObject& place = seen[label];
+        AssignedObject& object = crossing_[number - 1];
+        if (object.joined == AssignedObject::none)
+            object = {merged.objects[number - 1], {}, place.unit, place.label, number - 1};
+        object.box = bounding_window(object.box, place.box);
+        BorderObject& owner = owners[number - 1];
+        if (place.cells > owner.cells)
+            owner = place;
+    }
+    merged.objects = std::vector<SeenObject>();  // = {} would keep the capacity
+    seen = std::vector<BorderObject>();
+    const auto tile = [&](const AssignedObject& object) {
+        return tiles_.tile_of(owners[object.joined].unit);
+    };
+    std::ranges::stable_sort(crossing_, {}, tile);
+    std::ranges::transform(crossing_, std::back_inserter(drawn_by_), tile);
+}
+
+std::vector<AssignedObject> ObjectAssignment::of(std::int64_t tile) const {
+    const auto [begin, end] = std::equal_range(drawn_by_.begin(), drawn_by_.end(), tile);
+    std::vector<AssignedObject> objects(crossing_.begin() + (begin - drawn_by_.begin()),
+                                        crossing_.begin() + (end - drawn_by_.begin()));
+    for (const NumberedUnit& placed : tiles_.units_of(tile))
+        for (const InteriorObject& object : interior_.interior_objects(placed.number))
+            objects.push_back({object.seen, object.box, placed.number, object.label, AssignedObject::none});
+    std::ranges::sort(objects, {}, &AssignedObject::order);
+    return objects;
+}
+
+JoinedUnit ObjectAssignment::map_labels(std::int64_t number,
+                                        const std::vector<AssignedObject>& objects) const {
+    const auto other = static_cast<Label>(objects.size() + 1);
+    const std::vector<UnitObjects::Mark> marks = interior_.marks(number);
+    JoinedUnit unit{number, std::vector<Label>(marks.size() + 1, other)};
+    unit.number[0] = 0;
+    std::unordered_map<std::size_t, Label> joined;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const auto place = static_cast<Label>(i + 1);
+        if (objects[i].joined != AssignedObject::none)
+            joined[objects[i].joined] = place;
+        else if (objects[i].unit == number)
+            unit.number[objects[i].label] = place;
+    }
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+        if (marks[i] == UnitObjects::interior)
+            continue;
+        const Label label = marks[i] == UnitObjects::left_out ? 0 : number_[seams_.label(number, marks[i])];
+        const auto own = label == 0 ? joined.end() : joined.find(label - 1);
+        unit.number[i + 1] = label == 0 ? 0 : own != joined.end() ? own->second : other;
+    }
+    return unit;
+}
+
+namespace {
+
+class TileJoiner {
   public:
-    explicit Join(TileRun& run)
+    explicit TileJoiner(TileRun& run)
         : run_(run),
-          lone_(run.context().make_spool(), static_cast<std::size_t>(run.tiles().units().count())),
+          interior_(run.context().make_spool(), static_cast<std::size_t>(run.tiles().units().count())),
           seams_(static_cast<std::size_t>(run.tiles().units().count()), run.tiles().units().cols()),
-          facts_(run.no_facts()) {}
+          facts_(run.empty_facts()) {}
 
     /// Reads all tiles. Compares units across seams as early as possible, because their edges can be freed
     /// afterwards.
@@ -27,66 +198,66 @@ class Join {
     void write_frame();
 
   private:
-    void load(FoundUnit&& found, std::int64_t number, const LoneRules& rules);
+    void load(FoundUnit&& found, std::int64_t number, const InteriorRules& rules);
     [[nodiscard]] JoinedTile joined(std::int64_t tile) const;
 
     TileRun& run_;
-    LoneObjects lone_;
-    std::int64_t lone_doubtful_ = 0;
-    SeamObjects seams_;
-    PlacedObjects placed_{run_.tiles(), lone_, seams_};
+    InteriorObjects interior_;
+    std::int64_t interior_low_confidence_ = 0;
+    BorderObjects seams_;
+    ObjectAssignment placed_{run_.tiles(), interior_, seams_};
     FoundFacts facts_;
 };
 
-void Join::load() {
-    const LoneRules rules{least_cells(run_.setup().plan, run_.tiles().units(), run_.setup().cell),
-                          run_.setup().plan.asked.write.doubtful};
+void TileJoiner::load() {
+    const InteriorRules rules{min_cells(run_.setup().plan, run_.tiles().units(), run_.setup().cell),
+                              run_.setup().plan.asked.write.doubtful};
     for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
         run_.context().check_stop();
         FoundTile found = run_.load_found(tile);
         facts_.merge(found.facts);
-        const std::vector<PlacedUnit> placed = run_.tiles().units_of(tile);
+        const std::vector<NumberedUnit> placed = run_.tiles().units_of(tile);
         for (std::size_t i = 0; i < placed.size(); ++i)
             load(std::move(found.units[i]), placed[i].number, rules);
         seams_.compare_known();
     }
 }
 
-void Join::load(FoundUnit&& found, std::int64_t number, const LoneRules& rules) {
-    const UnitObjects divided = divide_objects(found, rules, lone_doubtful_);
-    lone_.put(number, divided);
+void TileJoiner::load(FoundUnit&& found, std::int64_t number, const InteriorRules& rules) {
+    const UnitObjects divided = divide_objects(found, rules, interior_low_confidence_);
+    interior_.put(number, divided);
     seams_.put(number, std::move(found), divided);
 }
 
-void Join::join() {
+void TileJoiner::join() {
     Context& context = run_.context();
-    UnitMerger::Merged merged = join_units(seams_.merger(), run_.setup().plan, run_.tiles().units(),
-                                           run_.setup().cell, context.report);
-    context.report.count(Reason::building_doubtful, lone_doubtful_);
+    UnitMerger::Merged merged = merge_found_units(seams_.merger(), run_.setup().plan, run_.tiles().units(),
+                                                  run_.setup().cell, context.report);
+    context.report.count(Reason::building_doubtful, interior_low_confidence_);
     facts_.tally.merge(context.report);
     placed_.place(seams_.take(), std::move(merged));
 }
 
-JoinedTile Join::joined(std::int64_t tile) const {
-    const std::vector<PlacedObject> objects = placed_.of(tile);
+JoinedTile TileJoiner::joined(std::int64_t tile) const {
+    const std::vector<AssignedObject> objects = placed_.of(tile);
     JoinedTile joined;
-    for (const PlacedObject& object : objects) {
+    for (const AssignedObject& object : objects) {
         const SeenObject& seen = object.seen;
         joined.buildings.push_back(
             {seen.is_building, seen.object.doubt, seen.ground, seen.object.confidence, seen.object.parcel});
-        joined.window = around(joined.window, object.box);
+        joined.window = bounding_window(joined.window, object.box);
     }
     if (!objects.empty()) {
         const LatticePoint margin = draw_margin(run_.setup(), run_.context());
-        joined.window = grown(joined.window, margin.row, margin.col, run_.window());
-        for (const PlacedUnit& placed : run_.tiles().units_in(joined.window))
-            joined.units.push_back(placed_.labels_for(placed.number, objects));
+        joined.window = expanded(joined.window, margin.row, margin.col, run_.window());
+        for (const NumberedUnit& placed : run_.tiles().units_in(joined.window))
+            joined.units.push_back(placed_.map_labels(placed.number, objects));
     }
     return joined;
 }
 
-void Join::write_tiles() {
-    SealedFiles files(run_.folder(TileStep::join));
+void TileJoiner::write_tiles() {
+    CheckpointBatch files(run_.folder(TileStep::join));
     for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
         run_.context().check_stop();
         ByteWriter writer;
@@ -96,27 +267,27 @@ void Join::write_tiles() {
     files.finish();
 }
 
-void Join::write_frame() {
+void TileJoiner::write_frame() {
     ByteWriter writer;
     facts_.save(writer);
-    write_sealed(run_.frame_file(), run_.frame_seal(), writer.bytes());
+    write_checkpoint(run_.frame_file(), run_.frame_seal(), writer.bytes());
 }
 
 }  // namespace
 
 void join_tiles(TileRun& run) {
-    if (is_sealed(run.frame_file(), run.frame_seal()))
+    if (checkpoint_exists(run.frame_file(), run.frame_seal()))
         return;
-    Join join(run);
+    TileJoiner join(run);
     join.load();
     if (run.setup().plan.detects_buildings()) {
         join.join();
         join.write_tiles();
     }
-    show_rasters(run);
+    publish_rasters(run);
     join.write_frame();
-    run.tidy(TileStep::find);
-    run.tidy(TileStep::join);
+    run.remove_leftovers(TileStep::find);
+    run.remove_leftovers(TileStep::join);
 }
 
 }  // namespace d2b

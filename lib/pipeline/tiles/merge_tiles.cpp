@@ -1,50 +1,271 @@
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <queue>
 #include <utility>
+#include <vector>
 
+#include "attributes/record_builder.hpp"
+#include "core/lattice.hpp"
+#include "dem2buildings/spool.hpp"
+#include "features/drawn_stack.hpp"
 #include "features/feature_writer.hpp"
-#include "features/target_frame.hpp"
-#include "pipeline/feature_input.hpp"
+#include "features/reprojection.hpp"
+#include "filter/contour_archive.hpp"
+#include "levels/level_plan.hpp"
 #include "pipeline/report_run.hpp"
-#include "pipeline/tiles/drawn_sequence.hpp"
-#include "pipeline/tiles/drawn_tiles.hpp"
-#include "pipeline/tiles/part_numbers.hpp"
+#include "pipeline/run_setup.hpp"
+#include "pipeline/tiles/tile_numbers.hpp"
+#include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "pipeline/tiles/trace_tile.hpp"
-#include "pipeline/tiles/traced_frame.hpp"
+#include "tiles/drawn_tile.hpp"
+#include "tiles/file_cache.hpp"
 
 namespace d2b {
+
+/// Elevations of the cells around deferred buildings, collected from all tiles and kept in a spool.
+class DeferredElevations {
+  public:
+    explicit DeferredElevations(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
+
+    /// Adds cells; cells known from several tiles have equal elevations. @throws OutputError the spool is
+    /// full
+    void add(const DeferredCells& cells);
+    /// Measures the error of a stack against them. @param window of the stack @throws OutputError
+    [[nodiscard]] StackError error(const DrawnStack& stack, const Window& window,
+                                   const FixedPoint& fixed) const;
+
+  private:
+    /// Block size in rows and columns of the whole raster.
+    static constexpr std::int32_t block_rows = 64;
+    static constexpr std::int32_t block_cols = 1024;
+    std::unique_ptr<Spool> spool_;
+    std::map<LatticePoint, std::vector<SpoolEntry>> blocks_;  ///< by first cell
+};
+
+/// Contours drawn by all tiles, and those that they left to the merge step.
+class DrawnTiles {
+  public:
+    DrawnTiles(const TileRun& run, Context& context);
+
+    Tally tally;
+    int levels = 1;
+    std::int64_t buildings = 0;
+    StackError error;
+    std::vector<DrawnStream> streams;
+    std::unique_ptr<StoredContours> left;
+    std::vector<Footprint> footprints{{}};  ///< footprints of deferred buildings, by label
+    LevelPlan plan;                         ///< thresholds of deferred buildings, by label
+    Label sure = 0;  ///< number of deferred labels that are buildings; higher ones are low-confidence
+    std::vector<std::int64_t> tiles{-1};  ///< tile that deferred each label
+    DeferredElevations elevations;
+
+  private:
+    void take(DrawnTile&& tile);
+    void number_deferred(double metres);
+
+    // No read-ahead, because tiles are read in turns and the cached pages would be evicted before use.
+    FileHandleCache files_{FileHandleCache::ReadAhead::none};  ///< file handles of the streams
+
+    std::vector<DeferredBuilding> deferred_buildings_;  ///< concatenated over tiles
+    std::vector<std::int64_t> deferred_by_;             ///< tile of each deferred_buildings_ entry
+    std::vector<DeferredContour> deferred_;  ///< concatenated over tiles, with labels and parents renumbered
+};
+
+/// Merges the streams of drawn contours of all tiles into one sequence ordered by key.
+class DrawnStreamMerger {
+  public:
+    /// @param streams by tile; all references must outlive this
+    /// @param parts null if features go into one dataset
+    /// @param spool for numbers that are not in memory
+    DrawnStreamMerger(std::vector<DrawnStream>& streams, FeatureWriter& writer, IdCollectorSink* parts,
+                      std::unique_ptr<Spool> spool);
+
+    /// Writes all contours before a key, or all remaining ones if there is no key. @throws InputError,
+    /// OutputError
+    void write_before(const std::optional<ContourKey>& end);
+    /// Returns the ids assigned so far, by tile.
+    [[nodiscard]] TileIds& numbers() { return numbers_; }
+
+  private:
+    using Next = std::pair<ContourKey, std::size_t>;
+    std::vector<DrawnStream>& streams_;
+    FeatureWriter& writer_;
+    IdCollectorSink* parts_;
+    TileIds numbers_;
+    std::priority_queue<Next, std::vector<Next>, std::greater<>> next_;
+};
+
+void DeferredElevations::add(const DeferredCells& cells) {
+    std::map<LatticePoint, ByteWriter> parts;
+    auto next = cells.elevations.begin();
+    for (const RowSpan& run : cells.runs)
+        for (std::int32_t begin = run.begin; begin < run.end;) {
+            const std::int32_t block_col = begin - begin % block_cols;
+            const RowSpan part{run.row, begin, std::min(run.end, block_col + block_cols)};
+            ByteWriter& writer = parts[{run.row - run.row % block_rows, block_col}];
+            writer.put(part);
+            for (; begin < part.end; ++begin)
+                writer.put(*next++);
+        }
+    for (const auto& [block, writer] : parts)
+        blocks_[block].push_back(append(*spool_, writer));
+}
+
+StackError DeferredElevations::error(const DrawnStack& stack, const Window& window,
+                                     const FixedPoint& fixed) const {
+    StackError error;
+    for (const auto& [first, entries] : blocks_) {
+        const std::int32_t row = std::max(first.row, window.row);
+        const std::int32_t col = std::max(first.col, window.col);
+        ElevationBand band{{row, std::min(first.row + block_rows, window.end_row()) - row,
+                            std::min(first.col + block_cols, window.end_col()) - col},
+                           {}};
+        if (band.shape.rows <= 0 || band.shape.cols <= 0)
+            continue;
+        band.elevations.assign(band.shape.size(), std::numeric_limits<double>::quiet_NaN());
+        for (const SpoolEntry& entry : entries) {
+            ByteReader reader(*spool_, entry);
+            while (reader.left() > 0) {
+                const auto run = reader.take<RowSpan>();
+                for (std::int32_t c = run.begin; c < run.end; ++c) {
+                    const auto z = reader.take<double>();
+                    if (window.holds(run.row, c))
+                        band.elevations[static_cast<std::size_t>(run.row - row) *
+                                            static_cast<std::size_t>(band.shape.cols) +
+                                        static_cast<std::size_t>(c - col)] = z;
+                }
+            }
+        }
+        error.merge(stack.error(band, col - window.col, fixed));
+    }
+    return error;
+}
+
+DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(context.make_spool()) {
+    for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
+        context.check_stop();
+        CheckpointFile file(run.file(TileStep::draw, i), run.seal(TileStep::draw, i), &files_);
+        std::vector<DrawnBlock> blocks;
+        DrawnTile tile = load_body(file, [&](ByteReader& reader) {
+            DrawnTile loaded = load_drawn_tile(reader);
+            blocks = reader.take_list<DrawnBlock>();
+            return loaded;
+        });
+        streams.emplace_back(std::move(file), std::move(blocks));
+        take(std::move(tile));
+    }
+    number_deferred(run.metres());
+    ContourMerger merger(context.make_spool());
+    for (const DeferredContour& contour : deferred_)
+        merger.add(contour.head, contour.stored);
+    left = merger.finish();
+    deferred_ = std::vector<DeferredContour>();  // = {} would keep the capacity
+}
+
+void DrawnTiles::take(DrawnTile&& tile) {
+    tally.merge(tile.tally);
+    levels = std::max(levels, static_cast<int>(tile.levels));
+    buildings += tile.buildings;
+    error.merge(tile.error);
+    elevations.add(tile.cells);
+    const auto labels = static_cast<Label>(deferred_buildings_.size());
+    const auto before = static_cast<std::int64_t>(deferred_.size());
+    deferred_buildings_.insert(deferred_buildings_.end(), tile.deferred_buildings.begin(),
+                               tile.deferred_buildings.end());
+    deferred_by_.resize(deferred_buildings_.size(), static_cast<std::int64_t>(streams.size()) - 1);
+    for (DeferredContour& contour : tile.left) {
+        contour.head.label += labels;
+        if (contour.head.parent >= 0)
+            contour.head.parent += before;
+        deferred_.push_back(std::move(contour));
+    }
+}
+
+/// Numbers buildings first, low-confidence candidates after them.
+void DrawnTiles::number_deferred(double metres) {
+    std::vector<Label> number(deferred_buildings_.size() + 1);
+    plan.footprints = true;
+    plan.thresholds = {{}};
+    for (const bool is_sure : {true, false}) {
+        for (std::size_t i = 0; i < deferred_buildings_.size(); ++i) {
+            const JoinedBuilding& facts = deferred_buildings_[i].facts;
+            if (facts.is_building != is_sure)
+                continue;
+            number[i + 1] = static_cast<Label>(footprints.size());
+            footprints.push_back(
+                {facts.ground / metres, facts.confidence, counter_evidence_name(facts.doubt), facts.parcel});
+            plan.thresholds.push_back(deferred_buildings_[i].thresholds);
+            tiles.push_back(deferred_by_[i]);
+        }
+        if (is_sure)
+            sure = static_cast<Label>(footprints.size() - 1);
+    }
+    for (DeferredContour& contour : deferred_)
+        contour.head.label = number[contour.head.label];
+}
+
+DrawnStreamMerger::DrawnStreamMerger(std::vector<DrawnStream>& streams, FeatureWriter& writer,
+                                     IdCollectorSink* parts, std::unique_ptr<Spool> spool)
+    : streams_(streams), writer_(writer), parts_(parts), numbers_(std::move(spool), streams.size()) {
+    for (std::size_t i = 0; i < streams.size(); ++i)
+        if (const auto key = streams[i].key())
+            next_.emplace(*key, i);
+}
+
+void DrawnStreamMerger::write_before(const std::optional<ContourKey>& end) {
+    while (!next_.empty() && (!end || next_.top().first < *end)) {
+        const auto [key, i] = next_.top();
+        next_.pop();
+        if (parts_ != nullptr)
+            parts_->set_tile(static_cast<std::int64_t>(i));
+        writer_.add(numbers_.of(i), 0, streams_[i].take());
+        const auto after = streams_[i].key();
+        if (after)
+            next_.emplace(*after, i);
+        if (!after || after->level != key.level)
+            numbers_.spool_level(i);
+    }
+}
+
 namespace {
 
 /// Writes all features, those of tiles and the deferred ones, in the order of keys.
 /// @param parts the sink if tiles write features into files of their own, otherwise null
 /// @return the ids of the contours that each tile has drawn
-TileNumbers write_all(const FeatureInput& input, const RecordMaker& records, DrawnTiles& drawn,
-                      FeatureSink& sink, PartNumbers* parts, Context& context) {
-    constexpr std::size_t piece = 64;  // contours per task
+TileIds write_all(const FeatureInput& input, const RecordBuilder& records, DrawnTiles& drawn,
+                  FeatureSink& sink, IdCollectorSink* parts, Context& context) {
+    constexpr std::size_t chunk_size = 64;  // contours per task
     FeatureWriter writer(input, records, sink, context);
     writer.begin();
-    DrawnSequence sequence(drawn.streams, writer, parts, context.make_spool());
-    GivenNumbers numbers;
+    DrawnStreamMerger sequence(drawn.streams, writer, parts, context.make_spool());
+    AssignedIds numbers;
     const std::size_t count = input.contours.size();
     context.threads->in_order(
-        (count + piece - 1) / piece,
+        (count + chunk_size - 1) / chunk_size,
         [&](std::size_t k, std::size_t thread) {
             std::vector<DrawnContour> all;
-            for (std::size_t i = k * piece; i < std::min(count, (k + 1) * piece); ++i)
+            for (std::size_t i = k * chunk_size; i < std::min(count, (k + 1) * chunk_size); ++i)
                 all.push_back(writer.drawer().draw(i, thread));
             return all;
         },
         [&](std::size_t k, std::vector<DrawnContour> all) {
             for (std::size_t i = 0; i < all.size(); ++i) {
                 sequence.write_before(all[i].key);
-                writer.number(numbers, all[i]);
+                writer.assign_ids(numbers, all[i]);
                 if (parts != nullptr) {
-                    parts->set_tile(drawn.tiles[input.contours.head(k * piece + i).label]);
-                    parts->keep_contour(all[i]);
+                    parts->set_tile(drawn.tiles[input.contours.head(k * chunk_size + i).label]);
+                    parts->add_deferred(all[i]);
                 }
-                writer.add_numbered(numbers, k * piece + i, std::move(all[i]));
+                writer.add_with_ids(numbers, k * chunk_size + i, std::move(all[i]));
             }
-            context.progress(static_cast<double>(k * piece) / static_cast<double>(count));
+            context.progress(static_cast<double>(k * chunk_size) / static_cast<double>(count));
         });
     sequence.write_before({});
     writer.finish();
@@ -53,7 +274,7 @@ TileNumbers write_all(const FeatureInput& input, const RecordMaker& records, Dra
 
 /// Checks the given terrain model. Each tile has seen only a part of it, so if any cell was outside the valid
 /// range, reads all of it again to issue the same warnings as an untiled run.
-void judge_terrain(TileRun& run, const FoundFacts& facts, FeatureSink& features) {
+void check_terrain_range(TileRun& run, const FoundFacts& facts, FeatureSink& features) {
     constexpr std::int32_t rows_at_once = 64;
     if (facts.terrain_outside == 0)
         return;
@@ -71,30 +292,30 @@ void judge_terrain(TileRun& run, const FoundFacts& facts, FeatureSink& features)
 }
 
 /// @throws Error
-void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts, CommitList& commit) {
+void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, CommitList& commit) {
     Context& context = run.context();
     RunReport& report = context.report;
     const RunSetup& setup = run.setup();
     const Options& options = setup.plan.asked;
-    const FoundFacts facts = tell_frame(run, features);
+    const FoundFacts facts = load_and_report_frame(run, features);
     const ElevationStatistics& statistics = facts.survey.statistics;
     const FixedPoint fixed = statistics.fixed_point();
     const LevelPlan global = plan_global_levels(statistics, options.levels, setup.plan.levels, context);
     report.merge(facts.tally);
-    judge_terrain(run, facts, features);
+    check_terrain_range(run, facts, features);
     DrawnTiles drawn(run, context);
     report.merge(drawn.tally);
     drawn.plan.minimum = global.minimum;
-    const RecordMaker records(*drawn.left, {drawn.plan, fixed, drawn.footprints, run.metres(),
-                                            lattice_frame(run.window(), setup.plan.trace)});
+    const RecordBuilder records(*drawn.left, {drawn.plan, fixed, drawn.footprints, run.metres(),
+                                              lattice_frame(run.window(), setup.plan.trace)});
     report_levels(drawn.plan, drawn.levels, report);
-    const SearchFacts search{facts.fit,
-                             facts.slope,
-                             facts.sides,
-                             facts.parcels,
-                             facts.sampling,
-                             facts.islands,
-                             share_outside(run.sources().terrain)};
+    const SearchStatistics search{facts.fit,
+                                  facts.slope,
+                                  facts.sides,
+                                  facts.parcels,
+                                  facts.sampling,
+                                  facts.islands,
+                                  share_outside(run.sources().terrain)};
     warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &search, context);
     const Outliner outliner = draw_outlines(*drawn.left, setup, context);
     const FeatureInput input =
@@ -104,7 +325,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts, Commit
                           error.merge(drawn.error);
                           return error;
                       });
-    const TileNumbers numbers = write_all(input, records, drawn, features, parts, context);
+    const TileIds numbers = write_all(input, records, drawn, features, parts, context);
     prepare_sinks({features}, commit, context);
     if (parts != nullptr) {
         parts->write(run, numbers, drawn.levels);
@@ -112,7 +333,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, PartNumbers* parts, Commit
     }
 }
 
-RunReport merge(TileRun& run, FeatureSink& features, PartNumbers* parts,
+RunReport merge(TileRun& run, FeatureSink& features, IdCollectorSink* parts,
                 const ReportReader<RunReport>& reader) {
     const auto warn = [&] { pass_warnings(run.sources(), {features}, run.context()); };
     CommitList commit;
@@ -133,7 +354,7 @@ RunReport merge(TileRun& run, FeatureSink& features, PartNumbers* parts,
         if (reader.show)
             reader.show(run.context().report);
     });
-    run.tidy(TileStep::draw);
+    run.remove_leftovers(TileStep::draw);
     return run.context().report;
 }
 
@@ -144,7 +365,7 @@ RunReport merge_tiles(TileRun& run, FeatureSink& features, const ReportReader<Ru
 }
 
 RunReport number_tiles(TileRun& run, const ReportReader<RunReport>& reader) {
-    PartNumbers parts(run.context().make_spool());
+    IdCollectorSink parts(run.context().make_spool());
     return merge(run, parts, &parts, reader);
 }
 

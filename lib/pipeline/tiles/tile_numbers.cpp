@@ -1,59 +1,111 @@
 #include "pipeline/tiles/tile_numbers.hpp"
 
 #include <span>
+#include <system_error>
 #include <utility>
+
+#include "tiles/drawn_tile.hpp"
 
 namespace d2b {
 
-TileNumbers::TileNumbers(std::unique_ptr<Spool> spool, std::size_t tiles)
-    : spool_(std::move(spool)), waiting_(tiles) {}
+TileIds::TileIds(std::unique_ptr<Spool> spool, std::size_t tiles)
+    : spool_(std::move(spool)), spooled_(tiles) {}
 
-GivenNumbers& TileNumbers::of(std::size_t tile) {
-    const auto [at, is_new] = at_hand_.try_emplace(tile);
-    GivenNumbers& numbers = at->second;
-    const Waiting& waiting = waiting_[tile];
-    if (is_new && !waiting.written.empty()) {
-        numbers.before = waiting.before;
-        read(waiting.written.back(), numbers.written);
-        read(waiting.buildings, numbers.buildings);
+AssignedIds& TileIds::of(std::size_t tile) {
+    const auto [at, is_new] = in_memory_.try_emplace(tile);
+    AssignedIds& numbers = at->second;
+    const SpooledIds& spooled = spooled_[tile];
+    if (is_new && !spooled.written.empty()) {
+        numbers.before = spooled.before;
+        read(spooled.written.back(), numbers.written);
+        read(spooled.buildings, numbers.buildings);
     }
     return numbers;
 }
 
-void TileNumbers::put_aside(std::size_t tile) {
-    const auto at = at_hand_.find(tile);
-    if (at == at_hand_.end())
+void TileIds::spool_level(std::size_t tile) {
+    const auto at = in_memory_.find(tile);
+    if (at == in_memory_.end())
         return;
-    const GivenNumbers& numbers = at->second;
-    Waiting& waiting = waiting_[tile];
+    const AssignedIds& numbers = at->second;
+    SpooledIds& spooled = spooled_[tile];
     // Buildings are contours of the first level.
-    if (waiting.written.empty())
-        waiting.buildings = append(numbers.buildings, 0);
-    waiting.written.push_back(
-        append(numbers.written, static_cast<std::size_t>(waiting.contours - numbers.before)));
-    waiting.before = waiting.contours;
-    waiting.contours = numbers.before + std::ssize(numbers.written);
-    at_hand_.erase(at);
+    if (spooled.written.empty())
+        spooled.buildings = append(numbers.buildings, 0);
+    spooled.written.push_back(
+        append(numbers.written, static_cast<std::size_t>(spooled.contours - numbers.before)));
+    spooled.before = spooled.contours;
+    spooled.contours = numbers.before + std::ssize(numbers.written);
+    in_memory_.erase(at);
 }
 
-GivenNumbers TileNumbers::all(std::size_t tile) const {
-    GivenNumbers numbers;
-    const Waiting& waiting = waiting_[tile];
-    for (const SpoolEntry& entry : waiting.written)
+AssignedIds TileIds::all(std::size_t tile) const {
+    AssignedIds numbers;
+    const SpooledIds& spooled = spooled_[tile];
+    for (const SpoolEntry& entry : spooled.written)
         read(entry, numbers.written);
-    read(waiting.buildings, numbers.buildings);
+    read(spooled.buildings, numbers.buildings);
     return numbers;
 }
 
-SpoolEntry TileNumbers::append(const std::vector<std::int64_t>& numbers, std::size_t from) {
+SpoolEntry TileIds::append(const std::vector<std::int64_t>& numbers, std::size_t from) {
     const auto bytes = std::as_bytes(std::span(numbers).subspan(from));
     return {spool_->append(bytes), bytes.size()};
 }
 
-void TileNumbers::read(const SpoolEntry& entry, std::vector<std::int64_t>& numbers) const {
+void TileIds::read(const SpoolEntry& entry, std::vector<std::int64_t>& numbers) const {
     const std::size_t before = numbers.size();
     numbers.resize(before + static_cast<std::size_t>(entry.size) / sizeof(std::int64_t));
     spool_->read(entry.begin, std::as_writable_bytes(std::span(numbers).subspan(before)));
+}
+
+void IdCollectorSink::begin(std::span<const LayerSpec> layers, const Provenance& /*provenance*/) {
+    whole_.layers.resize(layers.size());
+}
+
+void IdCollectorSink::add(std::size_t layer, const Feature& feature) {
+    whole_.layers[layer].add(tile_, feature.parts);
+}
+
+void IdCollectorSink::add_deferred(const DrawnContour& drawn) {
+    ByteWriter writer;
+    save(drawn, writer);
+    kept_[tile_].push_back(append(*spool_, writer));
+}
+
+void IdCollectorSink::write(const TileRun& run, const TileIds& numbers, int levels) {
+    CheckpointBatch files(run.folder(TileStep::merge));
+    for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
+        NumberedTile tile{numbers.all(static_cast<std::size_t>(i)), {}};
+        DrawnBlocks blocks;
+        if (const auto kept = kept_.find(i); kept != kept_.end())
+            for (const SpoolEntry& entry : kept->second) {
+                ByteReader reader(*spool_, entry);
+                blocks.add(load_drawn_contour(reader));
+            }
+        blocks.finish();
+        tile.left = blocks.blocks();
+        ByteWriter writer;
+        save(tile, writer);
+        files.write(run.file(TileStep::merge, i), run.seal(TileStep::merge, i), writer.bytes(),
+                    blocks.bytes());
+    }
+    files.finish();
+    whole_.levels = levels;
+    frame_ = run.frame_file(TileStep::merge);
+    seal_ = run.frame_seal(TileStep::merge);
+}
+
+void IdCollectorSink::show() {
+    ByteWriter writer;
+    save(whole_, writer);
+    write_checkpoint(frame_, seal_, writer.bytes());
+}
+
+std::string IdCollectorSink::roll_back() {
+    std::error_code error;
+    std::filesystem::remove(frame_, error);
+    return error ? "\"" + frame_.string() + "\" is there already" : "";
 }
 
 }  // namespace d2b

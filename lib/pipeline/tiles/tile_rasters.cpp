@@ -11,20 +11,20 @@
 #include "core/crs.hpp"
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/error.hpp"
-#include "pipeline/scene_raster_files.hpp"
-#include "write/raster_parts.hpp"
+#include "pipeline/auxiliary_files.hpp"
+#include "write/raster/geotiff.hpp"
 
 namespace d2b {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Asked {
+struct RasterOption {
     const char* option;
     const std::string& name;  ///< "" if not asked for
 };
 
-std::array<Asked, 3> asked(const Options& options) {
+std::array<RasterOption, 3> asked(const Options& options) {
     const WriteOptions& write = options.write;
     return {
         {{"-write_ground", write.ground}, {"-write_height", write.height}, {"-write_canopy", write.canopy}}};
@@ -95,7 +95,7 @@ bool has_rasters(const TileRun& run, std::int64_t tile) {
     return true;
 }
 
-SideSinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
+AuxiliarySinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
     const Options& options = run.setup().plan.asked;
     for (const auto& [option, name] : asked(options))
         make_folder(name);
@@ -109,7 +109,7 @@ SideSinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
         in_use);
 }
 
-void finish_tile_rasters(const TileRun& run, std::int64_t tile, SideSinks& sinks) {
+void finish_tile_rasters(const TileRun& run, std::int64_t tile, AuxiliarySinks& sinks) {
     const WriteOptions& write = run.setup().plan.asked.write;
     const std::array<std::pair<RasterSink*, const std::string&>, 3> rasters{
         {{sinks.ground.get(), write.ground},
@@ -129,7 +129,7 @@ void finish_tile_rasters(const TileRun& run, std::int64_t tile, SideSinks& sinks
         }
 }
 
-void show_rasters(const TileRun& run) {
+void publish_rasters(const TileRun& run) {
     const Window& window = run.window();
     CommitList commit;
     std::vector<std::unique_ptr<PendingResult>> files;

@@ -15,12 +15,12 @@ void require_raster_names(const Options& options);
 /// True if all requested files of a tile exist.
 [[nodiscard]] bool has_rasters(const TileRun& run, std::int64_t tile);
 /// Opens rasters of the tile's own cells; empty if none is asked for. @throws OutputError
-[[nodiscard]] SideSinks open_tile_rasters(const TileRun& run, std::int64_t tile);
+[[nodiscard]] AuxiliarySinks open_tile_rasters(const TileRun& run, std::int64_t tile);
 /// Publishes the rasters once all are complete. If another process was faster, its file is kept because it
 /// holds the same cells.
 /// @throws OutputError
-void finish_tile_rasters(const TileRun& run, std::int64_t tile, SideSinks& sinks);
+void finish_tile_rasters(const TileRun& run, std::int64_t tile, AuxiliarySinks& sinks);
 /// Publishes the VRTs once all tiles are written, all rasters or none. @throws InputError, OutputError
-void show_rasters(const TileRun& run);
+void publish_rasters(const TileRun& run);
 
 }  // namespace d2b

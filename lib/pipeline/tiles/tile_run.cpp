@@ -1,16 +1,105 @@
 #include "pipeline/tiles/tile_run.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
-#include "elevations/sift_rules.hpp"
+#include "elevations/filter_invalid.hpp"
 #include "pipeline/find_buildings.hpp"
+#include "pipeline/run_setup.hpp"
 
 namespace d2b {
+namespace {
 
-TileRun::TileRun(const TileWork& work, const Options& options, const Sources& sources, FeatureSink& features,
-                 const Callbacks& callbacks)
+/// Returns the first unit that ends beyond a row or column. Binary search, because ends ascend.
+template <typename EndOf>
+std::int32_t first_ending_after(std::int32_t place, std::int32_t count, const EndOf& end_of) {
+    std::int32_t first = 0;
+    while (first < count) {
+        const std::int32_t middle = std::midpoint(first, count);
+        if (end_of(middle) > place)
+            count = middle;
+        else
+            first = middle + 1;
+    }
+    return first;
+}
+
+}  // namespace
+
+TileGrid::TileGrid(const UnitGrid& units, std::int32_t side)
+    : units_(units),
+      side_(std::min(side, std::max(units.rows(), units.cols()))),
+      rows_((units.rows() - 1) / side_ + 1),
+      cols_((units.cols() - 1) / side_ + 1) {}
+
+std::vector<NumberedUnit> TileGrid::units_of(std::int64_t tile) const {
+    const auto first_row = static_cast<std::int32_t>(tile / cols_) * side_;
+    const auto first_col = static_cast<std::int32_t>(tile % cols_) * side_;
+    std::vector<NumberedUnit> all;
+    for (std::int32_t row = first_row; row < std::min(first_row + side_, units_.rows()); ++row)
+        for (std::int32_t col = first_col; col < std::min(first_col + side_, units_.cols()); ++col)
+            all.push_back(unit(std::int64_t{row} * units_.cols() + col));
+    return all;
+}
+
+std::int64_t TileGrid::tile_of(std::int64_t unit) const {
+    return unit / units_.cols() / side_ * cols_ + unit % units_.cols() / side_;
+}
+
+NumberedUnit TileGrid::unit(std::int64_t number) const {
+    return {number, units_.unit(static_cast<std::int32_t>(number / units_.cols()),
+                                static_cast<std::int32_t>(number % units_.cols()))};
+}
+
+std::vector<NumberedUnit> TileGrid::units_in(const Window& window) const {
+    const std::int32_t first_row = first_ending_after(
+        window.row, units_.rows(), [&](std::int32_t i) { return units_.unit(i, 0).own.end_row(); });
+    const std::int32_t first_col = first_ending_after(
+        window.col, units_.cols(), [&](std::int32_t i) { return units_.unit(0, i).own.end_col(); });
+    std::vector<NumberedUnit> all;
+    for (std::int32_t row = first_row; row < units_.rows(); ++row) {
+        for (std::int32_t col = first_col; col < units_.cols(); ++col) {
+            all.push_back(unit(std::int64_t{row} * units_.cols() + col));
+            if (all.back().unit.own.end_col() >= window.end_col())
+                break;
+        }
+        if (all.back().unit.own.end_row() >= window.end_row())
+            break;
+    }
+    return all;
+}
+
+Unit TileGrid::whole(std::int64_t tile) const {
+    Unit all;
+    for (const NumberedUnit& placed : units_of(tile))
+        all = {bounding_window(all.own, placed.unit.own), bounding_window(all.seen, placed.unit.seen)};
+    return all;
+}
+
+Window bounding_window(const Window& a, const Window& b) {
+    if (a.points() == 0 || b.points() == 0)
+        return a.points() == 0 ? b : a;
+    const std::int32_t row = std::min(a.row, b.row);
+    const std::int32_t col = std::min(a.col, b.col);
+    return {row, col, std::max(a.end_row(), b.end_row()) - row, std::max(a.end_col(), b.end_col()) - col};
+}
+
+bool meet(const Window& a, const Window& b) {
+    return a.row < b.end_row() && b.row < a.end_row() && a.col < b.end_col() && b.col < a.end_col();
+}
+
+Window expanded(const Window& window, std::int32_t rows, std::int32_t cols, const Window& within) {
+    const std::int32_t row = window.row - std::min(rows, window.row - within.row);
+    const std::int32_t col = window.col - std::min(cols, window.col - within.col);
+    return {row, col, window.end_row() + std::min(rows, within.end_row() - window.end_row()) - row,
+            window.end_col() + std::min(cols, within.end_col() - window.end_col()) - col};
+}
+
+TileRun::TileRun(const TileRunParameters& work, const Options& options, const Sources& sources,
+                 FeatureSink& features, const Callbacks& callbacks)
     : work_(work),
       sources_(sources),
       context_(callbacks),
@@ -20,41 +109,42 @@ TileRun::TileRun(const TileWork& work, const Options& options, const Sources& so
     if (!work_.undeclared)
         work_.undeclared =
             undeclared_values(sources.dem, setup_.plan.asked,
-                              d2b::sift_rules(setup_.plan.asked.read, false, setup_.dem, metres()),
+                              d2b::validity_rules(setup_.plan.asked.read, false, setup_.dem, metres()),
                               setup_.cell_m(), nullptr, context_);
 }
 
-SiftRules TileRun::sift_rules() const {
-    SiftRules rules =
-        d2b::sift_rules(setup_.plan.asked.read, setup_.plan.detects_buildings(), setup_.dem, metres());
+ValidityRules TileRun::validity_rules() const {
+    ValidityRules rules =
+        d2b::validity_rules(setup_.plan.asked.read, setup_.plan.detects_buildings(), setup_.dem, metres());
     rules.undeclared = undeclared().values();
     return rules;
 }
 
-FoundFacts TileRun::no_facts() const {
-    return FoundFacts(sift_rules(), setup_.plan.asked.detect.min_height);
+FoundFacts TileRun::empty_facts() const {
+    return FoundFacts(validity_rules(), setup_.plan.asked.detect.min_height);
 }
 
 std::filesystem::path TileRun::file(TileStep step, std::int64_t tile) const {
     return folder(step) / std::to_string(tile);
 }
 
-Seal TileRun::frame_seal(TileStep step) const {
+CheckpointId TileRun::frame_seal(TileStep step) const {
     return {step, work_.plan, std::numeric_limits<std::uint32_t>::max()};
 }
 
 FoundTile TileRun::load_found(std::int64_t tile) const {
     std::vector<Window> windows;
-    for (const PlacedUnit& placed : tiles_.units_of(tile))
+    for (const NumberedUnit& placed : tiles_.units_of(tile))
         windows.push_back(placed.unit.own);
-    SealedFile file(this->file(TileStep::find, tile), seal(TileStep::find, tile));
-    return load_body(file, [&](ByteReader& reader) { return load_found_tile(reader, no_facts(), windows); });
+    CheckpointFile file(this->file(TileStep::find, tile), seal(TileStep::find, tile));
+    return load_body(file,
+                     [&](ByteReader& reader) { return load_found_tile(reader, empty_facts(), windows); });
 }
 
 FoundFacts TileRun::load_frame() const {
-    SealedFile file(frame_file(), frame_seal());
+    CheckpointFile file(frame_file(), frame_seal());
     return load_body(file, [&](ByteReader& reader) {
-        FoundFacts facts = no_facts();
+        FoundFacts facts = empty_facts();
         facts.load(reader);
         return facts;
     });
@@ -72,7 +162,7 @@ std::vector<std::string> TileRun::take_warnings() const {
     return all;
 }
 
-void require_tiles(const Options& options) {
+void require_tileable(const Options& options) {
     const auto refuse = [](bool asked, const std::string& option, const std::string& what) {
         if (asked)
             throw OptionError(option + " does not work in tiles: " + what +
@@ -91,6 +181,32 @@ void require_tiles(const Options& options) {
     refuse(found && options.outline.simplify > 0, "-simplify",
            "borders are simplified that the whole shares");
     refuse(found && write.rejected, "-write_rejected", "what is dropped is kept in one run alone");
+}
+
+namespace {
+
+class EmptyContourList final : public ContourList {
+  public:
+    [[nodiscard]] std::size_t size() const override { return 0; }
+    [[nodiscard]] const ContourHead& head(std::size_t /*contour*/) const override { return none_; }
+    [[nodiscard]] Contour fetch(std::size_t /*contour*/) const override { return {}; }
+
+  private:
+    ContourHead none_;
+};
+
+}  // namespace
+
+LatticePoint draw_reach(const RunSetup& setup, Context& context) {
+    // One more cell, because contours run along cell borders or through cell centres depending on the trace
+    // mode.
+    const LatticePoint cells = outline_dependencies_of(EmptyContourList(), setup, context).cells;
+    return {cells.row + 1, cells.col + 1};
+}
+
+LatticePoint draw_margin(const RunSetup& setup, Context& context) {
+    const LatticePoint reach = draw_reach(setup, context);
+    return {reach.row + 1, reach.col + 1};
 }
 
 }  // namespace d2b

@@ -7,24 +7,67 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/undeclared_values.hpp"
+#include "core/invalid_elevations.hpp"
+#include "core/lattice.hpp"
 #include "dem2buildings/run.hpp"
-#include "elevations/sift.hpp"
+#include "detect/units.hpp"
+#include "elevations/filter_invalid.hpp"
 #include "pipeline/run_setup.hpp"
-#include "pipeline/tiles/tile_grid.hpp"
+#include "tiles/checkpoint_file.hpp"
 #include "tiles/found_tile.hpp"
-#include "tiles/sealed_file.hpp"
 
 namespace d2b {
 
+/// Unit with its row-major index.
+struct NumberedUnit {
+    std::int64_t number = 0;  ///< row-major
+    Unit unit;
+};
+
+/// Groups units into tiles, the portions of work of one process. The result does not depend on the tiles.
+/// Tiles are numbered row by row.
+class TileGrid {
+  public:
+    /// @param units must outlive this @param side rows and columns of units in a tile
+    TileGrid(const UnitGrid& units, std::int32_t side);
+
+    [[nodiscard]] std::int64_t count() const { return std::int64_t{rows_} * cols_; }
+    [[nodiscard]] std::int32_t rows() const { return rows_; }
+    [[nodiscard]] std::int32_t cols() const { return cols_; }
+    [[nodiscard]] const UnitGrid& units() const { return units_; }
+    /// Returns the units of a tile, row by row.
+    [[nodiscard]] std::vector<NumberedUnit> units_of(std::int64_t tile) const;
+    /// Returns the tile that contains a unit.
+    [[nodiscard]] std::int64_t tile_of(std::int64_t unit) const;
+    [[nodiscard]] NumberedUnit unit(std::int64_t number) const;
+    /// Returns the units with own cells in a window, row by row.
+    [[nodiscard]] std::vector<NumberedUnit> units_in(const Window& window) const;
+    /// Returns the union of all units of a tile.
+    [[nodiscard]] Unit whole(std::int64_t tile) const;
+
+  private:
+    const UnitGrid& units_;
+    std::int32_t side_;
+    std::int32_t rows_;
+    std::int32_t cols_;
+};
+
+/// Returns the bounding window of both; if one is empty, the other one.
+[[nodiscard]] Window bounding_window(const Window& a, const Window& b);
+/// True if the windows intersect.
+[[nodiscard]] bool meet(const Window& a, const Window& b);
+/// Expands a window by rows and columns on each side, clipped to `within`.
+[[nodiscard]] Window expanded(const Window& window, std::int32_t rows, std::int32_t cols,
+                              const Window& within);
+
 /// Parameters shared by all steps of a tiled run; constant over the run.
-struct TileWork {
+struct TileRunParameters {
     std::filesystem::path folder;
     std::uint64_t plan = 0;  ///< digest of the plan
     std::int32_t side = 1;   ///< rows and columns of units in a tile
     UnitSize units = {};
     /// Result of the plan step; nullopt if each step searches again.
-    std::optional<UndeclaredValues> undeclared = {};
+    std::optional<UndeclaredNodata> undeclared = {};
 };
 
 /// Environment of a step. It is set up the same way as an untiled run.
@@ -32,13 +75,13 @@ class TileRun {
   public:
     /// @param features is asked the same as in an untiled run before the work
     /// @throws OptionError, InputError, OutputError as in an untiled run
-    TileRun(const TileWork& work, const Options& options, const Sources& sources, FeatureSink& features,
-            const Callbacks& callbacks);
+    TileRun(const TileRunParameters& work, const Options& options, const Sources& sources,
+            FeatureSink& features, const Callbacks& callbacks);
     TileRun(const TileRun&) = delete;
     TileRun& operator=(const TileRun&) = delete;
     ~TileRun() = default;
 
-    [[nodiscard]] const TileWork& work() const { return work_; }
+    [[nodiscard]] const TileRunParameters& work() const { return work_; }
     [[nodiscard]] const Sources& sources() const { return sources_; }
     [[nodiscard]] const RunSetup& setup() const { return setup_; }
     [[nodiscard]] const TileGrid& tiles() const { return tiles_; }
@@ -46,23 +89,23 @@ class TileRun {
     [[nodiscard]] const Window& window() const { return setup_.dem.window; }
     [[nodiscard]] double metres() const { return context_.report.units.vertical_metres; }
     /// Values in the window that denote missing data without being declared as nodata.
-    [[nodiscard]] const UndeclaredValues& undeclared() const { return *work_.undeclared; }
-    [[nodiscard]] SiftRules sift_rules() const;
-    [[nodiscard]] FoundFacts no_facts() const;
+    [[nodiscard]] const UndeclaredNodata& undeclared() const { return *work_.undeclared; }
+    [[nodiscard]] ValidityRules validity_rules() const;
+    [[nodiscard]] FoundFacts empty_facts() const;
 
-    [[nodiscard]] Seal seal(TileStep step, std::int64_t tile) const {
+    [[nodiscard]] CheckpointId seal(TileStep step, std::int64_t tile) const {
         return {step, work_.plan, static_cast<std::uint32_t>(tile)};
     }
     /// Returns the folder that a step writes to.
     [[nodiscard]] std::filesystem::path folder(TileStep step) const { return work_.folder / step_name(step); }
     [[nodiscard]] std::filesystem::path file(TileStep step, std::int64_t tile) const;
     /// Removes files left by killed processes. Call only if all files of the step exist.
-    void tidy(TileStep step) const { remove_unfinished(folder(step)); }
+    void remove_leftovers(TileStep step) const { remove_unfinished(folder(step)); }
     /// Returns the file in which join or merge stores its results for the whole window.
     [[nodiscard]] std::filesystem::path frame_file(TileStep step = TileStep::join) const {
         return folder(step) / "frame";
     }
-    [[nodiscard]] Seal frame_seal(TileStep step = TileStep::join) const;
+    [[nodiscard]] CheckpointId frame_seal(TileStep step = TileStep::join) const;
     /// @throws InputError
     [[nodiscard]] FoundTile load_found(std::int64_t tile) const;
     [[nodiscard]] FoundFacts load_frame() const;
@@ -70,7 +113,7 @@ class TileRun {
     [[nodiscard]] std::vector<std::string> take_warnings() const;
 
   private:
-    TileWork work_;
+    TileRunParameters work_;
     Sources sources_;
     Context context_;
     RunSetup setup_;
@@ -92,6 +135,12 @@ class PlannedSink final : public FeatureSink {
 };
 
 /// @throws OptionError naming an option that does not work in tiles, and a remedy
-void require_tiles(const Options& options);
+void require_tileable(const Options& options);
+
+/// Returns the rows and columns around a building's cells within which its outline lies or another building
+/// affects it.
+[[nodiscard]] LatticePoint draw_reach(const RunSetup& setup, Context& context);
+/// Returns draw_reach() plus the border that is needed to filter elevations.
+[[nodiscard]] LatticePoint draw_margin(const RunSetup& setup, Context& context);
 
 }  // namespace d2b

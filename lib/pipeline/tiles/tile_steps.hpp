@@ -5,7 +5,7 @@
 
 #include "dem2buildings/commit_list.hpp"
 #include "pipeline/tiles/tile_run.hpp"
-#include "tiles/numbered_tile.hpp"
+#include "tiles/drawn_tile.hpp"
 
 namespace d2b {
 
@@ -39,6 +39,6 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features);
 /// Returns the totals of all layers in the order of the run's layers, or nullopt if a tile is not written
 /// yet.
 /// @param after a tile that is already written @throws InputError
-[[nodiscard]] std::optional<NumberedWhole> written_parts(const TileRun& run, std::int64_t after);
+[[nodiscard]] std::optional<NumberedWhole> written_totals(const TileRun& run, std::int64_t after);
 
 }  // namespace d2b

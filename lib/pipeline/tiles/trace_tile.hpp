@@ -2,9 +2,22 @@
 
 #include <cstdint>
 
+#include "levels/level_plan.hpp"
 #include "pipeline/tiles/tile_run.hpp"
+#include "trace/split_into_runs.hpp"
 
 namespace d2b {
+
+/// Global parameters of tracing without detection.
+struct TracedFrame {
+    LevelPlan plan;
+    TraceFrame frame;
+};
+/// @param facts of the whole window @param context counts dropped levels
+[[nodiscard]] TracedFrame traced_frame(const TileRun& run, const FoundFacts& facts, Context& context);
+
+/// Loads the results of join and issues the same warnings as an untiled run. @throws InputError
+[[nodiscard]] FoundFacts load_and_report_frame(TileRun& run, FeatureSink& features);
 
 // Tiled runs without detection. A contour may fill the whole window, so a tile stores only its part of the
 // scan lines, and the merge step traces them.

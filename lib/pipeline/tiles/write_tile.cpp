@@ -2,24 +2,24 @@
 #include <utility>
 
 #include "features/feature_writer.hpp"
-#include "features/target_frame.hpp"
-#include "filter/contour_shelf.hpp"
-#include "pipeline/feature_input.hpp"
+#include "features/reprojection.hpp"
+#include "filter/contour_archive.hpp"
 #include "pipeline/report_run.hpp"
+#include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
 namespace d2b {
 namespace {
 
 NumberedWhole load_whole(const TileRun& run) {
-    SealedFile file(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge));
+    CheckpointFile file(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge));
     return load_body(file,
                      [&](ByteReader& reader) { return load_numbered_whole(reader, run.tiles().count()); });
 }
 
 /// Opens the drawn contours of a tile, in the order of keys.
 DrawnStream drawn_stream(const TileRun& run, std::int64_t tile) {
-    SealedFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile));
+    CheckpointFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile));
     std::vector<DrawnBlock> blocks = load_body(file, [](ByteReader& reader) {
         (void)load_drawn_tile(reader);
         return reader.take_list<DrawnBlock>();
@@ -30,7 +30,7 @@ DrawnStream drawn_stream(const TileRun& run, std::int64_t tile) {
 /// Assigns the ids found by the merge step to the contours of a tile.
 class Numbering {
   public:
-    Numbering(const GivenNumbers& numbers, std::string damaged)
+    Numbering(const AssignedIds& numbers, std::string damaged)
         : numbers_(numbers), damaged_(std::move(damaged)) {}
 
     /// Numbers the next contour. Call in the order of drawing.
@@ -38,7 +38,7 @@ class Numbering {
         drawn.record.id = at(numbers_.written, next_++);
         drawn.record.parent_id = drawn.parent < 0 ? 0 : at(numbers_.written, drawn.parent);
         drawn.record.building_id =
-            drawn.building_place < 0 ? 0 : at(numbers_.buildings, drawn.building_place);
+            drawn.building_index < 0 ? 0 : at(numbers_.buildings, drawn.building_index);
         drawn.building_record.id = drawn.record.building_id;
     }
 
@@ -48,18 +48,18 @@ class Numbering {
             throw InputError(damaged_);
         return numbers[static_cast<std::size_t>(place)];
     }
-    const GivenNumbers& numbers_;
+    const AssignedIds& numbers_;
     std::string damaged_;
     std::int64_t next_ = 0;
 };
 
 void write_features(const TileRun& run, std::int64_t tile, FeatureWriter& writer) {
-    SealedFile file(run.file(TileStep::merge, tile), run.seal(TileStep::merge, tile));
+    CheckpointFile file(run.file(TileStep::merge, tile), run.seal(TileStep::merge, tile));
     NumberedTile numbered = load_body(file, [](ByteReader& reader) { return load_numbered_tile(reader); });
     Numbering numbering(numbered.numbers, file.damaged("it has not the numbers of all contours"));
     DrawnStream drawn = drawn_stream(run, tile);
     DrawnStream left(std::move(file), std::move(numbered.left));
-    GivenNumbers given;  // required by the interface, but not used afterwards
+    AssignedIds given;  // required by the interface, but not used afterwards
     for (std::size_t i = 0;; ++i) {
         const auto own = drawn.key();
         const auto other = left.key();
@@ -69,20 +69,20 @@ void write_features(const TileRun& run, std::int64_t tile, FeatureWriter& writer
         DrawnContour contour = is_own ? drawn.take() : left.take();
         if (is_own)
             numbering.number(contour);
-        writer.add_numbered(given, i, std::move(contour));
+        writer.add_with_ids(given, i, std::move(contour));
     }
 }
 
 }  // namespace
 
 bool are_numbered(const TileRun& run) {
-    return is_sealed(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge));
+    return checkpoint_exists(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge));
 }
 
 void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     const auto path = run.file(TileStep::write, tile);
-    const Seal seal = run.seal(TileStep::write, tile);
-    if (is_sealed(path, seal))
+    const CheckpointId seal = run.seal(TileStep::write, tile);
+    if (checkpoint_exists(path, seal))
         return;
     Context& context = run.context();
     const RunSetup& setup = run.setup();
@@ -94,9 +94,9 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     plan.footprints = true;
     plan.thresholds = {{}};
     report_levels(plan, load_whole(run).levels, context.report);
-    const std::unique_ptr<StoredContours> none = ContourShelf(context.make_spool()).finish();
+    const std::unique_ptr<StoredContours> none = ContourMerger(context.make_spool()).finish();
     const std::vector<Footprint> footprints{{}};
-    const RecordMaker records(
+    const RecordBuilder records(
         *none, {plan, fixed, footprints, run.metres(), lattice_frame(run.window(), setup.plan.trace)});
     const Outliner outliner = draw_outlines(*none, setup, context);
     const FeatureInput input =
@@ -107,14 +107,14 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     CommitList commit;
     prepare_sinks({features}, commit, context);
     commit.publish();
-    write_sealed(path, seal, {});
+    write_checkpoint(path, seal, {});
 }
 
-std::optional<NumberedWhole> written_parts(const TileRun& run, std::int64_t after) {
+std::optional<NumberedWhole> written_totals(const TileRun& run, std::int64_t after) {
     const std::int64_t count = run.tiles().count();
     for (std::int64_t i = 1; i <= count; ++i) {
         const std::int64_t tile = (after + i) % count;
-        if (!is_sealed(run.file(TileStep::write, tile), run.seal(TileStep::write, tile)))
+        if (!checkpoint_exists(run.file(TileStep::write, tile), run.seal(TileStep::write, tile)))
             return {};
     }
     return load_whole(run);

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/byte_stream.hpp"
+#include "dem2buildings/dem_source.hpp"
+
+namespace d2b {
+
+/// Valid range of elevations in any unit. Values outside it are not elevations. Holds every finite value by
+/// default.
+struct ElevationLimits {
+    double lowest = -std::numeric_limits<double>::max();
+    double highest = std::numeric_limits<double>::max();
+
+    /// Returns true if the elevation is in the range; false for NaN.
+    [[nodiscard]] bool hold(double elevation) const { return elevation >= lowest && elevation <= highest; }
+    /// Converts to another unit. @param factor new units per old unit
+    [[nodiscard]] ElevationLimits times(double factor) const { return {lowest * factor, highest * factor}; }
+};
+
+/// Metres. The lowest shore is that of the Dead Sea at -430 m, the highest summit 8,849 m; opencast mines may
+/// be some 300 m deep.
+inline constexpr ElevationLimits land_elevations{-500, 9000};
+
+/// Exact value and the number of cells that have it.
+struct SharedValue {
+    double value = 0;
+    std::int64_t cells = 0;
+};
+
+/// Counts the cells that have suspicious values, for a warning. A mergeable reduction with one count per
+/// value, as long as there are few values.
+class ValueCounts {
+  public:
+    /// @param value finite @param cells that have it
+    void add(double value, std::int64_t cells = 1);
+    void merge(const ValueCounts& other);
+
+    void save(ByteWriter& writer) const;
+    [[nodiscard]] static ValueCounts load(ByteReader& reader);
+
+    [[nodiscard]] std::int64_t cells() const { return cells_; }
+    /// Returns the most frequent value, the lowest one on ties; nothing if there are many values.
+    [[nodiscard]] std::optional<SharedValue> most() const;
+    /// Returns the number of cells with a value; nothing if there are many values.
+    [[nodiscard]] std::optional<std::int64_t> cells_of(double value) const;
+    /// Returns "12 cells of 'dem.tif' have the elevation -9999", or "have elevations from -32768 to -9999 (10
+    /// of them -9999)".
+    [[nodiscard]] std::string text(const std::string& raster) const;
+
+  private:
+    static constexpr std::size_t most_values = 32;
+
+    std::int64_t cells_ = 0;
+    double lowest_ = std::numeric_limits<double>::infinity();
+    double highest_ = -std::numeric_limits<double>::infinity();
+    bool many_ = false;
+    std::map<double, std::int64_t> counts_;  ///< empty if many_
+};
+
+/// Formats a value of a raster. Large ones that are exact as 32-bit floats get only the digits that a float
+/// needs.
+[[nodiscard]] std::string value_text(double value);
+
+/// Inverts scale and offset: returns the stored value of an elevation, rounded if it is nearly an integer.
+[[nodiscard]] double stored_value(double elevation, double scale, double offset);
+
+/// Returns "1 cell of 'dem.tif' has " or "12 cells of 'dem.tif' have ".
+[[nodiscard]] std::string cells_have(std::int64_t cells, const std::string& raster);
+
+/// Values that mark missing data without being declared as NoData: many cells share exactly this value, they
+/// reach the edge of the raster, and all neighbours differ by a step. Each comes with its number of cells in
+/// regions at the edge.
+struct UndeclaredNodata {
+    std::vector<SharedValue> taken;  ///< treated as NoData: at least a tenth of the cells
+    std::vector<SharedValue> named;  ///< at least a hundredth: kept as elevations, with a warning
+
+    [[nodiscard]] bool none() const { return taken.empty() && named.empty(); }
+    /// Returns the values that are treated as NoData.
+    [[nodiscard]] std::vector<double> values() const;
+};
+
+/// Outermost cells of a window; NaN if they are not valid.
+struct BorderCells {
+    std::vector<double> top;
+    std::vector<double> bottom;
+    std::vector<double> left;   ///< first row first
+    std::vector<double> right;  ///< first row first
+};
+
+/// Thresholds for detecting undeclared NoData.
+struct UndeclaredNodataRules {
+    /// Smallest step, in m, because a lower one is not a wall, and buildings do not rise that little above
+    /// their surroundings.
+    static constexpr double step_m = 2;
+
+    double step = step_m;  ///< smallest step in units of the values
+    /// Smallest breadth in cells of the regions that the value surrounds, which must be wider than buildings:
+    /// in a plain model with exactly equal elevations only the houses differ. 0 if nothing stands on the
+    /// surface.
+    double min_breadth = 0;
+};
+
+/// Returns the problem as a clause without a full stop: "12 cells of 'dem.tif' have the elevation 0, lie at
+/// its edge, and all around is at least 2 m higher or lower".
+[[nodiscard]] std::string undeclared_text(const SharedValue& value, const std::string& raster);
+
+/// Reads the values of a part of the window; NaN if not valid.
+using ReadValues = std::function<void(const Window&, std::span<double>)>;
+
+/// Reads the outermost cells of a window.
+[[nodiscard]] BorderCells read_border(const Window& window, const ReadValues& read);
+
+/// Returns values that may be undeclared NoData, judged by the border alone; most rasters have none. At most
+/// the eight most frequent ones.
+[[nodiscard]] std::vector<double> border_candidates(const BorderCells& border, double step);
+
+/// Reads the whole window, if the border has candidates, and checks them by the connected regions of their
+/// cells. @param border of the window
+[[nodiscard]] UndeclaredNodata find_undeclared_nodata(const Window& window, const BorderCells& border,
+                                                      const UndeclaredNodataRules& rules,
+                                                      const ReadValues& read);
+
+}  // namespace d2b

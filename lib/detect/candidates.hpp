@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/executor.hpp"
+#include "detect/detection.hpp"
+#include "detect/object_features.hpp"
+#include "detect/regions.hpp"
+#include "detect/scene.hpp"
+#include "detect/smoothness.hpp"
+
+namespace d2b {
+
+/// Removes border cells that are less than half as high as the inner cells within two cells. A wall crosses
+/// them, and in a blurred raster it stands at the points of half its height. Objects without inner cells keep
+/// their border.
+/// @param cells cells of objects; changed
+void remove_blurred_edge(const Scene& scene, Mask& cells, Executor& threads);
+
+/// Candidate objects with their features and classification.
+struct Candidates {
+    Regions regions;
+    std::vector<DetectedObject> objects;   ///< by label - 1
+    std::vector<ObjectFeatures> features;  ///< features by label - 1
+    RejectedObjects rejected;
+};
+
+/// Properties of cells that do not depend on objects. Reused by later passes over a scene.
+struct SceneCells {
+    Mask elevated;
+    std::vector<std::uint8_t> tall_rows;         ///< 1 for rows with cells taller than trees
+    Grid<std::uint8_t> flags;                    ///< result of smoothness() ...
+    std::optional<SmoothnessThresholds> limits;  ///< ... with these limits; nullopt if not computed yet
+};
+[[nodiscard]] SceneCells scene_cells(const Scene& scene, const DetectOptions& options, Executor& threads);
+
+/// Estimates the noise of the surface and the share of filled cells, before any detection.
+[[nodiscard]] SurfaceQuality surface_quality(const Scene& scene, SceneCells& cells, Executor& threads);
+
+/// Treatment of crowns that touch walls, see remove_attached_crowns().
+enum class CrownTreatment { cut_off, keep };
+
+/// Finds elevated objects with smooth segments and classifies them.
+/// @param cells cells of the scene; their flags are updated for the quality
+/// @param min_area_m2 smaller objects are dropped
+[[nodiscard]] Candidates find_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
+                                         const SurfaceQuality& quality, Executor& threads,
+                                         CrownTreatment crowns = CrownTreatment::cut_off);
+
+}  // namespace d2b

@@ -1,0 +1,254 @@
+#include "detect/detection_passes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/grid.hpp"
+#include "detect/classify.hpp"
+#include "detect/priors.hpp"
+#include "detect/regions.hpp"
+
+namespace d2b {
+
+std::vector<bool> max_weight_antichain(std::span<const NestedCandidate> candidates) {
+    std::vector<double> within(candidates.size(), 0);  // best sum of the candidates inside each
+    std::vector<bool> chosen(candidates.size(), false);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        chosen[i] = candidates[i].gain > within[i];  // and thus above 0, because an empty choice is allowed
+        if (candidates[i].parent != NestedCandidate::nothing)
+            within[candidates[i].parent] += std::max(candidates[i].gain, within[i]);
+    }
+    std::vector<bool> covered(candidates.size(), false);
+    for (std::size_t i = candidates.size(); i-- > 0;) {
+        const std::size_t parent = candidates[i].parent;
+        covered[i] = parent != NestedCandidate::nothing && (covered[parent] || chosen[parent]);
+        if (covered[i])
+            chosen[i] = false;
+    }
+    return chosen;
+}
+
+namespace {
+
+/// Chosen objects of a pass, by label.
+using Chosen = std::vector<std::uint8_t>;
+
+/// Gain of choosing an object.
+double gain_of(const DetectedObject& object) {
+    constexpr double surest = 0.999;  // confidences are clamped to this
+    const double log_odds = std::log(odds(std::clamp(object.confidence, 1 - surest, surest)));
+    return static_cast<double>(object.cells) * log_odds;
+}
+
+std::vector<Chosen> choose(std::span<const Candidates> passes) {
+    std::vector<NestedCandidate> candidates;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        const std::vector<DetectedObject>& objects = passes[i].objects;
+        const std::size_t next = candidates.size() + objects.size();
+        std::vector<Label> parent(objects.size() + 1, 0);
+        if (i + 1 < passes.size())
+            parent = containing_regions(passes[i].regions, passes[i + 1].regions);
+        for (std::size_t k = 0; k < objects.size(); ++k)
+            candidates.push_back({gain_of(objects[k]),
+                                  parent[k + 1] == 0 ? NestedCandidate::nothing : next + parent[k + 1] - 1});
+    }
+    const std::vector<bool> best = max_weight_antichain(candidates);
+    std::vector<Chosen> chosen;
+    auto next = best.begin();
+    for (const Candidates& pass : passes) {
+        chosen.emplace_back(pass.objects.size() + 1);
+        for (std::size_t k = 1; k < chosen.back().size(); ++k)
+            chosen.back()[k] = *next++ ? 1 : 0;
+    }
+    return chosen;
+}
+
+void paint(const Regions& regions, const Chosen& chosen, Mask& cells, Executor& threads) {
+    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (const RegionRun& run : regions.row(r))
+                if (chosen[run.label] != 0)
+                    std::fill(cells.row(r).begin() + run.begin, cells.row(r).begin() + run.end,
+                              std::uint8_t{1});
+    });
+}
+
+/// True if a mask has a set cell in columns [begin, end) of a row. Both may exceed the grid.
+bool any(const Mask& mask, std::int32_t row, std::int32_t begin, std::int32_t end) {
+    if (row < 0 || row >= mask.rows)
+        return false;
+    const auto cells = mask.row(row);
+    const auto last = cells.begin() + std::min(end, mask.cols);
+    return std::find(cells.begin() + std::max(begin, 0), last, 1) != last;
+}
+
+/// Also chooses objects that neither overlap nor touch a mask.
+void keep_separate(const Mask& taken, const Regions& regions, Chosen& chosen) {
+    Chosen apart(chosen.size(), 1);
+    for (std::int32_t r = 0; r < regions.rows; ++r)
+        for (const RegionRun& run : regions.row(r))
+            if (any(taken, r, run.begin - 1, run.end + 1) || any(taken, r - 1, run.begin, run.end) ||
+                any(taken, r + 1, run.begin, run.end))
+                apart[run.label] = 0;
+    for (std::size_t label = 1; label < chosen.size(); ++label)
+        chosen[label] |= apart[label];
+}
+
+/// Merges the chosen objects.
+/// @param cells cells of the chosen objects. Each connected part inherits the classification of the chosen
+/// object with most cells in it; the strictest pass wins ties, then the first object
+Candidates merge_selected(std::span<const Candidates> passes, const std::vector<Chosen>& chosen,
+                          const Mask& cells, Executor& threads) {
+    Candidates result;
+    result.regions = connected_regions(cells, 1, 0, threads);
+    const std::size_t count = result.regions.cells.size() - 1;
+    result.objects.resize(count);
+    result.features.resize(count);
+    std::vector<std::int64_t> most(count, 0);
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        for (const RegionOverlap& overlap : region_overlaps(result.regions, passes[i].regions)) {
+            const std::size_t part = overlap.one - 1;
+            if (chosen[i][overlap.other] == 0 || overlap.cells <= most[part])
+                continue;
+            most[part] = overlap.cells;
+            result.objects[part] = passes[i].objects[overlap.other - 1];
+            result.features[part] = passes[i].features[overlap.other - 1];
+        }
+    for (std::size_t part = 0; part < count; ++part)
+        result.objects[part].cells = result.regions.cells[part + 1];
+    return result;
+}
+
+RejectedObjects still_rejected(RejectedObjects rejected, const Mask& cells) {
+    const auto is_in = [&](FirstCell cell) { return cells.at(cell.row, cell.col) != 0; };
+    std::erase_if(rejected.small, is_in);
+    std::erase_if(rejected.crowns, [&](const CutCrown& crown) { return is_in(crown.first); });
+    return rejected;
+}
+
+}  // namespace
+
+Candidates select_candidates(std::span<const Candidates> passes, std::size_t usual, Executor& threads) {
+    std::vector<Chosen> chosen = choose(passes);
+    const Regions& shape = passes[usual].regions;
+    Mask taken(shape.rows, shape.cols, 0, threads);
+    for (std::size_t i = 0; i < passes.size(); ++i)
+        paint(passes[i].regions, chosen[i], taken, threads);
+    keep_separate(taken, shape, chosen[usual]);
+    paint(shape, chosen[usual], taken, threads);
+    Candidates result = merge_selected(passes, chosen, taken, threads);
+    result.rejected = still_rejected(passes[usual].rejected, taken);
+    return result;
+}
+
+namespace {
+
+// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
+// docs/accuracy.md.
+constexpr double min_filled_for_multi_threshold = 0.06;
+constexpr double min_side_for_multi_threshold_m =
+    1.9;  // map cells of 2 m may be slightly smaller on the ground
+constexpr std::array<double, 4> factors{0.5, 0.7, 1, 1.4};
+constexpr std::size_t regular_pass = 2;
+constexpr double wide_pass_penalty = 1.1;  // penalty on the log-odds
+
+Candidates found_at(double factor, const Scene& scene, SceneCells& cells, double min_area_m2,
+                    SurfaceQuality quality, Executor& threads) {
+    quality.threshold_scale *= factor;
+    quality.margin_scale *= factor;
+    Candidates judged = find_candidates(scene, cells, min_area_m2, quality, threads);
+    if (factor > 1)
+        for (DetectedObject& object : judged.objects)
+            object.confidence = less_sure(object.confidence, wide_pass_penalty);
+    return judged;
+}
+
+}  // namespace
+
+bool needs_multi_threshold(double side, double filled) {
+    return filled > min_filled_for_multi_threshold || side > min_side_for_multi_threshold_m;
+}
+
+Candidates multi_threshold_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
+                                      const SurfaceQuality& quality, Candidates usual, Executor& threads) {
+    std::array<Candidates, factors.size()> passes;
+    passes[regular_pass] = std::move(usual);
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        if (i != regular_pass)
+            passes[i] = found_at(factors[i], scene, cells, min_area_m2, quality, threads);
+    return select_candidates(passes, regular_pass, threads);
+}
+
+namespace {
+
+// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
+// docs/accuracy.md.
+constexpr double least_filled = 0.1;
+constexpr double margin_scale = 3;
+constexpr double log_odds_penalty = 0.8;  // penalty on the log-odds
+
+/// Clears the cells of regions and their eight neighbours.
+void clear_with_border(const Regions& regions, Mask& cells, Executor& threads) {
+    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y)
+                for (const RegionRun& run : regions.row(y))
+                    std::fill(cells.row(r).begin() + std::max(run.begin - 1, 0),
+                              cells.row(r).begin() + std::min(run.end + 1, cells.cols), std::uint8_t{0});
+    });
+}
+
+/// Returns the run that contains a column, or null.
+const RegionRun* run_at(std::span<const RegionRun> row, std::int32_t col) {
+    const auto run =
+        std::ranges::partition_point(row, [&](const RegionRun& before) { return before.end <= col; });
+    return run != row.end() && run->begin <= col ? &*run : nullptr;
+}
+
+}  // namespace
+
+bool needs_relaxed_pass(double filled) {
+    return filled > least_filled;
+}
+
+Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m2, SurfaceQuality quality,
+                        const Regions& found, Executor& threads) {
+    clear_with_border(found, cells.elevated, threads);
+    quality.margin_scale = margin_scale;
+    Candidates judged = find_candidates(scene, cells, min_area_m2, quality, threads);
+    judged.rejected.small.clear();
+    for (DetectedObject& object : judged.objects)
+        if (is_ambiguous(object))
+            object.confidence = less_sure(object.confidence, log_odds_penalty);
+    return judged;
+}
+
+Candidates merge_candidates(Candidates one, const Candidates& other, Executor& threads) {
+    Mask cells = mask_of(one.regions, threads);
+    for (std::int32_t r = 0; r < cells.rows; ++r)
+        for (const RegionRun& run : other.regions.row(r))
+            std::fill(cells.row(r).begin() + run.begin, cells.row(r).begin() + run.end, std::uint8_t{1});
+    Candidates both;
+    both.regions = connected_regions(cells, 1, 0, threads);
+    // Regions are numbered in the order of their first cells.
+    for (std::int32_t r = 0; r < cells.rows; ++r)
+        for (const RegionRun& run : both.regions.row(r))
+            if (run.label > both.objects.size()) {
+                const Candidates& source = run_at(one.regions.row(r), run.begin) != nullptr ? one : other;
+                const Label label = run_at(source.regions.row(r), run.begin)->label;
+                both.objects.push_back(source.objects[label - 1]);
+                both.features.push_back(source.features[label - 1]);
+            }
+    both.rejected = std::move(one.rejected);
+    both.rejected.crowns.insert(both.rejected.crowns.end(), other.rejected.crowns.begin(),
+                                other.rejected.crowns.end());
+    return both;
+}
+
+}  // namespace d2b

@@ -1,0 +1,215 @@
+#include "detect/threshold_scale.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "core/grid.hpp"
+#include "detect/morphology.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::int32_t near = 1;  // cells
+constexpr std::int32_t far = 3;
+
+/// Sums over all border cells in mm.
+struct Falls {
+    std::int64_t within_near = 0;
+    std::int64_t within_far = 0;
+
+    void merge(const Falls& other) {
+        within_near += other.within_near;
+        within_far += other.within_far;
+    }
+};
+
+bool has_free_side(const Mask& cells, std::int32_t r, std::int32_t c) {
+    return cells.at(r - 1, c) == 0 || cells.at(r + 1, c) == 0 || cells.at(r, c - 1) == 0 ||
+           cells.at(r, c + 1) == 0;
+}
+
+/// Returns the fall in mm to the lowest cell within a square. Cells without data are ignored.
+std::int64_t fall(const MetreGrid& surface, std::int32_t r, std::int32_t c, std::int32_t reach) {
+    const float here = surface.at(r, c);
+    float lowest = here;
+    for (std::int32_t y = std::max(r - reach, 0); y <= std::min(r + reach, surface.rows - 1); ++y)
+        for (std::int32_t x = std::max(c - reach, 0); x <= std::min(c + reach, surface.cols - 1); ++x)
+            lowest = std::min(lowest, surface.at(y, x));  // unchanged if the other one is NaN
+    return std::llround(1000 * static_cast<double>(here - lowest));
+}
+
+}  // namespace
+
+double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& threads) {
+    const auto add_band = [&](RowBand band, Falls& falls) {
+        for (std::int32_t r = std::max(band.begin, 1); r < std::min(band.end, objects.rows - 1); ++r)
+            for (std::int32_t c = 1; c + 1 < objects.cols; ++c)
+                if (objects.at(r, c) != 0 && has_free_side(objects, r, c) && !std::isnan(surface.at(r, c))) {
+                    falls.within_near += fall(surface, r, c, near);
+                    falls.within_far += fall(surface, r, c, far);
+                }
+    };
+    const Falls all = reduce_row_bands(threads, objects.rows, objects.cols, Falls(), add_band);
+    return all.within_far > 0 ? static_cast<double>(all.within_near) / static_cast<double>(all.within_far)
+                              : 1;
+}
+
+namespace {
+
+constexpr std::int32_t square_cells = 1024;
+constexpr std::size_t most_samples = 4;
+
+struct Square {
+    std::int32_t row;
+    std::int32_t col;
+    std::int32_t rows;
+    std::int32_t cols;
+    std::int64_t roofs;  ///< cells
+};
+
+template <typename T>
+Grid<T> cut(const Grid<T>& grid, const Square& square, Executor& threads) {
+    auto part = Grid<T>::unset(square.rows, square.cols, threads);
+    for (std::int32_t r = 0; r < square.rows; ++r)
+        std::copy_n(grid.row(square.row + r).begin() + square.col, square.cols, part.row(r).begin());
+    return part;
+}
+
+template <typename T>
+std::optional<Grid<T>> cut(const Grid<T>* grid, const Square& square, Executor& threads) {
+    return grid != nullptr ? std::optional(cut(*grid, square, threads)) : std::nullopt;
+}
+
+std::int64_t roofs_in(const Mask& roofs, const Square& square) {
+    std::int64_t cells = 0;
+    for (std::int32_t r = square.row; r < square.row + square.rows; ++r) {
+        const auto begin = roofs.row(r).begin() + square.col;
+        cells = std::accumulate(begin, begin + square.cols, cells);
+    }
+    return cells;
+}
+
+std::vector<Square> squares_of(const Mask& roofs) {
+    std::vector<Square> squares;
+    for (std::int32_t r = 0; r < roofs.rows; r += square_cells)
+        for (std::int32_t c = 0; c < roofs.cols; c += square_cells) {
+            Square square{r, c, std::min(square_cells, roofs.rows - r),
+                          std::min(square_cells, roofs.cols - c), 0};
+            square.roofs = roofs_in(roofs, square);
+            if (square.roofs > 0)
+                squares.push_back(square);
+        }
+    return squares;
+}
+
+}  // namespace
+
+std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs, Executor& threads) {
+    std::vector<Square> squares = squares_of(roofs);
+    std::stable_sort(squares.begin(), squares.end(),
+                     [](const Square& a, const Square& b) { return a.roofs > b.roofs; });
+    squares.resize(std::min(squares.size(), most_samples));
+    std::vector<RoofSample> samples(squares.size());
+    threads.for_each(squares.size(), [&](std::size_t i) {
+        const Square& square = squares[i];
+        samples[i] = {cut(scene.surface, square, threads),
+                      cut(scene.terrain, square, threads),
+                      scene.cell,
+                      cut(scene.allowed, square, threads),
+                      cut(scene.greenness, square, threads),
+                      cut(roofs, square, threads)};
+    });
+    return samples;
+}
+
+namespace {
+
+constexpr double surely_roof = 0.95;
+constexpr double likely_roof = 0.5;
+constexpr double inside_m = 3;
+constexpr std::int64_t fewest_roofs = 2000;  // cells
+// Laser scans with cells of 0.5 to 2.5 m have 0.7 to 1; the town of docs/accuracy.md as seen by satellites
+// has 0.5.
+constexpr double least_sharp = 0.6;
+constexpr std::array<double, 4> stricter{0.9, 0.8, 0.7, 0.6};
+constexpr std::int64_t most_lost = 5;  // per thousand
+
+/// Returns the cells of the objects with a property.
+/// @param has has(i): true if object i has it
+template <typename Has>
+Mask cells_of(const Candidates& judged, const Has& has, Executor& threads) {
+    Mask cells(judged.regions.rows, judged.regions.cols, 0, threads);
+    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (const RegionRun& run : judged.regions.row(r))
+                if (has(run.label - 1))
+                    std::fill(cells.row(r).begin() + run.begin, cells.row(r).begin() + run.end,
+                              std::uint8_t{1});
+    });
+    return cells;
+}
+
+/// Returns roofs that are certain even without their right angles, because the surface alone has to show its
+/// smoothness.
+Mask sure_roofs(const Candidates& judged, double filled, Executor& threads) {
+    const auto is_sure = [&](std::size_t i) {
+        ObjectFeatures without = judged.features[i];
+        without.right_angles = neutral_right_angles;
+        return judged.objects[i].confidence > surely_roof &&
+               classify(without, filled).confidence > surely_roof;
+    };
+    return cells_of(judged, is_sure, threads);
+}
+
+Mask likely_roofs(const Candidates& judged, Executor& threads) {
+    return cells_of(
+        judged, [&](std::size_t i) { return judged.objects[i].confidence > likely_roof; }, threads);
+}
+
+std::int64_t common_cells(const Mask& a, const Mask& b) {
+    return std::inner_product(a.values.begin(), a.values.end(), b.values.begin(), std::int64_t{0});
+}
+
+}  // namespace
+
+std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectOptions& options,
+                                               double min_area_m2, const SurfaceQuality& quality,
+                                               const Candidates& first, Executor& threads) {
+    const Mask buildings = sure_roofs(first, quality.uninformative_share(), threads);
+    if (step_sharpness(scene.surface, buildings, threads) < least_sharp)
+        return std::nullopt;
+    const std::vector<RoofSample> samples =
+        roof_samples(scene, erode(buildings, inside_m, scene.cell, threads), threads);
+    std::vector<SceneCells> sample_cells;
+    sample_cells.reserve(samples.size());
+    for (const RoofSample& sample : samples)
+        sample_cells.push_back(scene_cells(sample.scene(), options, threads));
+    const auto roofs_found = [&](double factor) {
+        SurfaceQuality stricter_quality = quality;
+        stricter_quality.threshold_scale = factor;
+        std::int64_t cells = 0;
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const Candidates judged = find_candidates(samples[i].scene(), sample_cells[i], min_area_m2,
+                                                      stricter_quality, threads, CrownTreatment::keep);
+            cells += common_cells(samples[i].roofs, likely_roofs(judged, threads));
+        }
+        return cells;
+    };
+    // Reference count at the unchanged thresholds, because objects cut by the border of a sample may not be
+    // found at all.
+    const std::int64_t all = roofs_found(1);
+    if (all < fewest_roofs)
+        return std::nullopt;
+    // Binary search: wider thresholds find every cell that stricter ones do.
+    const auto first_too_strict = std::partition_point(stricter.begin(), stricter.end(), [&](double root) {
+        return 1000 * roofs_found(root * root) >= (1000 - most_lost) * all;
+    });
+    return first_too_strict == stricter.begin() ? 1 : *(first_too_strict - 1);
+}
+
+}  // namespace d2b

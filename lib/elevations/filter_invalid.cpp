@@ -1,0 +1,301 @@
+#include "elevations/filter_invalid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <span>
+
+namespace d2b {
+namespace {
+
+/// Returns the higher neighbour of a column in a row; -infinity if neither is valid.
+double beside(std::span<const double> row, std::size_t col) {
+    double highest = -std::numeric_limits<double>::infinity();
+    if (col > 0 && row[col - 1] > highest)
+        highest = row[col - 1];
+    if (col + 1 < row.size() && row[col + 1] > highest)
+        highest = row[col + 1];
+    return highest;
+}
+
+}  // namespace
+
+void Spike::see(std::span<const double> other) {
+    const auto at = static_cast<std::size_t>(col);
+    around = std::max(around, beside(other, at));
+    if (other[at] > around)
+        around = other[at];
+}
+
+std::vector<Spike> find_spikes(const ElevationBand& band, std::span<const ColumnRun> steep,
+                               const SpikeRules& rules) {
+    std::vector<Spike> spikes;
+    for (const ColumnRun& stretch : steep) {
+        const std::span<const double> row = band.row(stretch.row);
+        for (std::int32_t col = stretch.begin; col < stretch.end; ++col) {
+            const auto at = static_cast<std::size_t>(col);
+            Spike spike{stretch.row, col, row[at], beside(row, at)};
+            if (!spike.above(rules.not_roof_above))  // also for NaN
+                continue;
+            if (stretch.row > 0)
+                spike.see(band.row(stretch.row - 1));
+            if (stretch.row + 1 < band.shape.rows)
+                spike.see(band.row(stretch.row + 1));
+            if (spike.above(rules.not_roof_above))
+                spikes.push_back(spike);
+        }
+    }
+    return spikes;
+}
+
+std::vector<Spike> SpikeSeams::add(const ElevationBand& band, std::vector<Spike> spikes) {
+    for (Spike& spike : waiting_)
+        if (spike.row == last_)
+            spike.see(band.row(0));
+    for (Spike& spike : spikes)
+        if (spike.row == 0 && !last_row_.empty())
+            spike.see(last_row_);
+    last_ = band.shape.rows - 1;
+    last_row_.assign(band.row(last_).begin(), band.row(last_).end());
+    return std::exchange(waiting_, std::move(spikes));
+}
+
+namespace {
+
+constexpr double bins_apart = 2;  // bins per distance that isolates a value
+constexpr double most_bins = 4096;
+
+}  // namespace
+
+ValueBins::ValueBins(const ElevationLimits& limits, double metres)
+    : lowest_(limits.lowest), apart_(apart_m / metres), bins_a_unit_(bins_apart / apart_) {
+    const double bins = (limits.highest - limits.lowest) * bins_a_unit_;
+    if (bins < most_bins)
+        bins_.resize(static_cast<std::size_t>(bins) + 1);
+}
+
+void ValueBins::add(double value, std::int64_t cells) {
+    const auto at = static_cast<std::size_t>((value - lowest_) * bins_a_unit_);
+    Bin& bin = bins_[std::min(at, bins_.size() - 1)];
+    bin.cells += cells;
+    bin.lowest = std::min(bin.lowest, value);
+    bin.highest = std::max(bin.highest, value);
+}
+
+void ValueBins::load(ByteReader& reader) {
+    const auto bins = reader.take_list<Bin>();
+    if (bins.size() != bins_.size())
+        throw CorruptRecord("it is of other limits");
+    bins_ = bins;
+}
+
+void ValueBins::merge(const ValueBins& other) {
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+        bins_[i].cells += other.bins_[i].cells;
+        bins_[i].lowest = std::min(bins_[i].lowest, other.bins_[i].lowest);
+        bins_[i].highest = std::max(bins_[i].highest, other.bins_[i].highest);
+    }
+}
+
+std::vector<SharedValue> ValueBins::shared(std::int64_t cells) const {
+    constexpr std::int64_t fewest = 10;
+    constexpr std::int64_t least_share = 1000;  // one in this many
+    std::vector<Bin> some;
+    std::ranges::copy_if(bins_, std::back_inserter(some), [](const Bin& bin) { return bin.cells > 0; });
+    std::vector<SharedValue> shared;
+    for (std::size_t i = 0; i < some.size() && some.size() > 1; ++i) {
+        const Bin& bin = some[i];
+        const bool alone = bin.lowest == bin.highest &&
+                           (i == 0 || bin.lowest - some[i - 1].highest > apart_) &&
+                           (i + 1 == some.size() || some[i + 1].lowest - bin.highest > apart_);
+        if (alone && bin.cells >= fewest && bin.cells >= (cells + least_share - 1) / least_share)
+            shared.push_back({bin.lowest, bin.cells});
+    }
+    return shared;
+}
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
+
+struct Extremes {
+    double lowest = infinity;
+    double highest = -infinity;
+    std::size_t known = 0;
+};
+
+/// Returns the range of values that are not NaN. Uses lanes, so that the loop vectorises.
+Extremes extremes_of(std::span<const double> values) {
+    constexpr std::size_t lanes = 4;
+    std::array<double, lanes> lowest{infinity, infinity, infinity, infinity};
+    std::array<double, lanes> highest{-infinity, -infinity, -infinity, -infinity};
+    std::array<double, lanes> known{};
+    const auto update = [&](std::size_t i, std::size_t lane) {
+        const double z = values[i];
+        lowest[lane] = z < lowest[lane] ? z : lowest[lane];
+        highest[lane] = z > highest[lane] ? z : highest[lane];
+        known[lane] += z == z ? 1.0 : 0.0;
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= values.size(); i += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            update(i + lane, lane);
+    for (; i < values.size(); ++i)
+        update(i, 0);
+    return {std::ranges::min(lowest), std::ranges::max(highest),
+            static_cast<std::size_t>(known[0] + known[1] + known[2] + known[3])};
+}
+
+void remove_outside(std::span<double> values, const ElevationLimits& limits, ValueCounts& outside) {
+    for (double& z : values)
+        if (!limits.hold(z)) {
+            if (!std::isnan(z))
+                outside.add(z);
+            z = invalid;
+        }
+}
+
+void remove_undeclared(std::span<double> values, const std::vector<double>& undeclared, ValueCounts& counts) {
+    for (const double none : undeclared) {
+        const std::int64_t cells = std::ranges::count(values, none);
+        if (cells == 0)
+            continue;
+        counts.add(none, cells);
+        std::ranges::replace(values, none, invalid);
+    }
+}
+
+/// Counts of values that are invalid by themselves.
+struct NoElevations {
+    ValueCounts& outside;
+    ValueCounts& undeclared;
+};
+
+/// Filters a stretch of a row.
+/// @param seen null: no statistics
+/// @param steep receives stretches that may contain spikes
+void filter_cells(ElevationBand& band, const ColumnRun& cells, const ValidityRules& rules,
+                  SuspiciousValues* seen, const NoElevations& none, std::vector<ColumnRun>& steep) {
+    constexpr std::int32_t stretch = 64;  // columns
+    for (std::int32_t begin = cells.begin; begin < cells.end; begin += stretch) {
+        const std::int32_t end = std::min(begin + stretch, cells.end);
+        const std::size_t first =
+            static_cast<std::size_t>(cells.row) * static_cast<std::size_t>(band.shape.cols) +
+            static_cast<std::size_t>(begin);
+        const std::span<double> values(band.elevations.data() + first, static_cast<std::size_t>(end - begin));
+        Extremes of = extremes_of(values);
+        if (of.known > 0 && !(rules.limits.hold(of.lowest) && rules.limits.hold(of.highest))) {
+            remove_outside(values, rules.limits, none.outside);
+            of = extremes_of(values);
+        }
+        if (!rules.undeclared.empty()) {
+            remove_undeclared(values, rules.undeclared, none.undeclared);
+            of = extremes_of(values);
+        }
+        if (of.known == 0)
+            continue;
+        if (seen != nullptr) {
+            seen->bins.add(values, of.lowest, of.highest, static_cast<std::int64_t>(of.known));
+            if (rules.overridden_nodata)
+                seen->overridden_nodata += std::ranges::count(values, *rules.overridden_nodata);
+        }
+        // If all cells are valid, each has a neighbour among them, unless there is only one cell.
+        if (of.known < values.size() || values.size() == 1 ||
+            of.highest - of.lowest > rules.spikes.not_roof_above)
+            steep.push_back({cells.row, begin, end});
+    }
+}
+
+}  // namespace
+
+void SuspiciousValues::merge(const SuspiciousValues& other) {
+    outside.merge(other.outside);
+    undeclared.merge(other.undeclared);
+    spikes.merge(other.spikes);
+    spires += other.spires;
+    overridden_nodata += other.overridden_nodata;
+    bins.merge(other.bins);
+}
+
+void SuspiciousValues::save(ByteWriter& writer) const {
+    outside.save(writer);
+    undeclared.save(writer);
+    spikes.save(writer);
+    writer.put(spires);
+    writer.put(overridden_nodata);
+    bins.save(writer);
+}
+
+void SuspiciousValues::load(ByteReader& reader) {
+    outside = ValueCounts::load(reader);
+    undeclared = ValueCounts::load(reader);
+    spikes = ValueCounts::load(reader);
+    spires = reader.take<std::int64_t>();
+    overridden_nodata = reader.take<std::int64_t>();
+    bins.load(reader);
+}
+
+void apply_limits(std::span<double> elevations, const ValidityRules& rules) {
+    for (double& z : elevations)
+        z = rules.limits.hold(z) ? z : invalid;
+    for (const double none : rules.undeclared)
+        std::ranges::replace(elevations, none, invalid);
+}
+
+std::vector<ColumnRun> filter_invalid(ElevationBand& band, const ValidityRules& rules,
+                                      SuspiciousValues& seen) {
+    return filter_invalid(band, rules, seen, {0, 0, band.shape.rows, band.shape.cols});
+}
+
+std::vector<ColumnRun> filter_invalid(ElevationBand& band, const ValidityRules& rules, SuspiciousValues& seen,
+                                      const Window& of) {
+    std::vector<ColumnRun> steep;
+    ValueCounts nobodys;
+    const NoElevations uncounted{nobodys, nobodys};
+    const NoElevations counted{seen.outside, seen.undeclared};
+    for (std::int32_t row = 0; row < band.shape.rows; ++row) {
+        const bool noted = row >= of.row && row < of.end_row();
+        const std::int32_t first = noted ? of.col : band.shape.cols;
+        const std::int32_t end = noted ? of.end_col() : band.shape.cols;
+        filter_cells(band, {row, 0, first}, rules, nullptr, uncounted, steep);
+        filter_cells(band, {row, first, end}, rules, &seen, counted, steep);
+        filter_cells(band, {row, end, band.shape.cols}, rules, nullptr, uncounted, steep);
+    }
+    return steep;
+}
+
+ElevationLimits elevation_limits(const ReadOptions& options, double metres) {
+    if (const auto& range = options.elevation_range)
+        return {(*range)[0], (*range)[1]};
+    return land_elevations.times(1 / metres);
+}
+
+ValidityRules validity_rules(const ReadOptions& options, bool with_spikes, const DemInfo& info,
+                             double metres) {
+    ValidityRules rules{elevation_limits(options, metres), {}, metres, info.overridden_nodata, {}};
+    if (with_spikes)
+        rules.spikes = {spikes_m.invalid_above / metres, spikes_m.not_roof_above / metres};
+    return rules;
+}
+
+UndeclaredNodata undeclared_values(DemSource& source, const Options& options, const ValidityRules& rules,
+                                   double cell_m, const BorderCells* border, const Context& context) {
+    const Window& window = source.info().window;
+    if (options.read.ignore_nodata || window.points() == 0)
+        return {};
+    const ReadValues read = [&](const Window& part, std::span<double> values) {
+        context.check_stop();
+        source.read(part, values);
+        apply_limits(values, rules);
+    };
+    const double side = cell_m > 0 ? cell_m : 1;
+    return find_undeclared_nodata(
+        window, border != nullptr ? *border : read_border(window, read),
+        {UndeclaredNodataRules::step_m / rules.metres, options.ground.max_building_width / side}, read);
+}
+
+}  // namespace d2b

@@ -1,0 +1,361 @@
+#include "ground/connected_ground.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/grid.hpp"
+#include "ground/rank_filter.hpp"
+
+namespace d2b::ground {
+
+/// Position of a block, or offset between two blocks.
+struct BlockIndex {
+    std::int32_t row;
+    std::int32_t col;
+};
+
+inline constexpr std::array<BlockIndex, 4> neighbours_4{{{-1, 0}, {0, -1}, {0, 1}, {1, 0}}};
+inline constexpr std::array<BlockIndex, 8> neighbours_8{
+    {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+
+namespace {
+
+/// Offset of a neighbouring block.
+struct Neighbour {
+    std::int32_t down;
+    std::int32_t across;
+};
+constexpr std::array<Neighbour, 8> neighbour_offsets{
+    {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
+
+class RegionGrowing {
+  public:
+    RegionGrowing(const AlignedGrid& blocks, const MetreGrid& limits, double slope, Executor& threads)
+        : grid_(blocks.grid), mask_(Mask::unset(grid_.rows, grid_.cols, threads)) {
+        for (const Neighbour& n : neighbour_offsets)
+            steps_.push_back(static_cast<float>(
+                slope * std::hypot(n.down * blocks.cell.down, n.across * blocks.cell.across)));
+        for_row_bands(threads, grid_.rows, grid_.cols, [&](RowBand band) {
+            for (std::int32_t i = band.begin; i < band.end; ++i) {
+                const std::span<const float> z = grid_.row(i);
+                const std::span<const float> limit = limits.row(i);
+                const std::span<std::uint8_t> out = mask_.row(i);
+                for (std::size_t j = 0; j < out.size(); ++j)
+                    out[j] =
+                        static_cast<std::uint8_t>((z[j] != no_value ? 1 : 0) & (z[j] <= limit[j] ? 1 : 0));
+            }
+        });
+    }
+
+    /// Finds the first blocks that join. Searches from non-ground to ground, because most blocks are ground
+    /// at the start.
+    void first_step(Executor& threads) {
+        const std::vector<RowBand> bands = row_bands(grid_.rows, grid_.cols);
+        std::vector<std::vector<Cell>> joined(bands.size());
+        threads.for_each(bands.size(), [&](std::size_t band) {
+            for (std::int32_t i = bands[band].begin; i < bands[band].end; ++i)
+                for (std::int32_t j = 0; j < grid_.cols; ++j)
+                    if (mask_.at(i, j) == 0 && grid_.at(i, j) != no_value && touches_ground({i, j}))
+                        joined[band].push_back({i, j});
+        });
+        for (const std::vector<Cell>& some : joined)
+            front_.insert(front_.end(), some.begin(), some.end());
+        for (const Cell& place : front_)
+            mask_.at(place.row, place.col) = 1;
+    }
+
+    /// Adds all blocks that touch one added in the previous step.
+    void step() {
+        std::vector<Cell> joined;
+        for (const Cell& from : front_)
+            for (std::size_t k = 0; k < steps_.size(); ++k) {
+                const Cell to{from.row + neighbour_offsets[k].down, from.col + neighbour_offsets[k].across};
+                if (grid_.holds(to.row, to.col) && mask_.at(to.row, to.col) == 0 && is_step(from, to, k)) {
+                    mask_.at(to.row, to.col) = 1;
+                    joined.push_back(to);
+                }
+            }
+        front_ = std::move(joined);
+    }
+
+    [[nodiscard]] bool over() const { return front_.empty(); }
+    [[nodiscard]] Mask take() { return std::move(mask_); }
+
+  private:
+    struct Cell {
+        std::int32_t row;
+        std::int32_t col;
+    };
+
+    [[nodiscard]] bool is_step(const Cell& from, const Cell& to, std::size_t k) const {
+        const float z = grid_.at(to.row, to.col);
+        return z != no_value && std::fabs(z - grid_.at(from.row, from.col)) < steps_[k];
+    }
+    [[nodiscard]] bool touches_ground(const Cell& at) const {
+        for (std::size_t k = 0; k < steps_.size(); ++k) {
+            const Cell from{at.row + neighbour_offsets[k].down, at.col + neighbour_offsets[k].across};
+            if (grid_.holds(from.row, from.col) && mask_.at(from.row, from.col) != 0 && is_step(from, at, k))
+                return true;
+        }
+        return false;
+    }
+
+    const MetreGrid& grid_;
+    std::vector<float> steps_;
+    std::vector<Cell> front_;
+    Mask mask_;
+};
+
+}  // namespace
+
+Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& limits, double slope,
+                                    int steps, Executor& threads) {
+    RegionGrowing region(blocks, limits, slope, threads);
+    if (steps > 0)
+        region.first_step(threads);
+    for (int k = 1; k < steps && !region.over(); ++k)
+        region.step();
+    return region.take();
+}
+
+namespace {
+
+/// Collects connected pieces of blocks and measures their surroundings.
+class Components {
+  public:
+    Components(const AlignedGrid& blocks, const MetreGrid& limits, const Mask& ground)
+        : blocks_(blocks),
+          grid_(blocks.grid),
+          open_(grid_.rows, grid_.cols),
+          inside_(grid_.rows, grid_.cols) {
+        for (std::size_t i = 0; i < ground.size(); ++i) {
+            const float z = grid_.values[i];
+            inside_.values[i] = ground.values[i] != 0 && z != no_value && z > limits.values[i] ? 1 : 0;
+        }
+        open_ = inside_;
+    }
+
+    /// Returns the piece that contains a block, or nothing if it was returned before.
+    [[nodiscard]] std::vector<BlockIndex> take(BlockIndex first) {
+        std::vector<BlockIndex> component;
+        add(first, component);
+        for (std::size_t i = 0; i < component.size(); ++i)
+            for (const BlockIndex& side : neighbours_4)
+                add({component[i].row + side.row, component[i].col + side.col}, component);
+        return component;
+    }
+
+    /// Returns the share of a piece's border at which the surface steps by more than `rise`: up or down in
+    /// the next block, or down within two, because a wall may extend into a block.
+    [[nodiscard]] double walled_share(const std::vector<BlockIndex>& component, float rise) const {
+        std::int64_t border = 0;
+        std::int64_t walled = 0;
+        for (const BlockIndex& at : component)
+            for (const BlockIndex& side : neighbours_4) {
+                const BlockIndex beside{at.row + side.row, at.col + side.col};
+                if (!grid_.holds(beside.row, beside.col))
+                    ++border;  // the piece may continue beyond the raster
+                if (!outside(beside))
+                    continue;
+                ++border;
+                const BlockIndex behind{beside.row + side.row, beside.col + side.col};
+                const float z = grid_.at(at.row, at.col);
+                const float there = grid_.at(beside.row, beside.col);
+                const float lower =
+                    outside(behind) ? std::min(there, grid_.at(behind.row, behind.col)) : there;
+                walled += there > z + rise || lower < z - rise ? 1 : 0;
+            }
+        return border > 0 ? static_cast<double>(walled) / static_cast<double>(border) : 0;
+    }
+
+    [[nodiscard]] double length(const std::vector<BlockIndex>& component) const {
+        const auto [top, bottom] =
+            std::minmax_element(component.begin(), component.end(),
+                                [](const BlockIndex& a, const BlockIndex& b) { return a.row < b.row; });
+        const auto [left, right] =
+            std::minmax_element(component.begin(), component.end(),
+                                [](const BlockIndex& a, const BlockIndex& b) { return a.col < b.col; });
+        return std::max((bottom->row - top->row + 1) * blocks_.cell.down,
+                        (right->col - left->col + 1) * blocks_.cell.across);
+    }
+
+  private:
+    void add(BlockIndex at, std::vector<BlockIndex>& component) {
+        if (!grid_.holds(at.row, at.col) || open_.at(at.row, at.col) == 0)
+            return;
+        open_.at(at.row, at.col) = 0;
+        component.push_back(at);
+    }
+    [[nodiscard]] bool outside(BlockIndex at) const {
+        return grid_.holds(at.row, at.col) && inside_.at(at.row, at.col) == 0 &&
+               grid_.at(at.row, at.col) != no_value;
+    }
+
+    const AlignedGrid& blocks_;
+    const MetreGrid& grid_;
+    Mask open_;
+    Mask inside_;
+};
+
+}  // namespace
+
+void remove_enclosed_by_walls(const AlignedGrid& blocks, const MetreGrid& limits, const Rules& rules,
+                              double largest, Grid<std::uint8_t>& ground) {
+    Components components(blocks, limits, ground);
+    for (std::int32_t row = 0; row < ground.rows; ++row)
+        for (std::int32_t col = 0; col < ground.cols; ++col) {
+            const std::vector<BlockIndex> component = components.take({row, col});
+            if (component.empty() || components.length(component) > largest ||
+                components.walled_share(component, static_cast<float>(rules.wall_rise)) <= rules.wall_share)
+                continue;
+            for (const BlockIndex& at : component)
+                ground.at(at.row, at.col) = 0;
+        }
+}
+
+namespace {
+
+enum VisitState : std::uint8_t {
+    unvisited,
+    current,  ///< current plateau
+    done
+};
+
+/// Traces plateaus, each once. The result does not depend on the block at which tracing starts.
+class Plateaus {
+  public:
+    Plateaus(const AlignedGrid& blocks, const Rules& rules, double largest)
+        : blocks_(blocks),
+          grid_(blocks.grid),
+          rules_(rules),
+          largest_(largest),
+          state_(grid_.rows, grid_.cols),
+          roofs_(grid_.rows, grid_.cols) {
+        for (std::size_t k = 0; k < neighbours_8.size(); ++k)
+            rises_.at(k) = rules.link_slope * std::hypot(neighbours_8.at(k).row * blocks.cell.down,
+                                                         neighbours_8.at(k).col * blocks.cell.across);
+    }
+
+    void trace_from(BlockIndex first) {
+        if (state_.at(first.row, first.col) != unvisited)
+            return;
+        plateau_.clear();
+        top_ = bottom_ = first.row;
+        left_ = right_ = first.col;
+        add(first);
+        const bool is_roof = trace() && drop_share() > rules_.plateau_share;
+        for (const BlockIndex& at : plateau_) {
+            state_.at(at.row, at.col) = done;
+            roofs_.at(at.row, at.col) = is_roof ? 1 : 0;
+        }
+    }
+    [[nodiscard]] Mask take() { return std::move(roofs_); }
+
+  private:
+    void add(BlockIndex at) {
+        state_.at(at.row, at.col) = current;
+        plateau_.push_back(at);
+        open_.push_back(at);
+        top_ = std::min(top_, at.row);
+        bottom_ = std::max(bottom_, at.row);
+        left_ = std::min(left_, at.col);
+        right_ = std::max(right_, at.col);
+    }
+    /// Returns true if the component is too long or reaches the border of the raster, beyond which it may
+    /// continue.
+    [[nodiscard]] bool may_be_ground() const {
+        return top_ == 0 || left_ == 0 || bottom_ + 1 == grid_.rows || right_ + 1 == grid_.cols ||
+               (bottom_ - top_ + 1) * blocks_.cell.down > largest_ ||
+               (right_ - left_ + 1) * blocks_.cell.across > largest_;
+    }
+    /// Traces depth first, because that leaves a long plateau early. @return true if it was traced completely
+    [[nodiscard]] bool trace() {
+        bool ends = !may_be_ground();
+        while (ends && !open_.empty()) {
+            const BlockIndex at = open_.back();
+            open_.pop_back();
+            for (std::size_t k = 0; k < neighbours_8.size(); ++k)
+                ends = visit(at, k) && ends;
+            ends = ends && !may_be_ground();
+        }
+        open_.clear();
+        return ends;
+    }
+    /// @param k index in neighbours_8 @return false if the neighbour belongs to a component that is not a
+    /// roof
+    [[nodiscard]] bool visit(BlockIndex from, std::size_t k) {
+        const BlockIndex step = neighbours_8[k];
+        const BlockIndex to{from.row + step.row, from.col + step.col};
+        if (!is_known(to))
+            return true;
+        const auto rise =
+            static_cast<double>(std::fabs(grid_.at(to.row, to.col) - grid_.at(from.row, from.col)));
+        if (!(rise < rises_[k]))
+            return true;
+        if (state_.at(to.row, to.col) == unvisited)
+            add(to);
+        return state_.at(to.row, to.col) != done;
+    }
+    [[nodiscard]] bool is_known(BlockIndex at) const {
+        return grid_.holds(at.row, at.col) && grid_.at(at.row, at.col) != no_value;
+    }
+    [[nodiscard]] bool is_beside(BlockIndex at) const {
+        return is_known(at) && state_.at(at.row, at.col) != current;
+    }
+
+    /// Share of the border of a plateau that drops by more than the height of a wall in the next block, or
+    /// within two, because a wall may extend into a block.
+    [[nodiscard]] double drop_share() const {
+        std::int64_t border = 0;
+        std::int64_t falls = 0;
+        for (const BlockIndex& at : plateau_)
+            for (const BlockIndex& side : neighbours_4) {
+                const BlockIndex beside{at.row + side.row, at.col + side.col};
+                if (!is_beside(beside))
+                    continue;
+                ++border;
+                const BlockIndex behind{beside.row + side.row, beside.col + side.col};
+                const float there = grid_.at(beside.row, beside.col);
+                const float lower =
+                    is_beside(behind) ? std::min(there, grid_.at(behind.row, behind.col)) : there;
+                falls += lower < grid_.at(at.row, at.col) - static_cast<float>(rules_.wall_rise) ? 1 : 0;
+            }
+        return border > 0 ? static_cast<double>(falls) / static_cast<double>(border) : 0;
+    }
+
+    const AlignedGrid& blocks_;
+    const MetreGrid& grid_;
+    const Rules& rules_;
+    double largest_;
+    std::array<double, neighbours_8.size()> rises_{};  ///< largest rise of ground, per neighbour
+    Grid<std::uint8_t> state_;
+    Mask roofs_;
+    std::vector<BlockIndex> plateau_;
+    std::vector<BlockIndex> open_;
+    std::int32_t top_ = 0;
+    std::int32_t bottom_ = 0;
+    std::int32_t left_ = 0;
+    std::int32_t right_ = 0;
+};
+
+}  // namespace
+
+Mask enclosed_plateaus(const AlignedGrid& blocks, const MetreGrid& limits, const Mask& ground,
+                       const Rules& rules, double largest) {
+    Plateaus plateaus(blocks, rules, largest);
+    for (std::int32_t row = 0; row < ground.rows; ++row)
+        for (std::int32_t col = 0; col < ground.cols; ++col) {
+            const float z = blocks.grid.at(row, col);
+            if (ground.at(row, col) != 0 && z != no_value && z > limits.at(row, col))
+                plateaus.trace_from({row, col});
+        }
+    return plateaus.take();
+}
+
+}  // namespace d2b::ground

@@ -1,0 +1,177 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "outline/walls/chain_fitter.hpp"
+#include "outline/walls/chain_polyline.hpp"
+#include "outline/walls/wall_graph.hpp"
+
+namespace d2b {
+
+/// A set of integers below a limit with fast predecessor and successor search. A two-level bitset: the upper
+/// level marks the words that are not empty, so that a million indices need at most 250 words to be scanned.
+class OrderedBitset {
+  public:
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+    OrderedBitset() = default;
+    explicit OrderedBitset(std::size_t limit) : words_(limit / bits + 1), filled_(words_.size() / bits + 1) {}
+
+    void insert(std::size_t i) {
+        words_[i / bits] |= bit(i);
+        filled_[i / bits / bits] |= bit(i / bits);
+    }
+    void erase(std::size_t i) {
+        if ((words_[i / bits] &= ~bit(i)) == 0)
+            filled_[i / bits / bits] &= ~bit(i / bits);
+    }
+    /// Smallest member >= i.
+    [[nodiscard]] std::size_t from(std::size_t i) const {
+        const std::size_t here = at_or_after(words_, i, i / bits + 1);
+        if (here != none)
+            return here;
+        const std::size_t word = at_or_after(filled_, i / bits + 1, filled_.size());
+        return word == none ? none : word * bits + static_cast<std::size_t>(std::countr_zero(words_[word]));
+    }
+    /// Largest member < i.
+    [[nodiscard]] std::size_t before(std::size_t i) const {
+        const std::size_t here = below(words_, i, i / bits);
+        if (here != none)
+            return here;
+        const std::size_t word = below(filled_, i / bits, 0);
+        return word == none ? none : word * bits + last_of(words_[word]);
+    }
+
+  private:
+    using Words = std::vector<std::uint64_t>;
+    static constexpr std::size_t bits = 64;
+
+    static std::uint64_t bit(std::size_t i) { return std::uint64_t{1} << (i % bits); }
+    static std::size_t last_of(std::uint64_t word) {
+        return bits - 1 - static_cast<std::size_t>(std::countl_zero(word));
+    }
+    /// Searches the words before `end`.
+    static std::size_t at_or_after(const Words& words, std::size_t i, std::size_t end) {
+        std::uint64_t mask = ~(bit(i) - 1);
+        for (std::size_t w = i / bits; w < end && w < words.size(); ++w, mask = ~std::uint64_t{0})
+            if (const std::uint64_t found = words[w] & mask; found != 0)
+                return w * bits + static_cast<std::size_t>(std::countr_zero(found));
+        return none;
+    }
+    /// Searches the words from `begin`.
+    static std::size_t below(const Words& words, std::size_t i, std::size_t begin) {
+        std::uint64_t mask = bit(i) - 1;
+        for (std::size_t w = i / bits + 1; w-- > begin; mask = ~std::uint64_t{0})
+            if (const std::uint64_t found = words[w] & mask; found != 0)
+                return w * bits + last_of(found);
+        return none;
+    }
+
+    Words words_;
+    Words filled_;
+};
+
+/// A drawn chain and the positions of the nodes on it.
+class PlacedPolyline {
+  public:
+    PlacedPolyline() = default;
+    /// @param mode of the chain; nodes in beveled stretches keep their traced positions
+    /// @param tolerance cells
+    PlacedPolyline(ChainPolyline drawn, const Chain& chain, const ChainFitMode& mode,
+                   const TraceSums& samples, const CellShape& shape, double tolerance);
+
+    [[nodiscard]] const ChainPolyline& drawn() const { return drawn_; }
+    [[nodiscard]] std::optional<FinePoint> node(std::size_t k) const { return nodes_[k].point; }
+    /// Places a node on the drawing, keeping the order of the trace and leaving room for nodes not placed
+    /// yet.
+    /// @param wall line of the wall that ends here; the node moves to its intersection if that is near
+    void place(std::size_t k, const std::optional<Line2>& wall);
+    void remove_node(std::size_t k) {
+        if (nodes_[k].is_fixed)
+            return;
+        nodes_[k].point.reset();
+        placed_.erase(k);
+    }
+
+    /// Extracts the drawing between two nodes, without nodes in between, with its own deviation and with the
+    /// circular arcs that neither node splits. @param samples of the chain
+    /// @param to_node in a closed chain, the first node follows the last
+    void extract(std::size_t from_node, std::size_t to_node, const TraceSums& samples,
+                 ChainPolyline& drawn) const;
+    /// Extracts a closed chain completely, without nodes.
+    void whole(const TraceSums& samples, ChainPolyline& drawn) const;
+
+  private:
+    struct PlacedNode {
+        std::optional<FinePoint> point;
+        Vec2 traced;
+        std::size_t step = 0;
+        std::size_t edge = 0;
+        double at = 0;          ///< distance along the drawing from its first vertex, in cells
+        bool is_fixed = false;  ///< keeps its traced position
+    };
+    [[nodiscard]] std::size_t edges() const { return begins_.size() - 1; }
+    [[nodiscard]] Vec2 vertex(std::size_t k) const { return vertices_[k < vertices_.size() ? k : 0]; }
+    [[nodiscard]] std::size_t edge_of(std::size_t step) const;
+    [[nodiscard]] double preferred_position(const PlacedNode& node, const std::optional<Line2>& wall) const;
+    void keep_traced(std::size_t k);
+    void find_range(std::size_t k, double& low, double& high) const;
+    void set_position(PlacedNode& node, double at);
+    void cut(const PlacedNode& from, const PlacedNode& to, ChainPolyline& arc) const;
+    void match(ChainPolyline& arc, std::size_t first, std::size_t last, std::size_t steps) const;
+    void add_arcs(const PlacedNode& from, ChainPolyline& arc) const;
+
+    ChainPolyline drawn_;
+    std::vector<Vec2> vertices_;  // positions of the vertices
+    bool closed_ = false;
+    CellShape shape_;
+    LatticePoint origin_;
+    double max_displacement_ = 0;  // cells by which a node may be displaced for the sake of a wall or corner
+    std::vector<PlacedNode> nodes_;  // including both ends if open
+    OrderedBitset placed_;           // nodes that have a point
+    std::vector<double>
+        begins_;  // distance along the drawing of the beginning of each edge, and the total length
+};
+
+/// State of a chain while its graph is being drawn.
+struct ChainState {
+    ChainFitMode mode;
+    bool pending = true;      ///< has yet to be drawn for its own sake
+    bool ends_moved = false;  ///< its end nodes may have moved
+    double direction = 0;
+    std::optional<ChainEnds> ends;       ///< open chains only
+    std::unique_ptr<ChainFitter> chain;  ///< set once it has been drawn
+    PlacedPolyline polyline;
+};
+
+/// Positions of the nodes of a graph: on the drawing of the chain that passes through them, or as traced.
+class NodePositions {
+  public:
+    /// @param states of the chains of the graph; nodes are placed on them @param graph, states must outlive
+    /// this
+    NodePositions(const WallGraph& graph, std::vector<ChainState>& states, const CellShape& shape)
+        : graph_(graph), states_(states), shape_(shape) {}
+
+    [[nodiscard]] FinePoint at(std::uint32_t node) const;
+    /// Distance of a node from its traced position, in cells.
+    [[nodiscard]] double displacement(std::uint32_t node) const;
+    /// Places the ends of a drawn chain on the chains at which it ends, unless they are placed already.
+    /// @return nullopt for a closed chain
+    [[nodiscard]] std::optional<ChainEnds> place_ends(std::uint32_t chain);
+
+  private:
+    [[nodiscard]] FinePoint place_node(std::uint32_t node, const std::optional<Line2>& wall);
+    [[nodiscard]] std::optional<Line2> wall_at_end(std::uint32_t chain, bool last) const;
+
+    const WallGraph& graph_;
+    std::vector<ChainState>& states_;
+    CellShape shape_;
+};
+
+}  // namespace d2b

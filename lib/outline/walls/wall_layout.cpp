@@ -1,0 +1,248 @@
+#include "outline/walls/wall_layout.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+
+#include "outline/walls/wall_graph.hpp"
+
+namespace d2b {
+
+/// Chain whose direction another chain follows: the one on which it ends, or else the outline of the
+/// footprint below it. Its rank is lower.
+/// @return WallGraph::none if there is none
+[[nodiscard]] std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster,
+                                            std::uint32_t chain);
+
+/// Returns the reference direction if the directions agree within some degrees modulo 90, or if the chain is
+/// too short to have a direction of its own; otherwise the chain's own direction. Radians.
+[[nodiscard]] double align_direction(double own, double reference, std::size_t steps);
+
+namespace {
+
+constexpr double max_deviation = 12.0 / 180 * std::numbers::pi;
+constexpr std::size_t min_steps = 16;  // steps
+constexpr int min_rank =
+    3;  // rank of walls between footprints; those of chains that stand on them are higher
+
+/// First chain of the outline of the footprint below the contours at an arc.
+std::uint32_t footprint_chain(const WallGraph& graph, const WallCluster& cluster, std::uint32_t arc) {
+    const WallGraph::Sides& sides = graph.sides[arc];
+    auto contour = static_cast<std::int64_t>(std::max(sides.left, sides.right));
+    while (contour >= 0 && cluster.contours[static_cast<std::size_t>(contour)]->key.level > 1)
+        contour = cluster.parents[static_cast<std::size_t>(contour)];
+    if (contour < 0)
+        return WallGraph::none;
+    return graph.chain_of[graph.graph.outlines[static_cast<std::size_t>(contour)].exterior.front().arc];
+}
+
+}  // namespace
+
+std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster, std::uint32_t c) {
+    const Chain& chain = graph.chains[c];
+    if (chain.rank < min_rank)
+        return WallGraph::none;
+    std::uint32_t base = chain.closed ? WallGraph::none : graph.nodes[chain.nodes.front()].owner;
+    if (base == WallGraph::none)
+        base = footprint_chain(graph, cluster, chain.arcs.front().arc);
+    if (base == WallGraph::none || graph.chains[base].rank >= chain.rank)
+        return WallGraph::none;
+    return base;
+}
+
+double align_direction(double own, double reference, std::size_t steps) {
+    constexpr double right = std::numbers::pi / 2;
+    const double turn = own - reference - std::round((own - reference) / right) * right;
+    return steps < min_steps || std::abs(turn) < max_deviation ? reference : own;
+}
+
+namespace {
+
+constexpr std::array tried_prices{1.0, 0.5};  // prices of walls, tried in turn
+
+}  // namespace
+
+WallLayout::WallLayout(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options,
+                       const StopToken& stop)
+    : graph_(graph),
+      cluster_(cluster),
+      options_(options),
+      stop_(stop),
+      states_(graph.chains.size()),
+      positions_(graph, states_, options.shape),
+      reset_(graph.nodes.size()) {
+    for (std::size_t c = 0; c < states_.size(); ++c)
+        states_[c].mode = ChainFitMode(graph.chains[c].steps(), graph.chains[c].closed);
+}
+
+/// Chains that are drawn for their own sake place their ends anew. Any chain that changes places the nodes on
+/// it anew; the chains that end there have a higher rank and are drawn later.
+std::vector<std::uint32_t> WallLayout::draw() {
+    std::vector<std::uint32_t> drawn;
+    reset_.assign(reset_.size(), 0);
+    for (std::uint32_t c = 0; c < states_.size(); ++c)
+        if (states_[c].pending && !graph_.chains[c].closed)
+            for (const bool last : {false, true})
+                reset(graph_.chains[c].end_node(last));
+    for (std::uint32_t c = 0; c < states_.size(); ++c) {
+        ChainState& state = states_[c];
+        if (!state.pending &&
+            (!std::exchange(state.ends_moved, false) || positions_.place_ends(c) == state.ends))
+            continue;
+        stop_.check();
+        draw_chain(c);
+        drawn.push_back(c);
+        const Chain& chain = graph_.chains[c];
+        for (std::size_t k = chain.closed ? 0 : 1; k + 1 < chain.nodes.size(); ++k)
+            reset(chain.nodes[k]);
+    }
+    first_ = false;
+    return changed_arcs(drawn);
+}
+
+/// Removes a node from its chain; the chains that end there have to be placed again.
+void WallLayout::reset(std::uint32_t node) {
+    const WallGraph::Node& n = graph_.nodes[node];
+    if (first_ || n.owner == WallGraph::none || std::exchange(reset_[node], std::uint8_t{1}) != 0)
+        return;
+    if (states_[n.owner].chain)
+        states_[n.owner].polyline.remove_node(n.place);
+    for (const std::uint32_t end : graph_.ends_at(node))
+        if (const std::uint32_t chain = graph_.chain_of[end / 2]; chain != n.owner)
+            states_[chain].ends_moved = true;
+}
+
+/// Arcs of redrawn chains and arcs at nodes that were placed anew.
+std::vector<std::uint32_t> WallLayout::changed_arcs(const std::vector<std::uint32_t>& drawn) const {
+    std::vector<std::uint32_t> changed;
+    if (drawn.empty())
+        return changed;
+    std::vector<std::uint8_t> marked(graph_.chain_of.size());
+    for (const std::uint32_t c : drawn) {
+        const Chain& chain = graph_.chains[c];
+        for (const ArcUse& use : chain.arcs)
+            marked[use.arc] = 1;
+        for (const bool last : {false, true})
+            if (const std::uint32_t node = chain.end_node(last); reset_[node] != 0)
+                for (const std::uint32_t end : graph_.ends_at(node))
+                    marked[end / 2] = 1;
+    }
+    for (std::uint32_t arc = 0; arc < marked.size(); ++arc)
+        if (marked[arc] != 0)
+            changed.push_back(arc);
+    return changed;
+}
+
+void WallLayout::draw_chain(std::uint32_t c) {
+    ChainState& state = states_[c];
+    const Chain& chain = graph_.chains[c];
+    state.pending = false;
+    if (!state.chain)
+        state.chain = std::make_unique<ChainFitter>(chain, options_);
+    if (state.mode.has_walls() && state.chain->walls().empty())
+        plan(c);
+    state.ends = positions_.place_ends(c);
+    state.polyline = PlacedPolyline(state.chain->draw(state.mode, state.ends), chain, state.mode,
+                                    state.chain->samples(), options_.shape, options_.tolerance);
+}
+
+/// Divides a chain into walls, as few as possible within the tolerance.
+void WallLayout::plan(std::uint32_t c) {
+    ChainState& state = states_[c];
+    state.direction = direction(c);
+    for (const double price : tried_prices) {
+        const std::optional<double> direction = state.chain->plan(price, state.direction, stop_);
+        if (!direction)
+            continue;
+        state.direction = *direction;
+        if (state.chain->walls_are_near(positions_.place_ends(c)))
+            return;
+    }
+    if (state.chain->walls().empty())
+        state.mode.raise_all(FitMode::midpoint);
+}
+
+/// Direction used for planning the walls of a chain.
+double WallLayout::direction(std::uint32_t c) const {
+    const double own = states_[c].chain->own_direction();
+    const std::uint32_t base = reference_chain(graph_, cluster_, c);
+    if (base == WallGraph::none)
+        return own;
+    return align_direction(own, states_[base].direction, graph_.chains[c].steps());
+}
+
+void WallLayout::arc(std::uint32_t arc, ChainPolyline& drawn) const {
+    const std::uint32_t c = graph_.chain_of[arc];
+    const std::size_t k = graph_.index_in_chain[arc];
+    states_[c].polyline.extract(k, k + 1, states_[c].chain->samples(), drawn);
+    if (!graph_.chains[c].arcs[k].reversed)
+        return;
+    const auto last = static_cast<std::uint32_t>(drawn.vertices.size() - 1);
+    std::reverse(drawn.vertices.begin(), drawn.vertices.end());
+    std::reverse(drawn.steps.begin(), drawn.steps.end());
+    for (CircularArc& span : drawn.arcs)
+        span.first = last - span.first - span.edges;
+}
+
+bool WallLayout::extract(const ArcUse& first, const ArcUse& last, bool whole, ChainPolyline& drawn) const {
+    const std::uint32_t c = graph_.chain_of[first.arc];
+    const Chain& chain = graph_.chains[c];
+    const std::size_t k = graph_.index_in_chain[first.arc];
+    const bool against = chain.arcs[k].reversed != first.reversed;
+    const std::size_t from = against ? graph_.index_in_chain[last.arc] : k;
+    const std::size_t to = against ? k : graph_.index_in_chain[last.arc];
+    const PlacedPolyline& polyline = states_[c].polyline;
+    if (whole)
+        polyline.whole(states_[c].chain->samples(), drawn);
+    else
+        polyline.extract(from, to + 1, states_[c].chain->samples(), drawn);
+    return against;
+}
+
+bool WallLayout::tighten(std::uint32_t c, std::size_t first, std::size_t last, std::size_t margin) {
+    const bool closer = states_[c].mode.tighten(first, last, margin);
+    states_[c].pending = states_[c].pending || closer;
+    return closer;
+}
+
+void WallLayout::use_trace(std::uint32_t c) {
+    if (states_[c].mode.raise_all(FitMode::beveled))
+        states_[c].pending = true;
+}
+
+bool WallLayout::tighten_at(std::uint32_t node, std::size_t margin) {
+    const WallGraph::Node& n = graph_.nodes[node];
+    if (n.owner == WallGraph::none || positions_.at(node) == fine(n.at))
+        return false;
+    const std::uint32_t step = graph_.chains[n.owner].node_steps[n.place];
+    return tighten(n.owner, step, step + 1, margin);
+}
+
+std::vector<WallLayout::Wall> WallLayout::walls_along(std::uint32_t arc) const {
+    const std::uint32_t c = graph_.chain_of[arc];
+    const ChainWalls& segments = states_[c].chain->walls();
+    const std::vector<std::uint32_t>& steps = graph_.chains[c].node_steps;
+    const std::size_t k = graph_.index_in_chain[arc];
+    std::vector<Wall> walls;
+    for (const std::size_t i : segments.movable_walls(steps[k], steps[k + 1], stop_))
+        if (const WallSegment segment = segments.segment(i);
+            mode(c).at((segment.first + segment.last) / 2) == FitMode::regularized)
+            walls.push_back({c, i});
+    return walls;
+}
+
+double WallLayout::length(Wall wall) const {
+    return states_[wall.chain].chain->walls().length(wall.segment);
+}
+
+void WallLayout::shift(Wall wall, double cells) {
+    ChainState& state = states_[wall.chain];
+    state.chain->shift(wall.segment, cells);
+    state.pending = true;
+}
+
+}  // namespace d2b

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "outline/walls/node_placement.hpp"
+#include "outline/walls/wall_clusters.hpp"
+
+namespace d2b {
+
+/// Draws the chains of a graph by rank, lowest first. Chains that end on another chain end on its drawn form.
+class WallLayout {
+  public:
+    /// @param graph, cluster, stop must outlive this
+    WallLayout(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options,
+               const StopToken& stop);
+    WallLayout(const WallLayout&) = delete;
+    WallLayout& operator=(const WallLayout&) = delete;
+    ~WallLayout() = default;
+
+    /// Draws chains that are new or have a changed mode, and the chains that end on them.
+    /// @return changed arcs @throws Cancelled
+    [[nodiscard]] std::vector<std::uint32_t> draw();
+
+    [[nodiscard]] const ChainFitMode& mode(std::uint32_t chain) const { return states_[chain].mode; }
+    /// Extracts a drawn arc in its own direction, with the steps of its chain for each vertex.
+    void arc(std::uint32_t arc, ChainPolyline& drawn) const;
+    /// Extracts the part of a chain that a ring uses, from one arc to another, in the direction of the chain,
+    /// without the nodes between. @param whole true if the ring consists of the entire chain @return true if
+    /// the ring runs against the chain
+    bool extract(const ArcUse& first, const ArcUse& last, bool whole, ChainPolyline& drawn) const;
+    /// Makes a range of steps of a chain, plus a margin on both sides, follow the trace more closely.
+    /// @return false if it is as close as possible already
+    bool tighten(std::uint32_t chain, std::size_t first, std::size_t last, std::size_t margin);
+    /// Same for a whole chain.
+    bool tighten(std::uint32_t chain) { return tighten(chain, 0, graph_.chains[chain].steps(), 0); }
+    /// Same for the chain at a node, around the node, if the node is not at its traced position.
+    bool tighten_at(std::uint32_t node, std::size_t margin);
+    /// Sets all steps of a chain to the closest mode.
+    void use_trace(std::uint32_t chain);
+    /// Distance of a node from its traced position, in cells.
+    [[nodiscard]] double displacement(std::uint32_t node) const { return positions_.displacement(node); }
+
+    /// A wall of a chain.
+    struct Wall {
+        std::uint32_t chain;
+        std::size_t segment;
+        friend auto operator<=>(const Wall&, const Wall&) = default;
+    };
+    /// Movable walls that lie mostly along one arc.
+    [[nodiscard]] std::vector<Wall> walls_along(std::uint32_t arc) const;
+    [[nodiscard]] double length(Wall wall) const;
+    /// Moves a wall to the left of its chain; takes effect when the chain is redrawn.
+    void shift(Wall wall, double cells);
+
+  private:
+    void reset(std::uint32_t node);
+    [[nodiscard]] std::vector<std::uint32_t> changed_arcs(const std::vector<std::uint32_t>& drawn) const;
+    void draw_chain(std::uint32_t chain);
+    void plan(std::uint32_t chain);
+    [[nodiscard]] double direction(std::uint32_t chain) const;
+
+    const WallGraph& graph_;
+    const WallCluster& cluster_;
+    WallOptions options_;
+    const StopToken& stop_;
+    std::vector<ChainState> states_;
+    NodePositions positions_;
+    std::vector<std::uint8_t> reset_;  ///< per node: placed anew in this call
+    bool first_ = true;                ///< before the first call of draw()
+};
+
+}  // namespace d2b

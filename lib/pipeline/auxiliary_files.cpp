@@ -1,0 +1,129 @@
+#include "pipeline/auxiliary_files.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/crs.hpp"
+#include "core/text.hpp"
+#include "core/units.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/open_sinks.hpp"
+#include "dem2buildings/open_sources.hpp"
+#include "dem2buildings/version.hpp"
+#include "elevations/filter_invalid.hpp"
+#include "options/provenance_text.hpp"
+#include "options/run_plan.hpp"
+#include "read/gdal_setup.hpp"
+#include "read/parcel_reader.hpp"
+#include "read/side_rasters.hpp"
+#include "write/page/page_sink.hpp"
+#include "write/raster/geotiff.hpp"
+#include "write/surface/surface_sink.hpp"
+
+namespace d2b {
+
+DemInfo with_given_crs(DemInfo dem, const Options& options) {
+    if (!options.read.crs.empty())
+        dem.crs_wkt = Crs(options.read.crs).wkt();
+    return dem;
+}
+
+AuxiliarySinks open_scene_rasters(const Options& options, const DemInfo& dem, const SceneRasterNames& names,
+                                  bool overwrite, std::vector<std::string>& in_use) {
+    const DemInfo grid = with_given_crs(dem, options);
+    const auto open = [&](const std::string& destination, const char* what, bool elevations) {
+        if (destination.empty())
+            return std::unique_ptr<RasterSink>();
+        RasterMetadata meta;
+        meta.description = what;
+        meta.elevations = elevations;
+        meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", utf8_text(grid.name)}};
+        if (const std::string words = reproducing_arguments(options); !words.empty())
+            meta.metadata.emplace("D2B_OPTIONS", utf8_text(words));
+        auto sink = open_geotiff_sink({destination, overwrite, in_use}, grid, meta);
+        in_use.push_back(destination);
+        return sink;
+    };
+    AuxiliarySinks sinks;
+    sinks.ground = open(names.ground, "elevation of the ground", true);
+    sinks.height = open(names.height, "height above the ground", false);
+    sinks.canopy = open(names.canopy, "height of everything that is no building", false);
+    return sinks;
+}
+
+namespace {
+
+std::string shape_text(std::int32_t rows, std::int32_t cols) {
+    return "(" + std::to_string(rows) + ", " + std::to_string(cols) + ")";
+}
+
+/// @param option name of the option that gives the raster
+AuxiliaryRaster side_raster(const std::string& option, const std::string& name,
+                            const std::optional<ElevationArray>& array, const DemInfo& dem) {
+    if (!array)
+        return {name};
+    if (array->rows != dem.rows || array->cols != dem.cols)
+        throw OptionError("-" + option + " has the shape " + shape_text(array->rows, array->cols) + " and '" +
+                          dem.name + "' the shape " + shape_text(dem.rows, dem.cols) +
+                          "; give an array with one value per cell of the DEM.");
+    return {name, &*array};
+}
+
+}  // namespace
+
+AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& dem,
+                                        const Callbacks& callbacks, const AuxiliaryArrays& arrays) {
+    register_formats();
+    const DemInfo grid = with_given_crs(dem, options);
+    AuxiliarySources sources;
+    if (options.ground.mode == GroundMode::given) {
+        const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
+        sources.terrain =
+            open_terrain(side_raster("ground", options.ground.terrain, arrays.terrain, grid), grid,
+                         units.vertical_metres, elevation_limits(options.read, units.vertical_metres),
+                         callbacks, {.keeps_undeclared = options.read.ignore_nodata});
+    }
+    if (!options.detect.mask.empty())
+        sources.mask = open_mask(side_raster("mask", options.detect.mask, arrays.mask, grid),
+                                 options.detect.mask_layer, grid, callbacks);
+    if (!options.detect.ndvi.empty())
+        sources.ndvi =
+            open_ndvi(side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
+    const DetectOptions& detect = options.detect;
+    if (!detect.split_by.empty())
+        sources.parcels =
+            open_parcels({detect.split_by, detect.split_layer, detect.split_field}, grid, callbacks);
+    return sources;
+}
+
+AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) {
+    const WriteOptions& write = options.write;
+    std::vector<std::string> in_use{options.read.source, write.destination};
+    for (const std::string& name :
+         {options.ground.terrain, options.detect.mask, options.detect.ndvi, options.detect.split_by})
+        if (!name.empty())
+            in_use.push_back(name);
+    AuxiliarySinks sinks =
+        open_scene_rasters(options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
+    for (const std::string& destination : write.surfaces) {
+        SurfaceDestination place =
+            resolve_surface_target({destination, write.overwrite, in_use, FileKind::surface});
+        in_use.push_back(destination);
+        if (place.materials)
+            in_use.push_back(place.materials->name);
+        sinks.surfaces.push_back(open_surface_sink(std::move(place), write.surface_solids));
+    }
+    if (!write.page.empty()) {
+        Page page = open_page(resolve_file_target({write.page, write.overwrite, in_use, FileKind::page}),
+                              {.dem = dem, .terrain = detects_buildings(options)});
+        sinks.surfaces.push_back(std::move(page.surface));
+        sinks.page_relief = std::move(page.relief);
+    }
+    return sinks;
+}
+
+}  // namespace d2b

@@ -1,0 +1,237 @@
+#include "read/cutline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <gdal_alg.h>
+#include <ogr_api.h>
+
+#include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
+#include "read/gdal_handles.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/georeferencing.hpp"
+#include "read/ring_projection.hpp"
+#include "read/vector_layer.hpp"
+
+namespace d2b {
+
+namespace {
+
+std::vector<WorldRing> rings_of(OGRGeometryH polygon) {
+    std::vector<WorldRing> rings;
+    for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i) {
+        const OGRGeometryH line = OGR_G_GetGeometryRef(polygon, i);
+        WorldRing& ring = rings.emplace_back();
+        for (int k = 0; k < OGR_G_GetPointCount(line); ++k)
+            ring.push_back({OGR_G_GetX(line, k), OGR_G_GetY(line, k)});
+    }
+    return rings;
+}
+
+/// Clips rings to a box and drops empty ones.
+std::vector<WorldRing> clipped(const std::vector<WorldRing>& rings, const ClipBox& box) {
+    std::vector<WorldRing> kept;
+    for (const WorldRing& ring : rings)
+        if (WorldRing part = clipped(ring, box); !part.empty())
+            kept.push_back(std::move(part));
+    return kept;
+}
+
+bool is_valid(OGRGeometryH polygon) {
+    const GdalMessages quiet;  // suppresses GDAL's explanation
+    return OGR_G_IsValid(polygon) != FALSE;
+}
+
+void add_polygon(const std::vector<WorldRing>& rings, RingProjector& projector, const SearchExtents& around,
+                 std::vector<PixelPolygon>& polygons) {
+    const bool on_earth =
+        std::ranges::all_of(rings, [&](const WorldRing& ring) { return around.earth.holds(ring); });
+    const std::vector<ClipBox> everywhere(1);
+    for (const ClipBox& box : around.boxes.empty() || !on_earth ? everywhere : around.boxes) {
+        PixelPolygon pixels;
+        for (const WorldRing& ring : clipped(rings, box))
+            pixels.push_back(projector.project(ring));
+        if (!pixels.empty())
+            polygons.push_back(std::move(pixels));
+    }
+}
+
+}  // namespace
+
+ClipBox box_of(const PixelPolygon& polygon) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    ClipBox box{inf, inf, -inf, -inf};
+    for (const WorldRing& ring : polygon)
+        for (const Position& p : ring)
+            box = {std::min(box.left, p.x), std::min(box.bottom, p.y), std::max(box.right, p.x),
+                   std::max(box.top, p.y)};
+    return box;
+}
+
+bool meets(const ClipBox& box, const Window& w) {
+    return box.right > w.col && box.left < static_cast<double>(w.col) + w.cols && box.top > w.row &&
+           box.bottom < static_cast<double>(w.row) + w.rows;
+}
+
+std::vector<PixelPolygon> read_cutline(const PolygonSource& source, const DemInfo& info, Warnings& warnings) {
+    const std::string name = source.name();
+    const NetworkGuard gate(source.path);
+    const DatasetOwner dataset =
+        open_vector_dataset(source.path, "The " + name + " cannot be opened", warnings);
+    const OGRLayerH layer = layer_of(dataset.get(), source, warnings);
+    const TransformOwner transform = transform_to_dem(OGR_L_GetSpatialRef(layer), source, info, warnings);
+    RingProjector projector(transform.get(), info.transform, name);
+    SearchExtents around;
+    if (transform)
+        around = search_extents(OGR_L_GetSpatialRef(layer), horizontal_crs(info.crs_wkt).get(), info);
+    std::vector<PixelPolygon> polygons;
+    bool any = false;
+    std::size_t invalid = 0;
+    for_each_geometry(layer, "The " + name, warnings, [&](OGRFeatureH, OGRGeometryH geometry) {
+        const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));  // arcs become lines
+        if (!straight)
+            return;
+        for (OGRGeometryH const polygon : polygons_within(straight.get())) {
+            const std::vector<WorldRing> rings = rings_of(polygon);
+            any = any || !rings.empty();
+            const std::size_t before = polygons.size();
+            add_polygon(rings, projector, around, polygons);
+            const bool is_used =
+                std::any_of(polygons.begin() + static_cast<std::ptrdiff_t>(before), polygons.end(),
+                            [&](const PixelPolygon& pixels) { return meets(box_of(pixels), info.window); });
+            OGR_G_CloseRings(polygon);
+            if (is_used && !is_valid(polygon))
+                ++invalid;
+        }
+    });
+    if (invalid == 1)
+        warnings.add("A polygon of the " + name +
+                     " is not valid, and is taken for what an odd number of its rings encloses; make it "
+                     "valid, for example by ogr2ogr -makevalid.");
+    else if (invalid > 1)
+        warnings.add(std::to_string(invalid) + " polygons of the " + name +
+                     " are not valid, and are taken for what an odd number of their rings encloses; make "
+                     "them valid, for example by ogr2ogr -makevalid.");
+    if (!any)
+        throw InputError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + name +
+                         " has no polygons; give one that has, for example with -" + source.layer_option +
+                         ".");
+    return polygons;
+}
+
+namespace {
+
+constexpr std::int64_t max_strip_cells = std::int64_t{1} << 24;
+
+/// Pixel coordinates of the first cell of a strip.
+struct Corner {
+    double col = 0;
+    double row = 0;
+};
+
+/// GDALTransformerFunc from pixel coordinates of the DEM to those of a strip. Needed because GDAL's own
+/// transformers treat an identity as a missing georeference.
+int shift(void* argument, int to_source, int count, double* x, double* y, double*, int* success) {
+    const auto* corner = static_cast<const Corner*>(argument);
+    const double sign = to_source != 0 ? 1.0 : -1.0;
+    for (int i = 0; i < count; ++i) {
+        x[i] += sign * corner->col;
+        y[i] += sign * corner->row;
+        success[i] = TRUE;
+    }
+    return TRUE;
+}
+
+/// Limits of clipping, because GDAL counts cells in 32 bits. Geometry farther away than any side is long
+/// makes no difference.
+ClipBox countable(const Window& w) {
+    constexpr double room = 1e8;
+    return {w.col - room, w.row - room, w.col + w.cols + room, w.row + w.rows + room};
+}
+
+GeometryOwner to_geometry(const PixelPolygon& polygon, const Window& window) {
+    GeometryOwner geometry(OGR_G_CreateGeometry(wkbPolygon));
+    for (const WorldRing& whole : polygon) {
+        const WorldRing ring = clipped(whole, countable(window));
+        GeometryOwner line(OGR_G_CreateGeometry(wkbLinearRing));
+        OGR_G_SetPointCount(line.get(), static_cast<int>(ring.size()));
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            OGR_G_SetPoint_2D(line.get(), static_cast<int>(i), ring[i].x, ring[i].y);
+        OGR_G_CloseRings(line.get());
+        OGR_G_AddGeometryDirectly(geometry.get(), line.release());
+    }
+    return geometry;
+}
+
+}  // namespace
+
+CutlineMask::CutlineMask(const std::vector<PixelPolygon>& polygons, const Window& window) : window_(window) {
+    for (const PixelPolygon& polygon : polygons)
+        if (const ClipBox box = box_of(polygon); meets(box, window))
+            shapes_.push_back({box, to_geometry(polygon, window)});
+}
+
+void CutlineMask::burn(const Window& strip) {
+    strip_ = strip;
+    inside_.assign(static_cast<std::size_t>(strip.points()), 0);
+    // Burns polygons separately, not as one geometry, because points in an overlap of two polygons are
+    // inside.
+    std::vector<OGRGeometryH> handles;
+    for (const Shape& shape : shapes_)
+        if (meets(shape.box, strip))
+            handles.push_back(shape.geometry.get());
+    if (handles.empty())
+        return;
+    const GdalMessages messages;
+    const DatasetOwner cells(
+        GDALCreate(GDALGetDriverByName("MEM"), "", strip.cols, strip.rows, 1, GDT_Byte, nullptr));
+    const std::vector<double> ones(handles.size(), 1.0);
+    Corner corner{static_cast<double>(strip.col), static_cast<double>(strip.row)};
+    constexpr std::array<int, 1> bands{1};
+    if (!cells ||
+        GDALRasterizeGeometries(cells.get(), 1, bands.data(), static_cast<int>(handles.size()),
+                                handles.data(), shift, &corner, ones.data(), nullptr, nullptr,
+                                nullptr) != CE_None ||
+        GDALRasterIO(GDALGetRasterBand(cells.get(), 1), GF_Read, 0, 0, strip.cols, strip.rows, inside_.data(),
+                     strip.cols, strip.rows, GDT_Byte, 0, 0) != CE_None)
+        throw InputError("The polygons of the cutline or mask cannot be rasterised: " + messages.reason() +
+                         "; simplify them.");
+}
+
+void CutlineMask::apply(const Window& part, std::span<double> elevations) {
+    if (part.cols == 0)
+        return;
+    const std::lock_guard lock(burning_);
+    const auto cols = static_cast<std::size_t>(part.cols);
+    const auto rows_per_strip =
+        static_cast<std::int32_t>(std::max<std::int64_t>(1, max_strip_cells / part.cols));
+    for (std::int32_t row = part.row; row < part.end_row(); ++row) {
+        if (strip_.col != part.col || strip_.cols != part.cols || row < strip_.row || row >= strip_.end_row())
+            burn({row, part.col, std::min(rows_per_strip, window_.end_row() - row), part.cols});
+        const std::uint8_t* inside = inside_.data() + static_cast<std::size_t>(row - strip_.row) * cols;
+        const std::span<double> line =
+            elevations.subspan(static_cast<std::size_t>(row - part.row) * cols, cols);
+        for (std::size_t col = 0; col < cols; ++col)
+            if (inside[col] == 0)
+                line[col] = std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemInfo& info,
+                                          Warnings& warnings) {
+    if (options.cutline.empty())
+        return nullptr;
+    const PolygonSource source{"cutline", "cutline_layer", options.cutline, options.cutline_layer};
+    auto mask = std::make_unique<CutlineMask>(read_cutline(source, info, warnings), info.window);
+    if (!mask->meets_window())
+        warnings.add("The cutline '" + source.path + "' does not meet the part of '" + info.name +
+                     "' that is used; no point of it is valid.");
+    return mask;
+}
+
+}  // namespace d2b

@@ -1,0 +1,269 @@
+#include "read/open_dem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/text.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/open_sources.hpp"
+#include "read/band_reader.hpp"
+#include "read/cutline.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/gdal_setup.hpp"
+#include "read/georeferencing.hpp"
+#include "read/open_raster.hpp"
+#include "read/shared_raster.hpp"
+#include "read/temporary_file.hpp"
+
+namespace d2b {
+
+namespace {
+
+void describe_values(GDALRasterBandH band, const ReadOptions& options, DemInfo& info) {
+    int known = FALSE;
+    if (const double scale = GDALGetRasterScale(band, &known); known != FALSE)
+        info.scale = scale;
+    if (const double offset = GDALGetRasterOffset(band, &known); known != FALSE)
+        info.offset = offset;
+    if (!options.nodata && !options.ignore_nodata)
+        return;
+    const double nodata = GDALGetRasterNoDataValue(band, &known);
+    if (known != FALSE && nodata != options.nodata)
+        info.overridden_nodata = nodata * info.scale + info.offset;
+}
+
+bool holds_bytes(GDALRasterBandH band) {
+    return GDALGetRasterDataType(band) == GDT_Byte && GDALGetRasterScale(band, nullptr) == 1 &&
+           GDALGetRasterOffset(band, nullptr) == 0;
+}
+
+DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Warnings& warnings) {
+    const GdalMessages messages(GDALGetDescription(raster.dataset.get()), options.source);
+    DemInfo info;
+    info.name = options.source;
+    info.rows = GDALGetRasterYSize(raster.dataset.get());
+    info.cols = GDALGetRasterXSize(raster.dataset.get());
+    if (const GDALDriverH driver = GDALGetDatasetDriver(raster.dataset.get()))
+        info.driver = GDALGetDriverShortName(driver);
+    if (const char* unit = GDALGetRasterUnitType(raster.band))
+        info.band_unit = unit;
+    describe_values(raster.band, options, info);
+    info.bands = GDALGetRasterCount(raster.dataset.get());
+    info.bytes = holds_bytes(raster.band);
+    read_transform(raster.dataset.get(), info, warnings);
+    read_crs(raster.dataset.get(), options.crs, info, warnings);
+    info.window = choose_window(options, info);
+    if (const std::string order_warning = extent_order_warning(options, info); !order_warning.empty())
+        warnings.add(order_warning);
+    int block_cols = 0;
+    GDALGetBlockSize(raster.band, &block_cols, &info.block_rows);
+    info.block_rows = std::clamp(info.block_rows, 1, std::max(info.rows, 1));
+    messages.pass_all(warnings);
+    return info;
+}
+
+class GdalDemSource final : public WarningSource {
+  public:
+    GdalDemSource(std::unique_ptr<StandardInputCopy> standard_input, OpenRaster raster,
+                  const ReadOptions& options, std::unique_ptr<Warnings> own)
+        : WarningSource(std::move(own)),
+          standard_input_(std::move(standard_input)),
+          info_(describe(raster, options, warnings())),
+          readers_(make_concurrent(std::move(raster), options,
+                                   standard_input_ ? standard_input_->path() : options.source, info_,
+                                   warnings())),
+          cutline_(open_cutline(options, info_, warnings())) {
+        warnings().hold();
+    }
+
+    [[nodiscard]] const DemInfo& info() const override { return info_; }
+
+    void read(const Window& part, std::span<double> elevations) override {
+        readers_->read(part, elevations);
+        if (cutline_)
+            cutline_->apply(part, elevations);
+    }
+
+  private:
+    std::unique_ptr<StandardInputCopy> standard_input_;  // first, as the readers must be closed before it
+    DemInfo info_;
+    std::unique_ptr<ConcurrentRaster> readers_;
+    std::unique_ptr<CutlineMask> cutline_;
+};
+
+}  // namespace
+
+std::unique_ptr<DemSource> open_dem(const ReadOptions& options, const Callbacks& callbacks) {
+    register_formats();
+    auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
+    std::unique_ptr<StandardInputCopy> standard_input = copy_standard_input(options.source);
+    OpenRaster raster =
+        open_raster(options, standard_input ? standard_input->path() : options.source, *warnings);
+    return std::make_unique<GdalDemSource>(std::move(standard_input), std::move(raster), options,
+                                           std::move(warnings));
+}
+
+namespace {
+
+const std::byte* at(const StridedValues& values, std::int32_t row, std::int32_t col) {
+    return static_cast<const std::byte*>(values.first) + row * values.row_step + col * values.col_step;
+}
+
+template <typename Value>
+void read_as(const StridedValues& values, const Window& part, double* elevations) {
+    for (std::int32_t row = part.row; row < part.row + part.rows; ++row) {
+        const std::byte* cell = at(values, row, part.col);
+        for (std::int32_t col = 0; col < part.cols; ++col, cell += values.col_step) {
+            Value value{};
+            std::memcpy(&value, cell, sizeof(Value));
+            *elevations++ = static_cast<double>(value);
+        }
+    }
+}
+
+void read_values(const ElevationArray& array, const Window& part, double* elevations) {
+    switch (array.type) {
+        case ValueType::int8:
+            return read_as<std::int8_t>(array.values, part, elevations);
+        case ValueType::uint8:
+            return read_as<std::uint8_t>(array.values, part, elevations);
+        case ValueType::int16:
+            return read_as<std::int16_t>(array.values, part, elevations);
+        case ValueType::uint16:
+            return read_as<std::uint16_t>(array.values, part, elevations);
+        case ValueType::int32:
+            return read_as<std::int32_t>(array.values, part, elevations);
+        case ValueType::uint32:
+            return read_as<std::uint32_t>(array.values, part, elevations);
+        case ValueType::int64:
+            return read_as<std::int64_t>(array.values, part, elevations);
+        case ValueType::uint64:
+            return read_as<std::uint64_t>(array.values, part, elevations);
+        case ValueType::float32:
+            return read_as<float>(array.values, part, elevations);
+        case ValueType::float64:
+            return read_as<double>(array.values, part, elevations);
+    }
+}
+
+void require_array_options(const ReadOptions& options, const std::string& name) {
+    const std::string given = options.band != 1               ? "-b"
+                              : !options.open_options.empty() ? "-oo"
+                              : !options.drivers.empty()      ? "-if"
+                                                              : "";
+    if (!given.empty())
+        throw OptionError(given + " says how a file is read and means nothing for '" + name +
+                          "'; leave it out.");
+}
+
+DemInfo describe(const ElevationArray& array, const ReadOptions& options, Warnings& warnings) {
+    DemInfo info;
+    info.name = array.name;
+    info.rows = array.rows;
+    info.cols = array.cols;
+    info.driver = "array";
+    info.bytes = array.type == ValueType::uint8;
+    set_transform(array.transform, "correct it", info, warnings);
+    set_crs("", options.crs, info, warnings);
+    info.window = choose_window(options, info);
+    if (const std::string order_warning = extent_order_warning(options, info); !order_warning.empty())
+        warnings.add(order_warning);
+    return info;
+}
+
+/// Reads a part, with NaN for values that are masked or not finite.
+void read_valid(const ElevationArray& array, const Window& part, std::span<double> values) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    read_values(array, part, values.data());
+    for (double& value : values)
+        if (!std::isfinite(value))
+            value = none;
+    if (array.masked.first == nullptr)
+        return;
+    double* value = values.data();
+    for (std::int32_t row = part.row; row < part.row + part.rows; ++row)
+        for (std::int32_t col = part.col; col < part.col + part.cols; ++col, ++value)
+            if (*at(array.masked, row, col) != std::byte{0})
+                *value = none;
+}
+
+class ArrayDemSource final : public DemSource {
+  public:
+    ArrayDemSource(const ElevationArray& array, const ReadOptions& options, Warnings& warnings)
+        : array_(array),
+          info_(describe(array, options, warnings)),
+          cutline_(open_cutline(options, info_, warnings)) {
+        if (options.nodata)
+            nodata_ = array.type == ValueType::float32 ? round_to_single(*options.nodata) : *options.nodata;
+    }
+
+    [[nodiscard]] const DemInfo& info() const override { return info_; }
+
+    void read(const Window& part, std::span<double> elevations) override {
+        require_part(info_, part, elevations.size());
+        read_valid(array_, part, elevations);
+        if (nodata_)
+            std::ranges::replace(elevations, *nodata_, std::numeric_limits<double>::quiet_NaN());
+        if (cutline_)
+            cutline_->apply(part, elevations);
+    }
+
+  private:
+    ElevationArray array_;
+    DemInfo info_;
+    std::unique_ptr<CutlineMask> cutline_;
+    std::optional<double> nodata_;
+};
+
+/// Creates a raster in memory. @throws InputError if memory does not suffice
+DatasetOwner empty_raster(const DemInfo& grid, GDALDataType type) {
+    const GdalMessages messages;
+    DatasetOwner dataset(GDALCreate(GDALGetDriverByName("MEM"), "", grid.cols, grid.rows, 1, type, nullptr));
+    if (!dataset)
+        throw InputError("There is no room for a copy of an array of " + std::to_string(grid.rows) +
+                         " rows and " + std::to_string(grid.cols) + " columns (" + messages.reason() +
+                         "); use a part of it.");
+    return dataset;
+}
+
+}  // namespace
+
+OpenRaster array_raster(const ElevationArray& array, const DemInfo& grid) {
+    const bool exact_in_single = array.type == ValueType::float32 || array.type == ValueType::int8 ||
+                                 array.type == ValueType::uint8 || array.type == ValueType::int16 ||
+                                 array.type == ValueType::uint16;
+    OpenRaster raster{empty_raster(grid, exact_in_single ? GDT_Float32 : GDT_Float64), nullptr};
+    const GdalMessages quiet;
+    if (AffineTransform transform = grid.transform; grid.georeferenced)
+        GDALSetGeoTransform(raster.dataset.get(), transform.data());
+    if (const CrsOwner crs = horizontal_crs(grid.crs_wkt))
+        GDALSetSpatialRef(raster.dataset.get(), crs.get());
+    raster.band = GDALGetRasterBand(raster.dataset.get(), 1);
+    GDALSetRasterNoDataValue(raster.band, std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> row(static_cast<std::size_t>(grid.cols));
+    for (std::int32_t i = 0; i < grid.rows; ++i) {
+        read_valid(array, {i, 0, 1, grid.cols}, row);
+        if (GDALRasterIO(raster.band, GF_Write, 0, i, grid.cols, 1, row.data(), grid.cols, 1, GDT_Float64, 0,
+                         0) != CE_None)
+            throw InputError("'" + array.name + "' cannot be copied: " + quiet.reason() + ".");
+    }
+    return raster;
+}
+
+std::unique_ptr<DemSource> open_dem(const ElevationArray& array, const ReadOptions& options,
+                                    const Callbacks& callbacks) {
+    if (array.rows < 1 || array.cols < 1)
+        throw InputError("'" + array.name + "' has no cells; give at least one row and one column.");
+    register_formats();
+    require_array_options(options, array.name);
+    Warnings warnings(callbacks.on_warning);
+    return std::make_unique<ArrayDemSource>(array, options, warnings);
+}
+
+}  // namespace d2b

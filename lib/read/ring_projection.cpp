@@ -1,0 +1,209 @@
+#include "read/ring_projection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "core/text.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/sinks.hpp"
+#include "read/gdal_handles.hpp"
+#include "read/gdal_messages.hpp"
+
+namespace d2b {
+namespace {
+
+/// Side of a box.
+struct Side {
+    double Position::*across;  ///< bounded coordinate
+    double Position::*along;
+    double limit = 0;
+    bool keeps_above = true;
+
+    [[nodiscard]] bool keeps(const Position& p) const {
+        return keeps_above ? p.*across >= limit : p.*across <= limit;
+    }
+    [[nodiscard]] Position crossing(const Position& a, const Position& b) const {
+        const double share = (limit - a.*across) / (b.*across - a.*across);
+        Position p;
+        p.*across = limit;
+        p.*along = a.*along + (b.*along - a.*along) * share;
+        return p;
+    }
+};
+
+WorldRing cut(const WorldRing& ring, const Side& side) {
+    WorldRing kept;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Position& from = ring[i];
+        const Position& to = ring[i + 1 == ring.size() ? 0 : i + 1];
+        if (side.keeps(from))
+            kept.push_back(from);
+        if (side.keeps(from) != side.keeps(to))
+            kept.push_back(side.crossing(from, to));
+    }
+    return kept;
+}
+
+}  // namespace
+
+bool ClipBox::holds(std::span<const Position> ring) const {
+    return std::ranges::all_of(ring, [this](const Position& p) {
+        return p.x >= left && p.x <= right && p.y >= bottom && p.y <= top;
+    });
+}
+
+WorldRing clipped(const WorldRing& ring, const ClipBox& box) {
+    if (box.holds(ring))
+        return ring;
+    const std::array<Side, 4> sides{Side{&Position::x, &Position::y, box.left, true},
+                                    {&Position::x, &Position::y, box.right, false},
+                                    {&Position::y, &Position::x, box.bottom, true},
+                                    {&Position::y, &Position::x, box.top, false}};
+    WorldRing kept = ring;
+    if (kept.size() > 1 && kept.front() == kept.back())
+        kept.pop_back();
+    for (const Side& side : sides)
+        kept = cut(kept, side);
+    if (!kept.empty())
+        kept.push_back(Position(kept.front()));
+    return kept;
+}
+
+namespace {
+
+constexpr double max_deviation = 0.02;  // cells
+constexpr double long_edge = 16;  // cells; longer edges are halved at least twice, because an S-shaped one
+                                  // may pass through the midpoint of the chord
+constexpr int deepest = 12;       // at most 4096 parts per edge
+
+}  // namespace
+
+RingProjector::RingProjector(OGRCoordinateTransformationH transform, const AffineTransform& grid,
+                             std::string name)
+    : transform_(transform), name_(std::move(name)) {
+    AffineTransform forward = grid;  // GDALInvGeoTransform() takes no const argument
+    if (GDALInvGeoTransform(forward.data(), to_cells_.data()) == 0)
+        throw InputError("The transform of the DEM cannot be inverted, so that the " + name_ +
+                         " cannot be placed.");
+}
+
+Position RingProjector::to_pixel(Position source) const {
+    Position p = source;
+    const GdalMessages messages;
+    if (transform_ != nullptr && OCTTransform(transform_, 1, &p.x, &p.y, nullptr) == FALSE)
+        p.x = HUGE_VAL;
+    const AffineTransform& g = to_cells_;
+    const Position pixel{g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
+    if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y))
+        throw InputError("The " + name_ + " has a position without an image in the DEM's coordinate " +
+                         "reference system (" + number_text(source.x) + ", " + number_text(source.y) +
+                         "); clip it to the surroundings of the DEM.");
+    return pixel;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): it ends with the depth
+void RingProjector::densify(const Vertex& from, const Vertex& to, int depth, WorldRing& ring) const {
+    Vertex middle{{(from.source.x + to.source.x) / 2, (from.source.y + to.source.y) / 2}, {}};
+    middle.pixel = to_pixel(middle.source);
+    const double deviation = std::hypot(middle.pixel.x - (from.pixel.x + to.pixel.x) / 2,
+                                        middle.pixel.y - (from.pixel.y + to.pixel.y) / 2);
+    const double length = std::hypot(to.pixel.x - from.pixel.x, to.pixel.y - from.pixel.y);
+    if (depth >= deepest || (deviation < max_deviation && (depth >= 2 || length < long_edge)))
+        return;
+    densify(from, middle, depth + 1, ring);
+    ring.push_back(middle.pixel);
+    densify(middle, to, depth + 1, ring);
+}
+
+WorldRing RingProjector::project(const WorldRing& ring) {
+    WorldRing result;
+    Vertex before;
+    for (const Position& source : ring) {
+        const Vertex vertex{source, to_pixel(source)};
+        if (transform_ != nullptr && !result.empty())
+            densify(before, vertex, 0, result);
+        result.push_back(vertex.pixel);
+        before = vertex;
+    }
+    return result;
+}
+
+namespace {
+
+constexpr double margin = 4;  // in sizes of the window
+
+/// Returns a lattice of points over the window, because its rim alone would miss a pole inside.
+std::vector<Position> lattice_of(const DemInfo& info) {
+    constexpr int n = 16;
+    const AffineTransform& g = info.transform;
+    std::vector<Position> places;
+    for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= n; ++k) {
+            const double row = info.window.row + static_cast<double>(info.window.rows) * i / n;
+            const double col = info.window.col + static_cast<double>(info.window.cols) * k / n;
+            places.push_back({g[0] + col * g[1] + row * g[2], g[3] + col * g[4] + row * g[5]});
+        }
+    return places;
+}
+
+/// Returns the smallest range that contains all longitudes: the circle without its widest gap. It may end
+/// beyond half a turn.
+std::pair<double, double> range_of_longitudes(std::vector<double> longitudes, double turn) {
+    for (double& longitude : longitudes)
+        longitude = std::remainder(longitude, turn);
+    std::ranges::sort(longitudes);
+    std::pair<double, double> range{longitudes.front(), longitudes.back()};
+    double widest = longitudes.front() + turn - longitudes.back();
+    for (std::size_t i = 1; i < longitudes.size(); ++i)
+        if (longitudes[i] - longitudes[i - 1] > widest) {
+            widest = longitudes[i] - longitudes[i - 1];
+            range = {longitudes[i], longitudes[i - 1] + turn};
+        }
+    return range;
+}
+
+/// Returns a full circle of longitude in units of the CRS, or 0 for projected ones.
+double full_circle_of(OGRSpatialReferenceH crs) {
+    return OSRIsGeographic(crs) != FALSE ? 2 * std::numbers::pi / OSRGetAngularUnits(crs, nullptr) : 0;
+}
+
+}  // namespace
+
+SearchExtents search_extents(OGRSpatialReferenceH polygons, OGRSpatialReferenceH dem, const DemInfo& info) {
+    const GdalMessages quiet;
+    const TransformOwner back(OCTNewCoordinateTransformation(dem, polygons));
+    std::vector<double> xs;
+    std::vector<double> ys;
+    for (Position p : lattice_of(info)) {
+        if (!back || OCTTransform(back.get(), 1, &p.x, &p.y, nullptr) == FALSE || !std::isfinite(p.x + p.y))
+            return {};
+        xs.push_back(p.x);
+        ys.push_back(p.y);
+    }
+    const auto [bottom, top] = std::ranges::minmax(ys);
+    const auto [least, most] = std::ranges::minmax(xs);
+    const double turn = full_circle_of(polygons);
+    const auto [left, right] = turn > 0 ? range_of_longitudes(std::move(xs), turn) : std::pair(least, most);
+    const double room = margin * std::max(right - left, top - bottom);
+    ClipBox box{left - room, bottom - room, right + room, top + room};
+    if (!(turn > 0))
+        return {{box}, {}};
+    SearchExtents found;
+    found.earth.top = turn / 4 * (1 + 1e-9);
+    found.earth.bottom = -found.earth.top;
+    if (box.right - box.left >= turn) {
+        box.left = found.earth.left;
+        box.right = found.earth.right;
+        found.boxes = {box};
+        return found;
+    }
+    for (const double shift : {0.0, -turn, turn})
+        found.boxes.push_back({box.left + shift, box.bottom, box.right + shift, box.top});
+    return found;
+}
+
+}  // namespace d2b

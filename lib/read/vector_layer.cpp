@@ -1,0 +1,182 @@
+#include "read/vector_layer.hpp"
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
+#include "read/gdal_handles.hpp"
+#include "read/gdal_messages.hpp"
+#include "read/georeferencing.hpp"
+
+namespace d2b {
+namespace {
+
+WorldRing ring_of(OGRGeometryH line, bool& open) {
+    const int count = OGR_G_GetPointCount(line);
+    WorldRing ring(static_cast<std::size_t>(count));
+    constexpr int stride = sizeof(Position);
+    if (count > 0)
+        OGR_G_GetPoints(line, &ring[0].x, stride, &ring[0].y, stride, nullptr, 0);
+    if (ring.size() > 1 && ring.front() == ring.back())
+        ring.pop_back();
+    else if (!ring.empty())
+        open = true;
+    return ring;
+}
+
+void add_polygon(OGRGeometryH polygon, PolygonFeature& feature) {
+    WorldPolygon result;
+    for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i) {
+        WorldRing ring = ring_of(OGR_G_GetGeometryRef(polygon, i), feature.open_ring);
+        if (i == 0)
+            result.exterior = std::move(ring);
+        else if (!ring.empty())
+            result.interiors.push_back(std::move(ring));
+    }
+    if (!result.exterior.empty())
+        feature.polygons.push_back(std::move(result));
+}
+
+/// Returns the parts of a wanted type at any depth of nested collections.
+template <typename IsWanted>
+std::vector<OGRGeometryH> parts_within(OGRGeometryH geometry, const IsWanted& is_wanted) {
+    std::vector<OGRGeometryH> parts;
+    std::vector<OGRGeometryH> open{geometry};  // no recursion, because files decide the depth of nesting
+    while (!open.empty()) {
+        OGRGeometryH const next = open.back();
+        open.pop_back();
+        const OGRwkbGeometryType type = OGR_GT_Flatten(OGR_G_GetGeometryType(next));
+        if (is_wanted(type))
+            parts.push_back(next);
+        else if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != FALSE ||
+                 OGR_GT_IsSubClassOf(type, wkbPolyhedralSurface) != FALSE)
+            for (int i = OGR_G_GetGeometryCount(next); i-- > 0;)
+                open.push_back(OGR_G_GetGeometryRef(next, i));
+    }
+    return parts;
+}
+
+}  // namespace
+
+std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry) {
+    return parts_within(geometry,
+                        [](OGRwkbGeometryType type) { return type == wkbPolygon || type == wkbTriangle; });
+}
+
+std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry) {
+    return parts_within(geometry, [](OGRwkbGeometryType type) { return type == wkbLineString; });
+}
+
+PolygonFeature polygon_feature_of(OGRGeometryH geometry) {
+    PolygonFeature feature;
+    const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));
+    if (straight)
+        for (OGRGeometryH const polygon : polygons_within(straight.get()))
+            add_polygon(polygon, feature);
+    return feature;
+}
+
+DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint, Warnings& warnings) {
+    const GdalMessages messages;
+    DatasetOwner dataset = open_guarded(path, GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR);
+    if (!dataset)
+        throw InputError(complaint + ": " + messages.reason_for(path) + ".");
+    messages.pass_all(warnings);
+    return dataset;
+}
+
+std::vector<std::string> geometry_layers(GDALDatasetH dataset) {
+    std::vector<std::string> names;
+    for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i) {
+        const OGRLayerH layer = GDALDatasetGetLayer(dataset, i);
+        if (OGR_L_GetGeomType(layer) != wkbNone)
+            names.emplace_back(OGR_L_GetName(layer));
+    }
+    return names;
+}
+
+OGRLayerH pick_layer(GDALDatasetH dataset, const LayerChoice& choice) {
+    const std::vector<std::string> names = geometry_layers(dataset);
+    if (names.empty())
+        throw InputError("'" + choice.dataset +
+                         "' has no layer with geometries; give a dataset with polygons.");
+    if (!choice.layer.empty()) {
+        if (const OGRLayerH layer = GDALDatasetGetLayerByName(dataset, choice.layer.c_str()))
+            return layer;
+        throw OptionError("'" + choice.dataset + "' has no layer '" + choice.layer + "'; it has " +
+                          quoted_names(names) + ".");
+    }
+    for (const std::string& name : choice.defaults)
+        if (const OGRLayerH layer = GDALDatasetGetLayerByName(dataset, name.c_str()))
+            return layer;
+    return GDALDatasetGetLayerByName(dataset, names.front().c_str());
+}
+
+void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warnings,
+                       const std::function<void(OGRFeatureH, OGRGeometryH)>& visit) {
+    const GdalMessages messages;
+    OGR_L_ResetReading(layer);
+    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
+        if (OGRGeometryH const geometry = OGR_F_GetGeometryRef(feature.get());
+            geometry != nullptr && OGR_G_IsEmpty(geometry) == FALSE)
+            visit(feature.get(), geometry);
+    if (messages.failed())
+        throw InputError(what + " cannot be read: " + messages.reason() + ".");
+    messages.pass_warnings(warnings);
+}
+
+std::string quoted_names(std::span<const std::string> names) {
+    constexpr std::size_t most = 20;
+    std::string text;
+    for (std::size_t i = 0; i < names.size() && i < most; ++i) {
+        const bool last = i + 1 == names.size();
+        text += (i == 0 ? "'" : last ? " and '" : ", '") + names[i] + "'";
+    }
+    return names.size() > most ? text + " and others" : text;
+}
+
+OGRLayerH layer_of(GDALDatasetH dataset, const PolygonSource& source, Warnings& warnings) {
+    const std::vector<std::string> names = geometry_layers(dataset);
+    const std::string all = quoted_names(names);
+    if (!source.layer.empty()) {
+        const GdalMessages quiet;
+        if (const OGRLayerH layer = GDALDatasetGetLayerByName(dataset, source.layer.c_str()))
+            return layer;
+        throw OptionError("The " + source.name() + " has no layer '" + source.layer + "'; " +
+                          (names.empty() ? "it has none with geometries." : "it has " + all + "."));
+    }
+    if (names.empty())
+        throw InputError("The " + source.name() +
+                         " has no layer with geometries; give a dataset with polygons.");
+    if (names.size() > 1)
+        warnings.add("The " + source.name() + " has the layers " + all + "; '" + names.front() +
+                     "' is taken, and -" + source.layer_option + " takes another.");
+    return GDALDatasetGetLayerByName(dataset, names.front().c_str());
+}
+
+TransformOwner transform_to_dem(OGRSpatialReferenceH from, const PolygonSource& source, const DemInfo& info,
+                                Warnings& warnings) {
+    if (wkt_of(from).empty()) {
+        if (!info.crs_wkt.empty())
+            warnings.add("The " + source.name() +
+                         " has no coordinate reference system; its coordinates are taken as the DEM's.");
+        return nullptr;
+    }
+    if (info.crs_wkt.empty())
+        throw InputError("The " + source.name() + " has a coordinate reference system and '" + info.name +
+                         "' has none; give the DEM's with -a_srs.");
+    const GdalMessages messages;
+    const CrsOwner to = horizontal_crs(info.crs_wkt);
+    if (OSRIsSame(from, to.get()) != FALSE)
+        return nullptr;
+    TransformOwner transform(OCTNewCoordinateTransformation(from, to.get()));
+    if (!transform)
+        throw InputError("The " + source.name() +
+                         " cannot be converted to the DEM's coordinate reference system: " +
+                         messages.reason() + "; reproject it first.");
+    return transform;
+}
+
+}  // namespace d2b

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <ogr_api.h>
+
+#include "core/warnings.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "read/gdal_handles.hpp"
+#include "read/polygon_layer.hpp"
+
+namespace d2b {
+
+/// Returns the polygons and triangles in a geometry at any depth, in order. They are owned by the geometry.
+[[nodiscard]] std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry);
+/// Same for lines; edges of polygons do not count.
+[[nodiscard]] std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry);
+
+/// Returns the polygons of a geometry of any type without heights of vertices. Curves become lines; the
+/// result is empty if it contains no polygon.
+[[nodiscard]] PolygonFeature polygon_feature_of(OGRGeometryH geometry);
+
+/// Opens a dataset with vector layers. @param complaint "'x' cannot be opened", before GDAL's reason @throws
+/// InputError
+[[nodiscard]] DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint,
+                                               Warnings& warnings);
+
+/// Names of layers with geometries, in order.
+[[nodiscard]] std::vector<std::string> geometry_layers(GDALDatasetH dataset);
+
+/// Returns the layer that `choice` names. @throws InputError if there is no layer with geometries. @throws
+/// OptionError if the requested one does not exist
+[[nodiscard]] OGRLayerH pick_layer(GDALDatasetH dataset, const LayerChoice& choice);
+
+/// Calls visit(feature, geometry) for all features of a layer whose geometry is not empty.
+/// @param what "The layer 'x' of 'y'", for messages @throws InputError if it cannot be read to its end
+void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warnings,
+                       const std::function<void(OGRFeatureH, OGRGeometryH)>& visit);
+
+/// Formats "'a', 'b' and 'c'", shortened if there are very many; "" for none.
+[[nodiscard]] std::string quoted_names(std::span<const std::string> names);
+
+/// Source of polygons or lines.
+struct PolygonSource {
+    std::string role;          ///< name in messages: "cutline", "mask", "parcels"
+    std::string layer_option;  ///< option that names the layer
+    std::string path{};        ///< any vector dataset that GDAL opens
+    std::string layer{};       ///< "": first layer with geometries, with a warning if there are several
+
+    [[nodiscard]] std::string name() const { return role + " '" + path + "'"; }
+};
+
+/// Returns the layer that the source names. @throws InputError if there is no layer with geometries. @throws
+/// OptionError if the named one does not exist
+[[nodiscard]] OGRLayerH layer_of(GDALDatasetH dataset, const PolygonSource& source, Warnings& warnings);
+
+/// Returns the transformation from the CRS of the layer to that of the DEM, or null if they are the same or
+/// the layer has none.
+/// @throws InputError: a CRS although the DEM has none, or no operation between the two
+[[nodiscard]] TransformOwner transform_to_dem(OGRSpatialReferenceH from, const PolygonSource& source,
+                                              const DemInfo& info, Warnings& warnings);
+
+}  // namespace d2b

@@ -1,0 +1,460 @@
+#include "write/qgis/qgis_style.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <cpl_vsi.h>
+
+#include "core/height_classes.hpp"
+#include "core/text.hpp"
+#include "dem2buildings/sinks.hpp"
+#include "read/gdal_messages.hpp"
+#include "write/xml_text.hpp"
+
+/// Internal parts of QML documents, used by qml_*.cpp only.
+namespace d2b::qml {
+
+/// Fields used by a style, as quoted columns in an expression of QGIS, escaped for XML; "" if the style does
+/// not use the field.
+struct Columns {
+    std::string colour;
+    std::string label;
+    std::array<std::string, 2> labelled;
+    std::string order;
+    std::string certainty;
+    std::string top;
+    std::string bottom;
+    std::string height;
+    std::string min_height;
+};
+
+/// Returns the 2D renderer: coloured by height with a legend, or a single symbol.
+[[nodiscard]] std::string renderer(const LayerSpec& spec, const Columns& columns);
+/// Returns the labels for large map scales.
+[[nodiscard]] std::string labeling(const LayerSpec& spec, const Columns& columns);
+/// Returns solids in the colours of the 2D renderer. They stand at their elevations, independent of the
+/// terrain of the scene.
+[[nodiscard]] std::string renderer_3d(const LayerSpec& spec, const Columns& columns);
+
+/// Returns for example "255,237,160,255".
+[[nodiscard]] std::string colour_text(std::size_t height_class);
+/// Returns an expression, escaped for XML, that is true if a height is in a class.
+[[nodiscard]] std::string class_filter(std::size_t height_class, const std::string& height);
+/// Returns a data-defined property of a symbol.
+[[nodiscard]] std::string data_defined_property(const std::string& name, const std::string& expression);
+/// Wraps data-defined properties in their element.
+[[nodiscard]] std::string data_defined_property_set(const std::string& element,
+                                                    const std::string& properties);
+
+std::string colour_text(std::size_t height_class) {
+    const auto& [red, green, blue] = height_classes()[height_class].colour;
+    return std::to_string(red) + "," + std::to_string(green) + "," + std::to_string(blue) + ",255";
+}
+
+std::string class_filter(std::size_t height_class, const std::string& height) {
+    const auto classes = height_classes();
+    std::string text = height_class == 0 ? height + " IS NOT NULL"
+                                         : height + " &gt;= " + number_text(classes[height_class].from);
+    if (height_class + 1 < classes.size())
+        text += " AND " + height + " &lt; " + number_text(classes[height_class + 1].from);
+    return text;
+}
+
+std::string data_defined_property(const std::string& name, const std::string& expression) {
+    return "        <Option type=\"Map\" name=\"" + name +
+           "\">\n         <Option type=\"bool\" name=\"active\" value=\"true\"/>\n"
+           "         <Option type=\"QString\" name=\"expression\" value=\"" +
+           expression +
+           "\"/>\n         <Option type=\"int\" name=\"type\" value=\"3\"/>\n        </Option>\n";
+}
+
+std::string data_defined_property_set(const std::string& element, const std::string& properties) {
+    return "     <" + element +
+           ">\n      <Option type=\"Map\">\n"
+           "       <Option type=\"QString\" name=\"name\" value=\"\"/>\n"
+           "       <Option type=\"Map\" name=\"properties\">\n" +
+           properties +
+           "       </Option>\n       <Option type=\"QString\" name=\"type\" value=\"collection\"/>\n"
+           "      </Option>\n     </" +
+           element + ">\n";
+}
+
+namespace {
+
+using Properties = std::vector<std::pair<std::string, std::string>>;
+
+/// Writes properties as options and, for QGIS before 3.20, as `prop` elements.
+std::string symbol_layer(const std::string& kind, const Properties& properties,
+                         const std::string& defined = "") {
+    std::string options;
+    std::string props;
+    for (const auto& [key, value] : properties) {
+        options += "      <Option type=\"QString\" name=\"" + key + "\" value=\"" + value + "\"/>\n";
+        props += "     <prop k=\"" + key + "\" v=\"" + value + "\"/>\n";
+    }
+    return "    <layer class=\"" + kind +
+           "\" enabled=\"1\" locked=\"0\" pass=\"0\">\n     <Option type=\"Map\">\n" + options +
+           "     </Option>\n" + props + defined + "    </layer>\n";
+}
+
+/// @param colour "" for no fill @param width of the outline in millimetres; "" for none
+std::string area(const std::string& colour, const std::string& edge, const std::string& width,
+                 const std::string& defined = "") {
+    return symbol_layer("SimpleFill",
+                        {{"color", colour.empty() ? "0,0,0,0" : colour},
+                         {"style", colour.empty() ? "no" : "solid"},
+                         {"joinstyle", "miter"},
+                         {"outline_color", edge},
+                         {"outline_style", width.empty() ? "no" : "solid"},
+                         {"outline_width", width.empty() ? "0" : width},
+                         {"outline_width_unit", "MM"}},
+                        defined);
+}
+
+std::string symbol(std::size_t number, const std::string& layers, const std::string& type = "fill") {
+    return "   <symbol type=\"" + type + "\" name=\"" + std::to_string(number) +
+           "\" alpha=\"1\" clip_to_extent=\"1\" force_rhr=\"0\">\n" + layers + "   </symbol>\n";
+}
+
+/// Hollow marker, so that the map below stays visible.
+std::string dot() {
+    return symbol_layer("SimpleMarker", {{"name", "circle"},
+                                         {"color", "255,255,255,0"},
+                                         {"outline_color", "174,1,126,255"},
+                                         {"outline_style", "solid"},
+                                         {"outline_width", "0.5"},
+                                         {"outline_width_unit", "MM"},
+                                         {"size", "3"},
+                                         {"size_unit", "MM"}});
+}
+
+/// Hatching in millimetres, so that it looks the same in print and on screen, on a translucent white that
+/// covers the relief.
+std::string hatched() {
+    constexpr const char* magenta = "174,1,126,255";
+    return area("255,255,255,130", magenta, "") +
+           symbol_layer("LinePatternFill", {{"angle", "45"},
+                                            {"color", magenta},
+                                            {"distance", "1.3"},
+                                            {"distance_unit", "MM"},
+                                            {"line_width", "0.35"},
+                                            {"line_width_unit", "MM"}}) +
+           area("", magenta, "0.4");
+}
+
+/// White overlay on uncertain features: the less certain, the whiter.
+std::string veil(const LayerStyle& style, const std::string& certainty) {
+    constexpr UncertaintyOverlay opacity;
+    const std::string colour = "color_rgba(255, 255, 255, scale_linear(" + certainty + ", " +
+                               number_text(opacity.low) + ", " + number_text(style.certain) + ", " +
+                               number_text(opacity.most) + ", " + number_text(opacity.least) + "))";
+    return area(
+        "255,255,255,130", "150,135,130,255", "0.12",
+        data_defined_property_set("data_defined_properties", data_defined_property("fillColor", colour)));
+}
+
+std::string rule(std::size_t number, const std::string& filter, const std::string& label) {
+    const std::string text = std::to_string(number);
+    return "    <rule key=\"{dem2buildings-" + text + "}\" symbol=\"" + text + "\" filter=\"" + filter +
+           "\" label=\"" + xml_text(label) + "\"/>\n";
+}
+
+/// Thins outlines on small scales, because dense outlines would cover the colours.
+std::string outline_width_by_scale() {
+    return data_defined_property_set(
+        "data_defined_properties",
+        data_defined_property("outlineWidth",
+                              "coalesce(scale_linear(@map_scale, 1000, 5000, 0.16, 0.04), 0.12)"));
+}
+
+/// One rule per class, below a rule that is only the heading of the legend.
+std::string height_rules(const LayerStyle& style, const Columns& columns) {
+    const std::size_t classes = height_classes().size();
+    std::string rules;
+    std::string symbols;
+    for (std::size_t i = 0; i < classes; ++i) {
+        rules += rule(i, class_filter(i, columns.colour), class_label(i));
+        symbols += symbol(i, area(colour_text(i), "70,45,35,255", "0.12", outline_width_by_scale()));
+    }
+    if (!columns.certainty.empty()) {
+        rules += rule(classes,
+                      columns.certainty + " &lt; " + number_text(style.certain) + " AND " + columns.colour +
+                          " IS NOT NULL",
+                      "paler: less certain");
+        symbols += symbol(classes, veil(style, columns.certainty));
+    }
+    return "  <rules key=\"{dem2buildings}\">\n   <rule key=\"{dem2buildings-heading}\" label=\"" +
+           xml_text(style.title) + "\">\n" + rules + "   </rule>\n  </rules>\n  <symbols>\n" + symbols +
+           "  </symbols>\n";
+}
+
+}  // namespace
+
+std::string renderer(const LayerSpec& spec, const Columns& columns) {
+    const LayerStyle& style = spec.style;
+    const bool ordered = !columns.order.empty();
+    const std::string order = ordered ? "1" : "0";
+    std::string text =
+        " <renderer-v2 forceraster=\"0\" symbollevels=\"0\" enableorderby=\"" + order + "\" type=\"";
+    if (spec.points)
+        text += "singleSymbol\">\n  <symbols>\n" + symbol(0, dot(), "marker") + "  </symbols>\n";
+    else if (columns.colour.empty())
+        text += "singleSymbol\">\n  <symbols>\n" + symbol(0, hatched()) + "  </symbols>\n";
+    else
+        text += "RuleRenderer\">\n" + height_rules(style, columns);
+    if (ordered)
+        text += "  <orderby>\n   <orderByClause asc=\"1\" nullsFirst=\"1\">" + columns.order +
+                "</orderByClause>\n  </orderby>\n";
+    return text + " </renderer-v2>\n";
+}
+
+namespace {
+
+/// Expression for a height in whole metres. Keeps a decimal if rounding would lift it into the next class, so
+/// that label and colour agree: 9.7 m does not become 10.
+std::string height_text(const std::string& height) {
+    std::string bounds;
+    for (const HeightClass& one : height_classes().subspan(1))
+        bounds += (bounds.empty() ? "" : ", ") + number_text(one.from);
+    const std::string whole = "round(" + height + ")";
+    return "CASE WHEN " + height + " &lt; " + whole + " AND " + whole + " IN (" + bounds + ") THEN floor(" +
+           height + " * 10) / 10 ELSE " + whole + " END || ' m'";
+}
+
+}  // namespace
+
+std::string labeling(const LayerSpec& spec, const Columns& columns) {
+    const auto field = std::ranges::find(spec.fields, spec.style.label, &FieldSpec::name);
+    const bool text = field->type == FieldType::text;
+    std::string expression = text ? columns.label : height_text(columns.label);
+    if (const auto& [one, other] = columns.labelled; !one.empty() && !other.empty())
+        expression = "CASE WHEN " + one + " = " + other + " THEN " + expression + " END";
+    // The halo makes labels readable on every colour of the legend.
+    return " <labeling type=\"simple\">\n  <settings calloutType=\"simple\">\n"
+           "   <text-style fieldName=\"" +
+           expression +
+           "\" isExpression=\"1\" fontFamily=\"Sans Serif\" fontSize=\"8\" fontSizeUnit=\"Point\" "
+           "fontWeight=\"50\" textColor=\"30,30,30,255\" textOpacity=\"1\" namedStyle=\"\">\n"
+           "    <text-buffer bufferDraw=\"1\" bufferSize=\"0.6\" bufferSizeUnits=\"MM\" "
+           "bufferColor=\"255,255,255,255\" bufferOpacity=\"0.9\" bufferJoinStyle=\"128\"/>\n"
+           "   </text-style>\n"
+           "   <text-format/>\n"
+           "   <placement placement=\"" +
+           (spec.points ? "0" : "1") +
+           "\" placementFlags=\"10\" centroidInside=\"1\" centroidWhole=\"1\" "
+           "fitInPolygonOnly=\"0\" quadOffset=\"4\" priority=\"5\" polygonPlacementFlags=\"2\"/>\n"
+           "   <rendering scaleVisibility=\"1\" scaleMin=\"1\" scaleMax=\"" +
+           number_text(spec.style.label_scale) +
+           "\" obstacle=\"0\" drawLabels=\"1\" displayAll=\"0\" labelPerPart=\"0\"/>\n"
+           "  </settings>\n </labeling>\n";
+}
+
+namespace {
+
+std::string scaled(const std::string& expression, double scale) {
+    return scale == 1 ? expression : expression + " * " + number_text(scale);
+}
+
+std::string material(std::size_t height_class) {
+    const auto& colour = height_classes()[height_class].colour;
+    const auto shade = [&](double share) {
+        std::string text;
+        for (const unsigned char part : colour)
+            text += std::to_string(static_cast<int>(part * share)) + ",";
+        return text + "255";
+    };
+    return "     <material ambient=\"" + shade(0.35) + "\" diffuse=\"" + shade(0.85) +
+           "\" specular=\"20,20,20,255\" shininess=\"0\" opacity=\"1\"/>\n";
+}
+
+/// QGIS up to 3.40 reads `height`, later versions `offset`; both are only fallbacks for expressions without a
+/// result.
+std::string solid(std::size_t height_class, const std::string& altitude, const std::string& extrusion) {
+    return "    <symbol type=\"polygon\" material_type=\"phong\">\n"
+           "     <data alt-clamping=\"absolute\" alt-binding=\"centroid\" height=\"0\" offset=\"0\" "
+           "extrusion-height=\"0\" culling-mode=\"no-culling\" invert-normals=\"0\" add-back-faces=\"0\" "
+           "rendered-facade=\"3\"/>\n" +
+           material(height_class) +
+           data_defined_property_set("data-defined-properties",
+                                     data_defined_property("height", altitude) +
+                                         data_defined_property("extrusionHeight", extrusion)) +
+           "     <edges enabled=\"0\" width=\"1\" color=\"70,45,35,255\"/>\n    </symbol>\n";
+}
+
+}  // namespace
+
+std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
+    const LayerStyle& style = spec.style;
+    // Each solid reaches from the top of the one below to its own top, so that neighbours meet in an
+    // invisible plane and no two walls coincide.
+    const std::string thickness =
+        columns.min_height.empty() ? columns.height : "(" + columns.height + " - " + columns.min_height + ")";
+    const std::string extrusion = scaled(thickness, style.metre_scale);
+    // QGIS adds the Z of the vertices to an absolute altitude; all vertices of a feature have the same Z.
+    const std::string altitude =
+        (columns.top.empty() ? scaled(columns.bottom, style.vertical_scale)
+                             : scaled(columns.top, style.vertical_scale) + " - " + extrusion) +
+        (spec.with_z ? " - z(point_n($geometry, 1))" : "");
+    std::string text =
+        " <renderer-3d type=\"rulebased\" layer=\"\">\n"
+        "  <vector-layer-3d-tiling zoom-levels-count=\"3\" show-bounding-boxes=\"0\"/>\n"
+        "  <rules key=\"{dem2buildings}\">\n";
+    for (std::size_t i = 0; i < height_classes().size(); ++i)
+        text += "   <rule key=\"{dem2buildings-" + std::to_string(i) + "}\" description=\"" + class_label(i) +
+                "\" filter=\"" + class_filter(i, columns.height) + "\">\n" + solid(i, altitude, extrusion) +
+                "   </rule>\n";
+    return text + "  </rules>\n </renderer-3d>\n";
+}
+
+}  // namespace d2b::qml
+
+namespace d2b {
+
+namespace {
+
+/// Returns a field as a quoted name in an expression.
+std::string column(const LayerSpec& spec, const std::vector<std::string>& columns, const std::string& name) {
+    const auto field = std::ranges::find(spec.fields, name, &FieldSpec::name);
+    if (name.empty() || field == spec.fields.end())
+        return "";
+    std::string quoted = "\"";
+    for (const char letter : columns[static_cast<std::size_t>(field - spec.fields.begin())])
+        quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return xml_text(quoted + "\"");
+}
+
+/// Returns the aliases of fields, with their units.
+std::string aliases(const LayerSpec& spec, const std::vector<std::string>& columns) {
+    std::string text = " <aliases>\n";
+    for (std::size_t i = 0; i < spec.fields.size(); ++i)
+        text += "  <alias field=\"" + xml_text(columns[i]) + "\" index=\"" + std::to_string(i) +
+                "\" name=\"" + xml_text(spec.fields[i].alias) + "\"/>\n";
+    return text + " </aliases>\n";
+}
+
+/// Returns the tooltip of a feature in QGIS.
+std::string map_tip(const qml::Columns& columns) {
+    return columns.height.empty() ? "" : " <mapTip>[% round(" + columns.height + ", 1) %] m</mapTip>\n";
+}
+
+}  // namespace
+
+std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& columns) {
+    const LayerStyle& style = spec.style;
+    const auto named = [&](const std::string& name) { return column(spec, columns, name); };
+    const qml::Columns fields{.colour = named(style.colour),
+                              .label = named(style.label),
+                              .labelled = {named(style.labelled[0]), named(style.labelled[1])},
+                              .order = named(style.order),
+                              .certainty = named(style.certainty),
+                              .top = named(style.top),
+                              .bottom = named(style.bottom),
+                              .height = named(style.height),
+                              .min_height = named(style.min_height)};
+    std::string text = "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n";
+    text += style_signature;
+    text += "<qgis version=\"3.16.0\" labelsEnabled=\"" + std::string(fields.label.empty() ? "0" : "1") +
+            "\" hasScaleBasedVisibilityFlag=\"0\">\n";
+    if (!(fields.top + fields.bottom).empty() && !fields.height.empty())
+        text += qml::renderer_3d(spec, fields);
+    text += qml::renderer(spec, fields);
+    if (!fields.label.empty())
+        text += qml::labeling(spec, fields);
+    text += aliases(spec, columns) + map_tip(fields);
+    return text + " <layerGeometryType>" + (spec.points ? "0" : "2") + "</layerGeometryType>\n</qgis>\n";
+}
+
+namespace {
+
+std::string xml_element(const std::string& name, const std::string& text) {
+    return " <" + name + ">" + xml_text(text) + "</" + name + ">\n";
+}
+
+/// Turns "D2B_NOISE_FACTOR" into "noise factor".
+std::string readable_key(std::string name) {
+    if (name.starts_with("D2B_"))
+        name.erase(0, 4);
+    for (char& letter : name)
+        letter = letter == '_'                    ? ' '
+                 : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter + 32)
+                                                  : letter;
+    return name;
+}
+
+std::string abstract(const LayerSpec& spec) {
+    std::string text = spec.description;
+    for (const FieldSpec& field : spec.fields)
+        text += "\n" + field.name + (field.unit.empty() ? "" : " [" + field.unit + "]") + ": " +
+                field.description;
+    return text;
+}
+
+}  // namespace
+
+std::string qgis_metadata(const LayerSpec& spec, const Provenance& provenance) {
+    std::string text =
+        "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n<qgis version=\"3.16.0\">\n";
+    text += xml_element("identifier", spec.name) + xml_element("language", "ENG") +
+            xml_element("type", "dataset") + xml_element("title", spec.title) +
+            xml_element("abstract", abstract(spec));
+    for (const auto& [name, value] : provenance.metadata)
+        if (!value.empty())
+            text += xml_element("history", readable_key(name) + ": " + value);
+    return text + "</qgis>\n";
+}
+
+namespace fs = std::filesystem;
+
+void write_style_sidecar(const std::string& path, const NewLayer& layer) {
+    if (layer.spec.style.title.empty())
+        return;
+    const bool single = fs::path(path).extension() == ".shp";
+    const fs::path file =
+        single ? fs::path(path).replace_extension(".qml") : fs::path(path) / (layer.table + ".qml");
+    const std::string text = qml_style(layer.spec, layer.columns);
+    // Failed writes are detected by the VSI layer that monitors the files.
+    const GdalMessages quiet;
+    VSILFILE* out = VSIFOpenL(file.c_str(), "wb");
+    if (out == nullptr)
+        return;
+    const bool whole = VSIFWriteL(text.data(), 1, text.size(), out) == text.size();
+    if (VSIFCloseL(out) != 0 || !whole)
+        VSIUnlink(file.c_str());
+}
+
+bool is_our_style(const fs::path& file) {
+    constexpr int lines = 3;
+    std::ifstream in(file);
+    std::string line;
+    for (int i = 0; i < lines && std::getline(in, line); ++i)
+        if (line + "\n" == style_signature)
+            return true;
+    return false;
+}
+
+void keep_user_styles(const fs::path& result, const fs::path& destination, bool replaces) {
+    std::error_code error;
+    const bool folder = fs::is_directory(result, error);
+    const fs::path ours = folder ? result : result.parent_path();
+    const fs::path theirs = folder ? destination : destination.parent_path();
+    std::vector<fs::path> styles;
+    for (const auto& entry : fs::directory_iterator(ours, error))
+        if (entry.path().extension() == ".qml")
+            styles.push_back(entry.path());
+    for (const fs::path& style : styles) {
+        const fs::path there = theirs / style.filename();
+        if (!fs::exists(there, error) || (replaces && is_our_style(there)))
+            continue;
+        if (folder)
+            fs::copy_file(there, style, fs::copy_options::overwrite_existing, error);
+        else
+            fs::remove(style, error);
+    }
+}
+
+}  // namespace d2b

@@ -1,0 +1,200 @@
+#include "write/vector/layer_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <cpl_conv.h>
+#include <cpl_string.h>
+#include <gdal_version.h>
+
+#include "core/text.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/options.hpp"
+#include "read/gdal_messages.hpp"
+#include "write/ogr_util.hpp"
+#include "write/vector/vector_format.hpp"
+
+namespace d2b {
+
+/// Returns the name that a driver will give to a layer. Existing layers are looked up by it, because drivers
+/// of databases replace some characters, and PostgreSQL truncates long names. @param base of the layer name
+/// @param suffix of its role, for example "_contours"; kept if the base is shortened
+[[nodiscard]] std::string laundered_name(const std::string& base, const std::string& suffix,
+                                         const VectorFormat& format, const WriteOptions& options);
+
+namespace {
+
+/// PostgreSQL truncates names after 63 bytes, and the driver names the primary key like the table plus "_pk",
+/// which must not be truncated to the name of the table.
+constexpr std::size_t max_bytes = 60;
+
+/// Returns eight hexadecimal digits that differ if the names differ.
+std::string hash_digits(const std::string& name) {
+    std::uint32_t hash = 2166136261U;  // FNV-1a
+    for (const char letter : name)
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 16777619U;
+    std::string digits;
+    for (int shift = 28; shift >= 0; shift -= 4)
+        digits += "0123456789abcdef"[(hash >> shift) & 15U];
+    return digits;
+}
+
+/// Truncates UTF-8 text without splitting a character.
+std::string truncate_utf8(const std::string& text, std::size_t bytes) {
+    std::size_t end = std::min(bytes, text.size());
+    while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U)
+        --end;
+    return text.substr(0, end);
+}
+
+bool option_is_on(const NameValueList& options, const char* key, bool standard) {
+    const char* value = options.get() == nullptr ? nullptr : CSLFetchNameValue(options.get(), key);
+    return value == nullptr ? standard : CPLTestBool(value);
+}
+
+/// True if no driver changes the name.
+bool is_plain(const std::string& name) {
+    constexpr std::size_t shortest_limit = 50;
+    return name.size() <= shortest_limit && std::ranges::all_of(name, [](unsigned char letter) {
+               return std::islower(letter) != 0 || std::isdigit(letter) != 0 || letter == '_';
+           });
+}
+
+/// Launders like GDAL does for PostgreSQL: lower case, without apostrophes, hyphens and number signs. Also
+/// replaces parentheses, because GDAL takes their contents for a geometry column when it looks up a layer.
+std::string launder_for_postgresql(const std::string& base, const std::string& suffix,
+                                   const NameValueList& options) {
+    std::string name = base;
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 9, 0)
+    const bool is_ascii = option_is_on(options, "LAUNDER_ASCII", false);
+    if (is_ascii) {
+        char* ascii = CPLUTF8ForceToASCII(name.c_str(), '_');
+        name = ascii;
+        CPLFree(ascii);
+    }
+#else
+    const bool is_ascii = false;
+#endif
+    if (is_ascii || option_is_on(options, "LAUNDER", true))
+        for (char& letter : name) {
+            if (static_cast<unsigned char>(letter) < 0x80U)
+                letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+            if (std::string_view("'-#()").find(letter) != std::string_view::npos)
+                letter = '_';
+        }
+    if (name.size() + suffix.size() <= max_bytes)
+        return name + suffix;
+    const std::string digits = "_" + hash_digits(base);
+    return truncate_utf8(name, max_bytes - suffix.size() - digits.size()) + digits + suffix;
+}
+
+/// Creates the layer in memory and returns its name.
+std::string created_layer_name(const std::string& name, const VectorFormat& format,
+                               const WriteOptions& options) {
+    const GdalMessages quiet;
+    const VsimemFolder memory;
+    const std::string file = memory.file(probe_name(format.driver, options.destination));
+    const DatasetOwner dataset(GDALCreate(format.driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const NameValueList chosen(options.layer_options);
+    OGRLayerH layer = dataset ? GDALDatasetCreateLayer(dataset.get(), name.c_str(), nullptr, wkbMultiPolygon,
+                                                       const_cast<char**>(chosen.get()))
+                              : nullptr;
+    const char* called = layer == nullptr ? nullptr : OGR_L_GetName(layer);
+    return called == nullptr || *called == '\0' ? name : called;
+}
+
+}  // namespace
+
+std::string laundered_name(const std::string& base, const std::string& suffix, const VectorFormat& format,
+                           const WriteOptions& options) {
+    if (format.name == "PostgreSQL")
+        return launder_for_postgresql(base, suffix, NameValueList(options.layer_options));
+    std::string name = base + suffix;
+    // Other drivers are tried, because their rules are not known; names in a GeoPackage do not change.
+    const bool is_geopackage = format.name == "GPKG" && !NameValueList(options.layer_options).has("LAUNDER");
+    if (is_plain(name) || is_geopackage || !format.multiple_layers || !supports_virtual_files(format.driver))
+        return name;
+    return created_layer_name(name, format, options);
+}
+
+namespace {
+
+std::string stem_of(const std::string& destination) {
+    const std::string file = destination.substr(destination.find_last_of('/') + 1);
+    return file.substr(0, file.find_last_of('.'));
+}
+
+std::string suffix_of(LayerRole role, Layers layers) {
+    switch (role) {
+        case LayerRole::doubtful:
+            return "_doubtful";
+        case LayerRole::rejected:
+            return "_rejected";
+        case LayerRole::problems:
+            return "_problems";
+        case LayerRole::contours:
+            return layers == Layers::both ? "_contours" : "";
+        case LayerRole::buildings:
+            break;
+    }
+    return "";
+}
+
+}  // namespace
+
+Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
+    if ((options.doubtful || options.rejected) && !format.multiple_layers)
+        throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
+                          "); use a GeoPackage for -write_" + (options.doubtful ? "doubtful." : "rejected."));
+    if (!options.layers)
+        return format.multiple_layers ? Layers::both : Layers::buildings;
+    if (options.layers == Layers::both && !format.multiple_layers)
+        throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
+                          "); use -layers buildings or -layers contours, or a GeoPackage for both.");
+    return *options.layers;
+}
+
+std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role, Layers layers) {
+    if (!options.layer_name.empty())
+        return laundered_name(utf8_text(options.layer_name), suffix_of(role, layers), format, options);
+    const bool file_is_layer = !format.multiple_layers && !is_stream(options.destination) &&
+                               !is_connection(format.driver, options.destination);
+    std::string stem = utf8_text(stem_of(options.destination));
+    if (file_is_layer && !stem.empty())
+        return stem;
+    switch (role) {
+        case LayerRole::buildings:
+            return "buildings";
+        case LayerRole::contours:
+            return "contours";
+        case LayerRole::doubtful:
+            return "doubtful";
+        case LayerRole::rejected:
+            return "rejected";
+        case LayerRole::problems:
+            break;
+    }
+    return "problems";
+}
+
+std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format, Layers layers) {
+    std::vector<std::string> names;
+    if (layers != Layers::contours)
+        names.push_back(name_of(options, format, LayerRole::buildings, layers));
+    if (layers != Layers::buildings)
+        names.push_back(name_of(options, format, LayerRole::contours, layers));
+    if (options.doubtful)
+        names.push_back(name_of(options, format, LayerRole::doubtful, layers));
+    if (options.rejected)
+        names.push_back(name_of(options, format, LayerRole::rejected, layers));
+    if (options.problems && format.multiple_layers)
+        names.push_back(name_of(options, format, LayerRole::problems, layers));
+    return names;
+}
+
+}  // namespace d2b

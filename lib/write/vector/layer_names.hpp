@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dem2buildings/options.hpp"
+#include "write/vector/vector_format.hpp"
+
+namespace d2b {
+
+/// Returns the requested layers, by default both, or the buildings alone if the format holds one layer per
+/// file. @throws OptionError if both are requested but only one fits
+[[nodiscard]] Layers resolve_layers(const WriteOptions& options, const VectorFormat& format);
+
+/// Returns the name of a layer as the driver will create it (see laundered_name()): -nln, with "_contours"
+/// appended for contours if both layers are written, and "_doubtful", "_rejected" or "_problems" for these
+/// roles. Without -nln it is "buildings", "contours", "doubtful", "rejected" or "problems", or the stem of
+/// the file if a file is one layer. @param layers result of resolve_layers()
+[[nodiscard]] std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role,
+                                  Layers layers);
+
+/// Returns the names of all layers that the run writes.
+[[nodiscard]] std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format,
+                                                Layers layers);
+
+}  // namespace d2b

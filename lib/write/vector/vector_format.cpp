@@ -1,0 +1,274 @@
+#include "write/vector/vector_format.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <sys/stat.h>
+#include <utility>
+#include <vector>
+
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
+#include <ogr_api.h>
+
+#include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
+#include "read/gdal_messages.hpp"
+
+namespace d2b {
+
+/// Properties of a format found by a trial, because metadata of drivers are unreliable.
+struct FormatProbe {
+    bool multiple_layers = false;
+    bool transactions = false;
+    bool preserves_crs = true;
+    bool folder = false;
+    std::vector<std::string> suffixes;  ///< suffixes of its files from the first dot on; empty for a folder
+};
+
+/// Writes two layers with one feature each into /vsimem/ under a name with the extension of the destination,
+/// and inspects the result. Capabilities are not enough, because the Shapefile, CSV and FlatGeobuf drivers
+/// hold several layers in a folder but one in a file, and some accept a second layer and put it elsewhere.
+/// GeoPackage is not tried, because its properties are known.
+[[nodiscard]] FormatProbe probe_format(GDALDriverH driver, const std::string& destination);
+
+std::string probe_name(GDALDriverH driver, const std::string& destination) {
+    if (is_stream(destination)) {
+        const char* extension = GDALGetMetadataItem(driver, GDAL_DMD_EXTENSION, nullptr);
+        return extension == nullptr ? "probe" : "probe." + std::string(extension);
+    }
+    const auto slash = destination.find_last_not_of('/');
+    const std::string path = destination.substr(0, slash == std::string::npos ? 0 : slash + 1);
+    const std::string file = path.substr(path.find_last_of('/') + 1);
+    const auto dot = file.find('.', 1);
+    return dot == std::string::npos ? "probe" : "probe" + file.substr(dot);
+}
+
+OGRLayerH add_trial_layer(GDALDatasetH dataset, const char* name, OGRSpatialReferenceH srs) {
+    return GDALDatasetCreateLayer(dataset, name, srs, wkbMultiPolygon, nullptr);
+}
+
+bool add_trial_feature(OGRLayerH layer, const Position& place) {
+    constexpr double size = 1e-4;
+    const FieldOwner field(OGR_Fld_Create("id", OFTInteger64));
+    OGR_L_CreateField(layer, field.get(), TRUE);
+    const FeatureOwner feature(OGR_F_Create(OGR_L_GetLayerDefn(layer)));
+    OGRGeometryH ring = OGR_G_CreateGeometry(wkbLinearRing);
+    for (const Position& corner :
+         {place, Position{place.x + size, place.y}, Position{place.x + size, place.y + size}, place})
+        OGR_G_AddPoint_2D(ring, corner.x, corner.y);
+    OGRGeometryH polygon = OGR_G_CreateGeometry(wkbPolygon);
+    OGR_G_AddGeometryDirectly(polygon, ring);
+    OGRGeometryH whole = OGR_G_CreateGeometry(wkbMultiPolygon);
+    OGR_G_AddGeometryDirectly(whole, polygon);
+    OGR_F_SetGeometryDirectly(feature.get(), whole);
+    if (OGR_F_GetFieldCount(feature.get()) > 0)
+        OGR_F_SetFieldInteger64(feature.get(), 0, 1);
+    return OGR_L_CreateFeature(layer, feature.get()) == OGRERR_NONE;
+}
+
+DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file) {
+    const std::array<const char*, 2> only{GDALGetDriverShortName(driver), nullptr};
+    return DatasetOwner(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, only.data(), nullptr, nullptr));
+}
+
+bool has_capability(GDALDriverH driver, const char* capability) {
+    const char* value = GDALGetMetadataItem(driver, capability, nullptr);
+    return value != nullptr && EQUAL(value, "YES");
+}
+
+namespace {
+
+bool add_layer(GDALDatasetH dataset, const char* name) {
+    const CrsOwner srs(OSRNewSpatialReference(nullptr));
+    OSRSetWellKnownGeogCS(srs.get(), "WGS84");
+    OGRLayerH layer = add_trial_layer(dataset, name, srs.get());
+    return layer != nullptr && add_trial_feature(layer, {});
+}
+
+bool writes_two(GDALDriverH driver, const std::string& file, bool& transactions) {
+    const DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    transactions = dataset && GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&
+                   GDALDatasetTestCapability(dataset.get(), ODsCEmulatedTransactions) == FALSE;
+    return dataset && add_layer(dataset.get(), "one") &&
+           GDALDatasetTestCapability(dataset.get(), ODsCCreateLayer) != FALSE &&
+           add_layer(dataset.get(), "two");
+}
+
+void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result) {
+    const DatasetOwner dataset = reopen_trial(driver, file);
+    if (!dataset)
+        return;
+    result.multiple_layers = result.multiple_layers && GDALDatasetGetLayerCount(dataset.get()) > 1;
+    OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), 0);
+    result.preserves_crs = layer != nullptr && OGR_L_GetSpatialRef(layer) != nullptr;
+}
+
+}  // namespace
+
+FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
+    const GdalMessages quiet;
+    FormatProbe result;
+    if (is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO)) {
+        result.multiple_layers = has_capability(driver, GDAL_DCAP_MULTIPLE_VECTOR_LAYERS);
+        return result;
+    }
+    const std::string name = probe_name(driver, destination);
+    // GeoPackage is known, and a trial takes longer than a small raster.
+    if (EQUAL(GDALGetDriverShortName(driver), "GPKG")) {
+        const std::size_t dot = name.find('.');
+        result.multiple_layers = result.transactions = true;
+        if (dot != std::string::npos)
+            result.suffixes = {name.substr(dot)};
+        return result;
+    }
+    const VsimemFolder memory;
+    const std::string file = memory.file(name);
+    result.multiple_layers = writes_two(driver, file, result.transactions);
+    VSIStatBufL status{};
+    result.folder = VSIStatL(file.c_str(), &status) == 0 && VSI_ISDIR(status.st_mode);
+    if (!result.folder)
+        result.suffixes = memory.suffixes();
+    read_back(driver, file, result);
+    return result;
+}
+
+namespace {
+
+std::string metadata(GDALDriverH driver, const char* item) {
+    const char* value = GDALGetMetadataItem(driver, item, nullptr);
+    return value == nullptr ? std::string() : std::string(value);
+}
+
+/// True if the driver creates vector layers; excludes drivers in memory, because they would lose the result.
+bool can_create(GDALDriverH driver) {
+    const std::string name = GDALGetDriverShortName(driver);
+    return name != "Memory" && name != "MEM" && metadata(driver, GDAL_DCAP_VECTOR) == "YES" &&
+           metadata(driver, GDAL_DCAP_CREATE) == "YES" && metadata(driver, GDAL_DCAP_CREATE_LAYER) == "YES";
+}
+
+/// Lists common formats only, because all of them would fill the screen.
+std::string some_formats() {
+    std::string text;
+    for (const char* name :
+         {"GPKG", "ESRI Shapefile", "GeoJSON", "FlatGeobuf", "GML", "KML", "SQLite", "CSV"}) {
+        GDALDriverH driver = GDALGetDriverByName(name);
+        if (driver != nullptr && can_create(driver))
+            text += (text.empty() ? "" : ", ") + std::string(name);
+    }
+    return text;
+}
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+/// True if the name ends in an extension of the driver, which may have several parts ("shp.zip").
+bool extension_fits(GDALDriverH driver, const std::string& name) {
+    const CPLStringList extensions(CSLTokenizeString2(metadata(driver, GDAL_DMD_EXTENSIONS).c_str(), " ", 0));
+    std::vector<std::string> known(extensions.List(), extensions.List() + extensions.Count());
+    known.push_back(metadata(driver, GDAL_DMD_EXTENSION));
+    const std::string file = lower(name);
+    return std::any_of(known.begin(), known.end(), [&file](const std::string& extension) {
+        return !extension.empty() && file.size() > extension.size() && file.ends_with(lower(extension)) &&
+               file[file.size() - extension.size() - 1] == '.';
+    });
+}
+
+GDALDriverH driver_by_name(const std::string& name) {
+    GDALDriverH driver = GDALGetDriverByName(name.c_str());
+    if (driver == nullptr)
+        throw OptionError("There is no format \"" + name +
+                          "\" in this GDAL; -f takes, among others: " + some_formats() + ".");
+    if (!can_create(driver))
+        throw OptionError("Format \"" + name +
+                          "\" cannot hold a new vector dataset; -f takes, among others: " + some_formats() +
+                          ".");
+    return driver;
+}
+
+GDALDriverH driver_by_destination(const std::string& destination) {
+    for (int i = 0; i < GDALGetDriverCount(); ++i) {
+        GDALDriverH driver = GDALGetDriver(i);
+        if (can_create(driver) && (is_connection(driver, destination) || extension_fits(driver, destination)))
+            return driver;
+    }
+    throw OptionError(
+        "The name \"" + destination +
+        "\" does not tell its format; give it an extension such as .gpkg, or say the format with "
+        "-f: " +
+        some_formats() + ", ...");
+}
+
+/// Rejects drivers of vector tiles (MVT, PMTiles, MBTiles), recognized by their zoom levels.
+void reject_vector_tiles(GDALDriverH driver, const std::string& destination) {
+    const std::string options = metadata(driver, GDAL_DMD_CREATIONOPTIONLIST);
+    if (options.find("name='MAXZOOM'") == std::string::npos &&
+        options.find("name=\"MAXZOOM\"") == std::string::npos)
+        return;
+    throw OptionError("\"" + destination + "\" would hold tiles (format " + GDALGetDriverShortName(driver) +
+                      "), which cut polygons at their borders and move corners onto a coarse grid, so that "
+                      "nothing can be read back as it was; write a GeoPackage, and make tiles of it with "
+                      "ogr2ogr.");
+}
+
+}  // namespace
+
+VectorFormat format_for(const WriteOptions& options) {
+    if (options.destination.empty())
+        throw OptionError("The name of the destination is empty; give a file, e.g. buildings.gpkg.");
+    GDALAllRegister();
+    VectorFormat format;
+    format.driver =
+        options.format.empty() ? driver_by_destination(options.destination) : driver_by_name(options.format);
+    format.name = GDALGetDriverShortName(format.driver);
+    reject_vector_tiles(format.driver, options.destination);
+    FormatProbe probe = probe_format(format.driver, options.destination);
+    // GDAL 3.10 writes all layers of a CSV to stdout, one after the other.
+    const bool is_one_table = format.name == "CSV" && is_stream(options.destination);
+    format.multiple_layers = probe.multiple_layers && !is_one_table;
+    format.transactions = probe.transactions;
+    format.preserves_crs = probe.preserves_crs;
+    format.folder = probe.folder;
+    format.suffixes = std::move(probe.suffixes);
+    return format;
+}
+
+DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
+    const std::array<const char*, 2> only{format.name.c_str(), nullptr};
+    const auto open = [&](const std::string& name) {
+        return open_guarded(name, GDAL_OF_VECTOR | access, only.data());
+    };
+    DatasetOwner dataset = open(path);
+    // GDAL takes a sequence of one feature for plain GeoJSON unless the prefix is given.
+    return !dataset && format.name == "GeoJSONSeq" ? open("GeoJSONSeq:" + path) : std::move(dataset);
+}
+
+bool is_stream(const std::string& destination) {
+    if (destination.starts_with("/vsistdout"))
+        return true;
+    struct stat status {};
+    return !destination.starts_with("/vsi") && ::stat(destination.c_str(), &status) == 0 &&
+           !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+bool is_connection(GDALDriverH driver, const std::string& destination) {
+    const std::string prefix = metadata(driver, GDAL_DMD_CONNECTION_PREFIX);
+    return !prefix.empty() && lower(destination).starts_with(lower(prefix));
+}
+
+bool supports_virtual_files(GDALDriverH driver) {
+    return metadata(driver, GDAL_DCAP_VIRTUALIO) == "YES";
+}
+
+bool has_layer_option(GDALDriverH driver, const std::string& name) {
+    const std::string list = metadata(driver, GDAL_DS_LAYER_CREATIONOPTIONLIST);
+    return list.find("name='" + name + "'") != std::string::npos ||
+           list.find("name=\"" + name + "\"") != std::string::npos;
+}
+
+}  // namespace d2b
