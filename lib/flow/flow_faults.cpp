@@ -40,6 +40,8 @@ class FlowFaults::Finder {
     void look_along(std::uint32_t first, std::uint32_t next);
     void look_at_angles(std::uint32_t node, const std::vector<IncidentEdge>& arms);
     void look_across(std::uint32_t node, const std::vector<IncidentEdge>& arms);
+    [[nodiscard]] std::optional<FlowKind> kind_between(const PartitionEdge& edge, const IncidentEdge& first,
+                                                       const IncidentEdge& second, double width) const;
     [[nodiscard]] std::optional<FlowFault> narrow_to(std::uint32_t edge, std::uint32_t node,
                                                      const std::vector<IncidentEdge>& arms) const;
     [[nodiscard]] bool runs_on(std::uint32_t node) const;
@@ -167,6 +169,23 @@ bool FlowFaults::Finder::is_seen(const FlowFault& narrow) const {
     });
 }
 
+/// The kind of a narrow place between an edge and the sector between two edges of a node; none if they do not
+/// border on the same contour, or the place is wide enough.
+std::optional<FlowKind> FlowFaults::Finder::kind_between(const PartitionEdge& edge, const IncidentEdge& first,
+                                                         const IncidentEdge& second, double width) const {
+    const std::int32_t between = first.left;
+    const bool is_left = edge.left == between;
+    if (!is_left && edge.right != between)
+        return std::nullopt;
+    const std::array around{is_left ? edge.right : edge.left, first.right, second.left};
+    const auto is_higher = [&](std::int32_t other) { return is_above(other, between); };
+    if (width < limits_.gap && std::ranges::all_of(around, is_higher))
+        return FlowKind::gap;
+    if (width < limits_.wall && std::ranges::none_of(around, is_higher))
+        return FlowKind::neck;
+    return std::nullopt;
+}
+
 /// The gap or neck between a node and an edge, which other edges may cross.
 std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::uint32_t node,
                                                        const std::vector<IncidentEdge>& arms) const {
@@ -201,18 +220,8 @@ std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::
         const IncidentEdge& next = arms[(i + 1) % arms.size()];
         if (arms.size() > 1 && !is_in_sector(p, plan_.at(arms[i].end), plan_.at(next.end), place))
             continue;
-        const std::int32_t between = arms[i].left;
-        const bool from_left = e.left == between;
-        if (!from_left && e.right != between)
-            return std::nullopt;
-        const std::array around{from_left ? e.right : e.left, arms[i].right, next.left};
-        if (width < limits_.gap &&
-            std::ranges::all_of(around, [&](std::int32_t other) { return is_above(other, between); }))
-            return FlowFault{FlowKind::gap, node, edge, 0, width, place};
-        if (width < limits_.wall &&
-            std::ranges::none_of(around, [&](std::int32_t other) { return is_above(other, between); }))
-            return FlowFault{FlowKind::neck, node, edge, 0, width, place};
-        return std::nullopt;
+        const auto kind = kind_between(e, arms[i], next, width);
+        return kind ? std::optional(FlowFault{*kind, node, edge, 0, width, place}) : std::nullopt;
     }
     return std::nullopt;
 }

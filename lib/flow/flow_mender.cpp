@@ -253,6 +253,7 @@ bool FlowMender::mend_angle(const FlowFault& fault) {
 bool FlowMender::move(std::uint32_t node, FinePoint place) {
     const std::vector<IncidentEdge> arms = plan_.around(node);
     std::vector<std::int32_t> contours;
+    contours.reserve(arms.size());
     for (const IncidentEdge& arm : arms)
         contours.push_back(arm.left);
     const auto metres = [&](Int128 twice) { return static_cast<double>(twice) / 2 * limits_.metric.area(); };

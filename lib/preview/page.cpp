@@ -210,7 +210,7 @@ bool in_metres(const Crs& crs) {
 
 }  // namespace
 
-Footer::Footer(double width, double font, int lines) : width_(width), font_(font), lines_(lines) {}
+Footer::Footer(double width, double font, int line_count) : width_(width), font_(font), lines_(line_count) {}
 
 bool Footer::side_by_side() const {
     return width_ >= (legend_width + scale_room + arrow_room + 1) * font_;

@@ -94,8 +94,8 @@ struct FooterText {
 /// Legend, scale bar and north arrow, side by side if they fit, with lines of text below.
 class Footer {
   public:
-    /// @param width total width @param font font size @param lines number of text lines, at least one
-    Footer(double width, double font, int lines);
+    /// @param width total width @param font font size @param line_count number of text lines, at least one
+    Footer(double width, double font, int line_count);
 
     [[nodiscard]] double height() const;
     /// Returns the minimum width, which is that of the legend.
