@@ -87,7 +87,7 @@ class ValueBins {
         if (lowest == highest) {
             add(lowest, cells);
         } else if (highest - lowest <= apart_) {
-            // No value here is far from all others, and values between the extremes add no information.
+            // Adds the extremes alone, because no value between them can be far from all others.
             add(lowest, 1);
             add(highest, 1);
         } else {

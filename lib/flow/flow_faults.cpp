@@ -15,7 +15,7 @@
 namespace d2b {
 namespace {
 
-/// Whether a direction is strictly within the sector on the left of the first of two arms.
+/// Returns true if a direction is strictly within the sector to the left of the first of two arms.
 bool is_in_sector(FinePoint node, FinePoint first, FinePoint second, FinePoint to) {
     if (side(node, first, second) > 0)
         return side(node, first, to) > 0 && side(node, to, second) > 0;
@@ -25,7 +25,7 @@ bool is_in_sector(FinePoint node, FinePoint first, FinePoint second, FinePoint t
 
 }  // namespace
 
-/// Looks for the faults at one edge or node.
+/// Finds the faults at one edge or node.
 class FlowFaults::Finder {
   public:
     Finder(const PartitionEditor& plan, std::span<const PartitionContour> contours, const FlowLimits& limits)
@@ -33,7 +33,7 @@ class FlowFaults::Finder {
 
     [[nodiscard]] std::vector<FlowFault> at_edge(std::uint32_t edge);
     [[nodiscard]] std::vector<FlowFault> at_node(std::uint32_t node);
-    /// How far from the last node edges have a say in what was found there, m.
+    /// Distance in m from the last node within which edges affect the result there.
     [[nodiscard]] double reach() const { return reach_; }
 
   private:
@@ -54,7 +54,7 @@ class FlowFaults::Finder {
     std::span<const PartitionContour> contours_;
     const FlowLimits& limits_;
     std::vector<FlowFault> faults_;
-    std::vector<std::uint32_t> seen_at_;  // the last look that met an edge
+    std::vector<std::uint32_t> seen_at_;  // last search that met each edge
     std::uint32_t look_ = 0;
     double reach_ = 0;
 };
@@ -78,7 +78,7 @@ double FlowFaults::Finder::angle(FinePoint node, FinePoint first, FinePoint seco
     return std::abs(std::atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2)) * 180 / std::numbers::pi;
 }
 
-/// Whether a node is but a place on a straight wall. Nothing but rounding bends it.
+/// Returns true if a wall goes straight on at a node, apart from rounding.
 bool FlowFaults::Finder::runs_on(std::uint32_t node) const {
     constexpr double straight = 0.5;  // degrees
     if (plan_.degree(node) != 2)
@@ -87,8 +87,8 @@ bool FlowFaults::Finder::runs_on(std::uint32_t node) const {
     return angle(plan_.at(node), plan_.at(arms[0].end), plan_.at(arms[1].end)) > 180 - straight;
 }
 
-/// Whether the walls at both ends run on along a lower place, with it between them: its width is that of the
-/// edge.
+/// Returns true if the walls at both ends of an edge go on along a lower place between them, because its
+/// width is then the length of the edge.
 bool FlowFaults::Finder::ends_a_gap(const PartitionEdge& edge) const {
     for (const auto& [from, to, floor, above] : {std::tuple(edge.from, edge.to, edge.left, edge.right),
                                                  std::tuple(edge.to, edge.from, edge.right, edge.left)}) {
@@ -110,7 +110,7 @@ bool FlowFaults::Finder::ends_a_gap(const PartitionEdge& edge) const {
     return false;
 }
 
-/// From the first corner of a wall on, through places where it but runs on.
+/// Measures a wall from its first corner, past nodes at which it goes straight on.
 void FlowFaults::Finder::look_along(std::uint32_t first, std::uint32_t next) {
     const auto way = [&](std::uint32_t a, std::uint32_t b) {
         return limits_.metric.distance(plan_.at(a), plan_.at(b));
@@ -169,7 +169,7 @@ bool FlowFaults::Finder::is_seen(const FlowFault& narrow) const {
     });
 }
 
-/// The kind of a narrow place between an edge and the sector between two edges of a node; none if they do not
+/// Classifies a narrow place between an edge and the sector between two edges of a node; none if they do not
 /// border on the same contour, or the place is wide enough.
 std::optional<FlowKind> FlowFaults::Finder::kind_between(const PartitionEdge& edge, const IncidentEdge& first,
                                                          const IncidentEdge& second, double width) const {
@@ -186,7 +186,7 @@ std::optional<FlowKind> FlowFaults::Finder::kind_between(const PartitionEdge& ed
     return std::nullopt;
 }
 
-/// The gap or neck between a node and an edge, which other edges may cross.
+/// Returns the gap or neck between a node and an edge, even if other edges cross it.
 std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::uint32_t node,
                                                        const std::vector<IncidentEdge>& arms) const {
     const PartitionEdge& e = plan_.edges()[edge];
@@ -198,7 +198,7 @@ std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::
     const FinePoint b = plan_.at(e.to);
     if (std::ranges::none_of(
             arms, [&](const IncidentEdge& arm) { return arm.left == e.left || arm.left == e.right; }))
-        return std::nullopt;  // no sector of the node looks at it
+        return std::nullopt;  // no sector of the node faces it
     const double along =
         (m.x(a, p) * m.x(a, b) + m.y(a, p) * m.y(a, b)) / (m.x(a, b) * m.x(a, b) + m.y(a, b) * m.y(a, b));
     const double share = std::clamp(along, 0.0, 1.0);
@@ -281,7 +281,7 @@ void erase_if_marked(std::vector<KnownFault>& known, const std::vector<bool>& ma
     std::erase_if(known, [&](const KnownFault& fault) { return marked[fault.found_at]; });
 }
 
-/// Marks edges that are gone, so that their faults are erased.
+/// Marks removed edges, so that their faults are erased.
 void mark_removed(const std::vector<KnownFault>& walls, const PartitionEditor& plan,
                   std::vector<bool>& marked) {
     for (const KnownFault& wall : walls)
@@ -289,7 +289,7 @@ void mark_removed(const std::vector<KnownFault>& walls, const PartitionEditor& p
             marked[wall.found_at] = true;
 }
 
-/// Both in the order of their places.
+/// Merges two lists that are sorted by place.
 void merge_in(std::vector<KnownFault>& known, std::vector<KnownFault>&& more) {
     std::vector<KnownFault> all;
     all.reserve(known.size() + more.size());

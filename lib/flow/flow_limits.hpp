@@ -8,9 +8,9 @@
 
 namespace d2b {
 
-/// Lengths on the ground of steps of the fine lattice.
+/// Converts steps of the fine lattice to lengths on the ground.
 struct FlowMetric {
-    double col_x = 1;  ///< metres that a step along the columns goes
+    double col_x = 1;  ///< metres per step along the columns
     double col_y = 0;
     double row_x = 0;
     double row_y = -1;
@@ -24,33 +24,33 @@ struct FlowMetric {
                static_cast<double>(to.row - from.row) * row_y;
     }
     [[nodiscard]] double distance(FinePoint a, FinePoint b) const { return std::hypot(x(a, b), y(a, b)); }
-    /// From a point to a straight line between two others, which are distinct.
+    /// Distance from a point to the segment between two distinct points, m.
     [[nodiscard]] double distance_to(FinePoint point, FinePoint a, FinePoint b) const {
         const double along =
             (x(a, point) * x(a, b) + y(a, point) * y(a, b)) / (x(a, b) * x(a, b) + y(a, b) * y(a, b));
         const double share = std::clamp(along, 0.0, 1.0);
         return std::hypot(x(a, point) - share * x(a, b), y(a, point) - share * y(a, b));
     }
-    /// Steps in which all lies that is so near, m. Cells that are no rectangles reach farther along the
-    /// lattice than on the ground.
+    /// Number of steps that reaches everything within a distance in m. It is larger than distance by step if
+    /// cells are not rectangles, because these extend farther along the lattice than on the ground.
     [[nodiscard]] std::int64_t steps_around(double metres) const {
         return static_cast<std::int64_t>(
             std::ceil(metres * std::max(std::hypot(col_x, col_y), std::hypot(row_x, row_y)) / area()));
     }
-    /// Square metres in a square step.
+    /// Square metres per square step.
     [[nodiscard]] double area() const { return std::abs(col_x * row_y - col_y * row_x); }
 };
 
-/// What a flow solver can take.
+/// Limits of the geometry that a flow solver accepts.
 struct FlowLimits {
-    /// Degrees; what triangulations with good angles can refine (Shewchuk 1997).
+    /// Degrees; the smallest input angle that quality triangulations can refine (Shewchuk 1997).
     static constexpr double least_angle = 20.7;
     static constexpr double most_share = 0.01;
 
-    double gap = 0;              ///< m: what is nearer is closed; 0: nothing
-    double wall = 0;             ///< m: shorter walls are merged; 0: none
+    double gap = 0;              ///< m: narrower gaps are closed; 0: none
+    double wall = 0;             ///< m: shorter walls are merged, narrower parts widened; 0: none
     double angle = least_angle;  ///< degrees in plan
-    double share = most_share;   ///< of a block's area that changes may take, all together
+    double share = most_share;   ///< share of a block's area that all changes together may take
     FlowMetric metric;
 };
 

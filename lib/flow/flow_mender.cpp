@@ -10,11 +10,12 @@
 namespace d2b {
 namespace {
 
-/// How much longer than the limit new walls are made, since corners lie on the lattice.
+/// Factor by which new walls exceed the limit, because their corners are rounded to the lattice.
 constexpr double slack = 1.02;
-/// How far along a wall a corner may be cut off, in lengths of the limit.
+/// Distances along a wall at which a corner may be cut off, in lengths of the limit.
 constexpr std::array reaches{1.0, 1.4, 2.0, 2.7};
-/// Of what a block may still take, what moving a long wall may: else the first ones would take all.
+/// Share of a block's remaining budget for moving one long wall, because otherwise the first ones would use
+/// it up.
 constexpr double merge_share = 0.1;
 
 }  // namespace
@@ -34,17 +35,22 @@ void FlowMender::touch(std::uint32_t node) {
         touched_[arm.end] = true;
 }
 
-/// The one first that changes least.
+double FlowMender::square_metres(Int128 twice_steps) const {
+    return static_cast<double>(twice_steps) / 2 * limits_.metric.area();
+}
+
+FlowMender::Swept FlowMender::swept_by(std::uint32_t node, FinePoint place) const {
+    const double outside = square_metres(plan_.swept_outside(node, place));
+    return {outside, square_metres(plan_.swept(node, place)) - outside};
+}
+
+/// Tries merges in order of the area that they change.
 bool FlowMender::merge_best(std::vector<Merge> merges, double share) {
     std::ranges::stable_sort(merges, {},
                              [&](const Merge& m) { return plan_.swept(m.first, plan_.at(m.second)); });
     return std::ranges::any_of(merges, [&](const Merge& m) {
         const auto [node, into] = m;
-        const auto metres = [&](Int128 twice) {
-            return static_cast<double>(twice) / 2 * limits_.metric.area();
-        };
-        const double outside = metres(plan_.swept_outside(node, plan_.at(into)));
-        const double inside = metres(plan_.swept(node, plan_.at(into))) - outside;
+        const auto [outside, inside] = swept_by(node, plan_.at(into));
         std::vector<std::int32_t> contours;
         for (const std::uint32_t at : {node, into})
             for (const IncidentEdge& arm : plan_.around(at))
@@ -60,7 +66,7 @@ bool FlowMender::merge_best(std::vector<Merge> merges, double share) {
     });
 }
 
-/// Of a mend that comes to nothing no node may stay, because each would be a corner in a straight wall.
+/// Tries a mend and removes its nodes if it fails, because each would be a corner in a straight wall.
 template <typename Mend>
 bool FlowMender::try_to(const Mend& mend) {
     const std::size_t nodes = plan_.nodes().size();
@@ -70,7 +76,7 @@ bool FlowMender::try_to(const Mend& mend) {
     return false;
 }
 
-/// A place on the way from one node to another.
+/// Returns a place on the segment from one node to another.
 FinePoint FlowMender::along(std::uint32_t from, std::uint32_t to, double metres) const {
     const FinePoint a = plan_.at(from);
     const FinePoint b = plan_.at(to);
@@ -79,7 +85,7 @@ FinePoint FlowMender::along(std::uint32_t from, std::uint32_t to, double metres)
             a.col + std::llround(share * static_cast<double>(b.col - a.col))};
 }
 
-/// A node of an edge at a place, or near it.
+/// Returns a node on an edge at or near a place.
 std::optional<std::uint32_t> FlowMender::place_on(std::uint32_t edge, FinePoint place) {
     const PartitionEdge e = plan_.edges()[edge];
     const double near = std::max(limits_.wall, limits_.gap) / 2;
@@ -100,10 +106,10 @@ bool FlowMender::is_fresh(const FlowFault& fault) const {
     return !is_old(fault.one) && (fault.kind == FlowKind::wall || !is_old(fault.other));
 }
 
-/// Whether a wall at the other end of a short one runs beside the next one, so that what is between them is
-/// as narrow as the short one is.
+/// Returns true if the walls at both ends of a short one run side by side, because the place between them is
+/// then as narrow as the short wall.
 bool FlowMender::ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, std::uint32_t next) const {
-    constexpr double beside = 0.3;  // cosine
+    constexpr double side_by_side = 0.3;  // cosine
     const FlowMetric& m = limits_.metric;
     const FinePoint a = plan_.at(gone);
     const FinePoint b = plan_.at(stays);
@@ -111,14 +117,14 @@ bool FlowMender::ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, st
     const auto runs_beside = [&](const IncidentEdge& arm) {
         const FinePoint end = plan_.at(arm.end);
         const double along = m.x(a, to) * m.x(b, end) + m.y(a, to) * m.y(b, end);
-        return arm.end != gone && along > beside * m.distance(a, to) * m.distance(b, end) &&
+        return arm.end != gone && along > side_by_side * m.distance(a, to) * m.distance(b, end) &&
                side(a, b, to) * side(a, b, end) >= 0;
     };
     return std::ranges::any_of(plan_.around(stays), runs_beside);
 }
 
-/// In place of a short wall a slanted one, which begins a little way along the next wall: where that one is
-/// long, it changes far less than moving its whole length does.
+/// Replaces a short wall by a slanted one that begins a little way along the next wall, because moving a long
+/// wall would change far more.
 bool FlowMender::slant(std::uint32_t gone, std::uint32_t stays) {
     const std::vector<IncidentEdge> arms = plan_.around(gone);
     if (arms.size() != 2)
@@ -146,7 +152,7 @@ bool FlowMender::mend_wall(const FlowFault& fault) {
            merge_best(merges);
 }
 
-/// Whether a place on a wall of a node is that far from all other walls.
+/// Returns true if a place is at least that far from all walls other than those of a node.
 bool FlowMender::is_away(FinePoint place, std::uint32_t node, double metres) const {
     const std::int64_t reach = limits_.metric.steps_around(metres);
     return plan_.all_near(
@@ -157,7 +163,7 @@ bool FlowMender::is_away(FinePoint place, std::uint32_t node, double metres) con
         });
 }
 
-/// Where a gap is but a corner near a wall, the corner is cut off where both its walls are far enough.
+/// Cuts a corner off that is near a wall, at places on both its walls that are far enough from the other one.
 bool FlowMender::cut_corner(const FlowFault& fault) {
     const std::vector<IncidentEdge> arms = plan_.around(fault.node);
     if (arms.size() != 2)
@@ -197,7 +203,7 @@ bool FlowMender::mend_gap(const FlowFault& fault) {
            });
 }
 
-/// Takes the tip off where both its sides are as far apart as a wall is long.
+/// Cuts a tip off at the length at which its sides are one wall apart.
 bool FlowMender::cut_off(const FlowFault& fault) {
     const double half = fault.size / 2 * std::numbers::pi / 180;
     const double chord = 1.01 * std::max(limits_.wall, limits_.gap);
@@ -256,10 +262,9 @@ bool FlowMender::move(std::uint32_t node, FinePoint place) {
     contours.reserve(arms.size());
     for (const IncidentEdge& arm : arms)
         contours.push_back(arm.left);
-    const auto metres = [&](Int128 twice) { return static_cast<double>(twice) / 2 * limits_.metric.area(); };
-    const double outside = metres(plan_.swept_outside(node, place));
-    const double inside = metres(plan_.swept(node, place)) - outside;
-    if (is_frozen(node) || !budget_.allows(contours, outside, inside) ||
+    // Not a structured binding, because clang 14 cannot capture one.
+    const Swept swept = swept_by(node, place);
+    if (is_frozen(node) || !budget_.allows(contours, swept.outside, swept.inside) ||
         !is_away(place, node, std::max(limits_.wall, limits_.gap)))
         return false;
     touch(node);
@@ -268,7 +273,7 @@ bool FlowMender::move(std::uint32_t node, FinePoint place) {
             const auto moved = plan_.split(arm.edge, place);
             if (!moved || !plan_.merge(node, *moved))
                 return false;
-            budget_.take(contours, outside);
+            budget_.take(contours, swept.outside);
             touch(*moved);
             return true;
         });
@@ -279,7 +284,7 @@ bool FlowMender::move(std::uint32_t node, FinePoint place) {
 bool FlowMender::bend(std::uint32_t edge, FinePoint place) {
     const PartitionEdge e = plan_.edges()[edge];
     const Int128 turned = turn(plan_.at(e.from), plan_.at(e.to), place);
-    const double area = std::abs(static_cast<double>(turned)) / 2 * limits_.metric.area();
+    const double area = std::abs(square_metres(turned));
     const bool is_outside = e.left == open_ground || e.right == open_ground;
     const std::array contours{e.left, e.right};
     if (is_frozen(e.from) || is_frozen(e.to) ||
@@ -346,8 +351,8 @@ FlowProblem problem_of(const FlowFault& fault, const PartitionEditor& plan) {
     return problem;
 }
 
-/// Corners, then walls by the area that merging passes over, then gaps from the narrowest on, because the
-/// rest of a gap follows when it is closed at its narrowest, then necks likewise.
+/// Orders faults: corners, then walls by the area that merging sweeps, then gaps from the narrowest on,
+/// because the rest of a gap follows when it is closed at its narrowest, then necks likewise.
 std::vector<KnownFault*> FlowMender::in_order() {
     std::vector<std::pair<std::pair<int, double>, KnownFault*>> faults;
     for (std::vector<KnownFault>* list : {&faults_.walls(), &faults_.corners()})

@@ -12,12 +12,11 @@
 
 namespace d2b {
 
-/// Mends the faults of a plan, round by round; in each those first that change the least, so that what a
-/// block may take goes far.
+/// Mends the faults of a partition in rounds. Each round begins with the smallest changes, so that the budget
+/// of a block goes far.
 class FlowMender {
   public:
-    /// @param budget what changes may take, of which they take
-    /// @param frozen contours that stay as they are; empty for none
+    /// @param budget reduced by each change @param frozen contours that stay as they are; empty for none
     FlowMender(PartitionEditor& plan, std::span<const PartitionContour> contours, const FlowLimits& limits,
                BlockBudget& budget, const std::vector<bool>& frozen, const StopToken& stop)
         : plan_(plan),
@@ -28,12 +27,19 @@ class FlowMender {
           stop_(stop),
           faults_(plan, contours, limits, stop) {}
 
-    /// @return whether anything has changed
+    /// @return true if anything has changed
     [[nodiscard]] bool round();
     [[nodiscard]] std::vector<FlowProblem> take_changed() { return std::move(changed_); }
 
   private:
-    using Merge = std::pair<std::uint32_t, std::uint32_t>;  // a node, and what it is merged into
+    using Merge = std::pair<std::uint32_t, std::uint32_t>;  // a node and the node that it is merged into
+    /// Area that the edges of a node sweep when it moves, m2.
+    struct Swept {
+        double outside = 0;  ///< along outlines of blocks
+        double inside = 0;   ///< between contours of one block
+    };
+    [[nodiscard]] double square_metres(Int128 twice_steps) const;
+    [[nodiscard]] Swept swept_by(std::uint32_t node, FinePoint place) const;
     [[nodiscard]] std::vector<KnownFault*> in_order();
     template <typename Mend>
     [[nodiscard]] bool try_to(const Mend& mend);
@@ -67,7 +73,7 @@ class FlowMender {
     std::vector<FlowProblem> changed_;
 };
 
-/// What is said of a fault that is left. @param plan it was found in
+/// Describes a fault that is left. @param plan the partition in which it was found
 [[nodiscard]] FlowProblem problem_of(const FlowFault& fault, const PartitionEditor& plan);
 
 }  // namespace d2b

@@ -40,14 +40,14 @@ void FlowPasses::mend(const StopToken& stop) {
     plan_ = editor.plan();
 }
 
-/// @return whether all could be
+/// @return true if all could be taken apart
 bool FlowPasses::take_apart(std::span<const PartitionContour> leveled, const StopToken& stop) {
     const std::int64_t wanted = steps_of(std::max(limits_.wall, limits_.gap), limits_.metric);
     MoveDistances reach{wanted, gap_tolerances(cell_of(limits_.metric))};
     reach.allows = [&](MoveDistances::Contours contours, double outside, double inside) {
         return budget_.allows(contours, outside * limits_.metric.area(), inside * limits_.metric.area());
     };
-    // Nothing may touch: the least gap is taken even where nothing may be.
+    // Takes the least gap even from a block without a budget, because nothing may touch.
     reach.take = [&](MoveDistances::Contours contours, double outside) {
         budget_.take(contours, outside * limits_.metric.area());
     };
@@ -58,7 +58,7 @@ bool FlowPasses::take_apart(std::span<const PartitionContour> leveled, const Sto
     return taken.unresolved.empty();
 }
 
-/// Corners that mending and taking apart have put into walls.
+/// Removes corners that mending and taking apart have put into walls.
 void FlowPasses::straighten() {
     PartitionEditor editor(std::move(plan_));
     take_needless_corners(editor, limits_.metric, [&](std::uint32_t node) {

@@ -15,14 +15,15 @@
 
 namespace d2b {
 
-/// What changing a plan has come to.
+/// Result of changing a partition.
 struct FlowOutlines {
-    std::vector<FinePolygon> outlines;  ///< of all contours
+    std::vector<FinePolygon> outlines;  ///< per contour
     std::vector<FlowProblem> problems;
-    std::size_t left = 0;  ///< faults
+    std::size_t left = 0;  ///< number of faults
 };
 
-/// Mending makes corners touch, and taking these apart makes short walls.
+/// Alternates mending and taking apart, because mending makes corners touch, and taking these apart makes
+/// short walls.
 class FlowPasses {
   public:
     FlowPasses(PlanarPartition plan, std::span<const PartitionContour> contours, const FlowLimits& limits,
@@ -33,10 +34,10 @@ class FlowPasses {
           frozen_(frozen),
           budget_(contours, plan_.edges, limits) {}
 
-    /// @return nothing where outlines would not be what they are to be
+    /// @return std::nullopt if a contour would be broken or outlines would cross
     [[nodiscard]] std::optional<FlowOutlines> make(std::span<const PartitionContour> leveled,
                                                    const StopToken& stop);
-    /// Contours that were in pieces or gone, where that was the reason.
+    /// Contours that were in pieces or gone, if make() failed for that reason.
     [[nodiscard]] const std::vector<std::uint32_t>& broken() const { return broken_; }
 
   private:
@@ -49,7 +50,7 @@ class FlowPasses {
     std::span<const PartitionContour> contours_;
     const FlowLimits& limits_;
     const std::vector<bool>& frozen_;
-    BlockBudget budget_;  // of all passes together
+    BlockBudget budget_;  // shared by all passes
     std::vector<FlowProblem> problems_;
     std::vector<std::uint32_t> broken_;
 };

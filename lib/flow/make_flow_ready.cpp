@@ -17,7 +17,7 @@
 namespace d2b {
 namespace {
 
-/// Heights by level: what stands out is what is on a higher one.
+/// Replaces heights by levels, because a contour stands out if it is on a higher level.
 std::vector<PartitionContour> with_levels(std::span<const PartitionContour> contours) {
     std::vector<PartitionContour> leveled;
     for (const PartitionContour& contour : contours) {
@@ -28,8 +28,7 @@ std::vector<PartitionContour> with_levels(std::span<const PartitionContour> cont
     return leveled;
 }
 
-/// What mending would break stays as it is, and the rest is mended anew. @return nothing where that is no
-/// help
+/// Mends, and mends again without the contours that mending broke. @return std::nullopt if that does not help
 std::optional<FlowOutlines> change(const PlanarPartition& plan, std::span<const PartitionContour> contours,
                                    std::span<const PartitionContour> leveled, const FlowLimits& limits,
                                    std::vector<bool> frozen, const StopToken& stop) {
@@ -47,7 +46,7 @@ std::optional<FlowOutlines> change(const PlanarPartition& plan, std::span<const 
     return std::nullopt;
 }
 
-/// The outlines without corners in straight walls. @return nothing where there are none
+/// Returns the outlines without corners in straight walls, or nothing if there are no such corners.
 std::vector<FinePolygon> straightened(const PlanarPartition& plan, std::span<const PartitionContour> contours,
                                       const FlowLimits& limits, const std::vector<bool>& frozen) {
     PartitionEditor editor(plan);
@@ -63,7 +62,7 @@ std::vector<FinePolygon> straightened(const PlanarPartition& plan, std::span<con
     return drawn.broken.empty() ? std::move(drawn.outlines) : std::vector<FinePolygon>();
 }
 
-/// Each once, in a stable order.
+/// Sorts the contours of each problem and removes duplicates.
 void settle(std::vector<FlowProblem>& problems) {
     for (FlowProblem& problem : problems) {
         std::ranges::sort(problem.contours);

@@ -11,18 +11,18 @@
 namespace d2b {
 
 struct FlowReady {
-    std::vector<FinePolygon> outlines;  ///< of all contours; none where nothing has changed
+    std::vector<FinePolygon> outlines;  ///< per contour; empty if nothing has changed
     std::vector<FlowProblem> problems;
 };
 
-/// Changes the outlines of contours that may come near each other until a flow solver can take them: walls
-/// that are too short are merged, gaps that are too narrow closed, corners that are too sharp or touch taken
-/// off. Works on the planar partition, whose nodes are moved onto others and whose edges are split, exactly;
-/// changes that would come to more than a share of a block are not made. What is left has an entry. Outlines
-/// nest as they did, share what they shared, and are valid; where that cannot be had all stays as it
-/// was, and so where nothing is won and nothing has touched. Corners in straight walls go in any case.
-/// @param contours parents before what stands on them
-/// @param frozen those whose walls stay where they are, but for corners that touch; empty for none
+/// Changes outlines until a flow solver can take them: merges walls that are too short, closes narrow gaps,
+/// widens narrow parts, and cuts off corners that are too sharp or touch. Works on the planar partition,
+/// whose nodes are moved onto others and whose edges are split, exactly. Changes that would take more than a
+/// share of a block are not made; each fault that is left is a problem of the result. Outlines nest and share
+/// walls as before and are valid; if that is impossible, or nothing is gained and nothing touched, all
+/// outlines stay as they were, apart from corners in straight walls, which always go.
+/// @param contours parents before their children
+/// @param frozen contours whose walls stay, apart from corners that touch; empty for none
 /// @throws Cancelled
 [[nodiscard]] FlowReady make_flow_ready(std::span<const PartitionContour> contours, const FlowLimits& limits,
                                         const std::vector<bool>& frozen = {}, const StopToken& stop = {});

@@ -16,7 +16,7 @@ void take_needless_corners(PartitionEditor& plan, const FlowMetric& metric,
     const double step =
         std::max(std::hypot(metric.col_x, metric.col_y), std::hypot(metric.row_x, metric.row_y));
     const double limit = std::max(straight_m, step);
-    std::vector<double> moved(plan.edges().size());  // how far an edge lies from the corners that it lost, m
+    std::vector<double> moved(plan.edges().size());  // distance per edge from the corners that it lost, m
     for (std::uint32_t node = 0; node < plan.nodes().size(); ++node) {
         if (plan.degree(node) != 2 || !may_go(node))
             continue;

@@ -8,10 +8,10 @@
 
 namespace d2b {
 
-/// Takes away corners at which a wall runs on straight within a millimetre, or within a step of the lattice
-/// where that is longer. Corners at which more than two walls meet stay. No wall leaves what it was by more,
-/// however many of its corners go.
-/// @param may_go whether a node may
+/// Removes corners at which a wall goes straight on within a millimetre, or within a step of the lattice if
+/// that is longer. Corners of more than two walls stay. A wall moves by no more than that, however many
+/// corners it loses.
+/// @param may_go returns true if a node may be removed
 void take_needless_corners(PartitionEditor& plan, const FlowMetric& metric,
                            const std::function<bool(std::uint32_t)>& may_go);
 

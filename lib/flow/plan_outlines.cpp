@@ -10,7 +10,7 @@
 namespace d2b {
 
 PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const PartitionContour> contours) {
-    // Of each contour the edges that have it, or what stands on it, on one side alone.
+    // Edges per contour that have it, or a contour on top of it, on one side alone.
     std::vector<PlanarPartition> parts(contours.size());
     const auto parent = [&](std::int32_t contour) {
         return contours[static_cast<std::size_t>(contour)].parent;
@@ -28,7 +28,7 @@ PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const Partitio
     PlanOutlines result;
     for (std::uint32_t c = 0; c < parts.size(); ++c) {
         PlanarPartition& part = parts[c];
-        // Only its own nodes, or the work would be that of all nodes a contour.
+        // Renumbers its own nodes, because copying all nodes per contour would take quadratic time.
         std::vector<std::uint32_t> used;
         for (const PartitionEdge& edge : part.edges)
             used.insert(used.end(), {edge.from, edge.to});

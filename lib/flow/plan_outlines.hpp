@@ -8,14 +8,14 @@
 
 namespace d2b {
 
-/// What a plan shows.
+/// Outlines of a partition.
 struct PlanOutlines {
-    std::vector<FinePolygon> outlines;  ///< one a contour, where none is broken
+    std::vector<FinePolygon> outlines;  ///< one per contour, if none is broken
     std::vector<std::uint32_t> broken;  ///< contours that are in pieces, or gone
 };
 
-/// The outline of each contour, from the plan that shows which of them is on top where: what a contour covers
-/// is what it shows and all that stands on it.
+/// Draws the outline of each contour from the partition: a contour covers its own faces and those of all
+/// contours on top of it.
 [[nodiscard]] PlanOutlines plan_outlines(const PlanarPartition& plan,
                                          std::span<const PartitionContour> contours);
 

@@ -24,4 +24,10 @@ class ScopedConfigOption {
     bool set_;
 };
 
+/// Keeps GDAL from writing an .aux.xml next to datasets that are opened, written or closed during its
+/// lifetime.
+class NoSidecar {
+    ScopedConfigOption option_{"GDAL_PAM_ENABLED", "NO"};
+};
+
 }  // namespace d2b

@@ -161,9 +161,9 @@ DatasetOwner open_guarded(const std::string& name, unsigned flags, const char* c
         others = other_drivers("KMLSUPEROVERLAY");
         drivers = others.List();
     }
-    std::optional<ScopedConfigOption> no_sidecar;
+    std::optional<NoSidecar> no_sidecar;
     if (is_file_of("GPKG", name))
-        no_sidecar.emplace("GDAL_PAM_ENABLED", "NO");  // as when it is closed, see close_dataset()
+        no_sidecar.emplace();  // as when it is closed, see close_dataset()
     DatasetOwner dataset(GDALOpenEx(name.c_str(), flags, drivers, open_options, nullptr));
     if (dataset && no_sidecar)
         GDALGetMetadata(dataset.get(),

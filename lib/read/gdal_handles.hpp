@@ -24,7 +24,7 @@ using GdalOwner = std::unique_ptr<std::remove_pointer_t<Handle>, GdalRelease<Han
 
 inline void close_dataset(GDALDatasetH dataset) {
     // GDAL 3.10 writes the metadata of a GeoPackage to an .aux.xml when it is closed after being read.
-    const ScopedConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    const NoSidecar no_sidecar;
     GDALClose(dataset);  // returns CPLErr from GDAL 3.7 on
 }
 

@@ -58,7 +58,7 @@ void FileSpool::read(std::uint64_t begin, std::span<std::byte> bytes) const {
             return;
         }
     }
-    // No lock needed, because a piece appended at once is in the file as a whole, and the file only grows.
+    // Needs no lock, because a piece appended at once is in the file as a whole, and the file only grows.
     file_->read(begin, bytes);
 }
 

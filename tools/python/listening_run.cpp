@@ -74,8 +74,8 @@ class Mailbox {
     std::atomic<bool> stop_ = false;
 };
 
-/// Whether what a progress function returned lets the run go on: nothing, or what is true. A comparison of
-/// NumPy's numbers gives False of NumPy's own.
+/// Returns true if a progress function returned None or something true. Asks for its truth, because a
+/// comparison of NumPy numbers gives a False that is not Python's.
 bool goes_on(const py::object& answer) {
     if (answer.is_none())
         return true;

@@ -70,7 +70,7 @@ class DrawnTiles {
     void take(DrawnTile&& tile);
     void number_deferred(double metres);
 
-    // No read-ahead, because tiles are read in turns and the cached pages would be evicted before use.
+    // Disables read-ahead, because tiles are read in turns and the cached pages would be evicted before use.
     FileHandleCache files_{FileHandleCache::ReadAhead::none};  ///< file handles of the streams
 
     std::vector<DeferredBuilding> deferred_buildings_;  ///< concatenated over tiles

@@ -193,7 +193,7 @@ std::size_t GeoTiffSink::tile_index(const Window& tile) const {
 }
 
 void GeoTiffSink::begin() {
-    const ScopedConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    const NoSidecar no_sidecar;
     file_.emplace(staged_.target(), staged_.begin(), grid_, meta_);
 }
 
@@ -245,7 +245,7 @@ void GeoTiffSink::prepare(CommitList& commit) {
     if (missing > 0)
         throw OutputError("Cannot write \"" + staged_.name() + "\": " + std::to_string(missing) + " of its " +
                           std::to_string(grid_.window.points()) + " cells were not given.");
-    const ScopedConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    const NoSidecar no_sidecar;
     file_->close();
     staged_.prepare(commit);
 }
@@ -257,7 +257,7 @@ void require_crs_kept(const std::string& name, DemInfo grid, const RasterMetadat
         return;
     grid.window.rows = grid.window.cols = 1;
     const GdalMessages quiet;
-    const ScopedConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    const NoSidecar no_sidecar;
     const std::string file =
         "/vsimem/d2b_crs_" + std::to_string(reinterpret_cast<std::uintptr_t>(&grid)) + ".tif";
     const WriteTarget target{.name = name, .hidden_folder = ""};

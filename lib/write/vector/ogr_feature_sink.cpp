@@ -170,7 +170,7 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
     if (path.find("/vsistdout") != std::string::npos)
         captured_.emplace();
     // Prevent .aux.xml files of formats without metadata, because they would outlive a rollback.
-    const ScopedConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    const NoSidecar no_sidecar;
     // Staged files are synced once before the rename, so SQLite need not sync earlier.
     std::optional<ScopedConfigOption> no_waiting;
     if (files_)

@@ -168,7 +168,7 @@ std::vector<std::string> create_table_statements(const PlannedOutput& draft) {
 
 bool preflight_create(const PlannedOutput& draft) {
     reject_reserved_names(draft.format, draft.options, draft.layers);
-    const ScopedConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    const NoSidecar no_sidecar;
     const ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
     try {
         try {
@@ -369,7 +369,7 @@ std::optional<CoordinateRounding> coordinate_rounding(const PlannedOutput& draft
         !std::isfinite(draft.place.x + draft.place.y))
         return CoordinateRounding{};
     const GdalMessages quiet;
-    const ScopedConfigOption no_sidecar("GDAL_PAM_ENABLED", "NO");
+    const NoSidecar no_sidecar;
     const VsimemFolder memory;
     const std::string file = memory.file(probe_name(draft.format.driver, draft.destination.path));
     const WorldRing ring = trial_ring(draft.place);
