@@ -9,7 +9,7 @@ function(add_bytes name file)
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 
-set(text "#include \"write/page_parts.hpp\"\n\n// NOLINTBEGIN: nobody edits these bytes\nnamespace d2b {\nnamespace {\n\n")
+set(text "#include \"view/page_parts.hpp\"\n\n// NOLINTBEGIN: nobody edits these bytes\nnamespace d2b {\nnamespace {\n\n")
 foreach(part HTML STYLE SCRIPT LICENCE)
   string(TOLOWER ${part} name)
   add_bytes(${name} ${${part}})

@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "contours/level_plan.hpp"
 #include "core/context.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/report.hpp"
 #include "diagnose/coverage.hpp"
 #include "diagnose/ground_fit.hpp"
-#include "levels/level_plan.hpp"
 #include "options/run_plan.hpp"
 
 namespace d2b {

@@ -8,17 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "attributes/record_builder.hpp"
+#include "contours/contour.hpp"
 #include "core/context.hpp"
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
 #include "dem2buildings/report.hpp"
 #include "features/drawn_stack.hpp"
+#include "features/record_builder.hpp"
 #include "features/reprojection.hpp"
 #include "features/write_features.hpp"
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
-#include "trace/contour.hpp"
 
 namespace d2b {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "attributes/attribute_table.hpp"
 #include "core/context.hpp"
 #include "diagnose/warnings.hpp"
+#include "features/attribute_table.hpp"
 #include "features/reprojection.hpp"
 #include "features/write_features.hpp"
 #include "outline/arc_graph.hpp"

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/attribute_table.hpp"
 #include "core/context.hpp"
 #include "dem2buildings/sinks.hpp"
-#include "diagnose/suspicious_values.hpp"
+#include "features/attribute_table.hpp"
 #include "features/contour_drawer.hpp"
 #include "features/rounded_polygons.hpp"
+#include "features/suspicious_values.hpp"
 #include "features/write_features.hpp"
 
 namespace d2b {

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "contours/contour.hpp"
 #include "core/context.hpp"
 #include "features/problem_layer.hpp"
 #include "features/write_features.hpp"
-#include "flow/make_flow_ready.hpp"
 #include "outline/outline.hpp"
-#include "trace/contour.hpp"
+#include "surface/make_flow_ready.hpp"
 
 namespace d2b {
 

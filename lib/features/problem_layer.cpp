@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "attributes/attribute_table.hpp"
 #include "core/context.hpp"
+#include "features/attribute_table.hpp"
 
 namespace d2b {
 

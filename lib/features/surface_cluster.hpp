@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "attributes/record_builder.hpp"
+#include "features/record_builder.hpp"
 #include "features/surface_lattice.hpp"
 #include "features/write_features.hpp"
 #include "surface/make_surfaces.hpp"

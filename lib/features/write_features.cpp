@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/attribute_table.hpp"
 #include "core/byte_stream.hpp"
 #include "core/text.hpp"
+#include "features/attribute_table.hpp"
 #include "features/feature_writer.hpp"
 
 namespace d2b {

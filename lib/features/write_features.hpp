@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/record_builder.hpp"
+#include "contours/contour_archive.hpp"
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
 #include "dem2buildings/parcel_source.hpp"
@@ -17,7 +17,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "dem2buildings/spool.hpp"
 #include "features/drawn_stack.hpp"
-#include "filter/contour_archive.hpp"
+#include "features/record_builder.hpp"
 #include "geometry/geos.hpp"
 #include "options/run_plan.hpp"
 #include "outline/outline.hpp"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/attribute_table.hpp"
 #include "core/context.hpp"
+#include "features/attribute_table.hpp"
 #include "features/problem_layer.hpp"
 #include "features/surface_cluster.hpp"
 #include "features/write_features.hpp"

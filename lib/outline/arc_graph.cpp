@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "contours/contour.hpp"
 #include "core/lattice.hpp"
 #include "core/stop_token.hpp"
-#include "trace/contour.hpp"
 
 namespace d2b {
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "contours/contour.hpp"
 #include "core/lattice.hpp"
 #include "core/stop_token.hpp"
-#include "trace/contour.hpp"
 
 namespace d2b {
 

@@ -5,13 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include "contours/contour.hpp"
 #include "core/context.hpp"
 #include "core/georeference.hpp"
 #include "core/lattice.hpp"
 #include "core/stop_token.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/records.hpp"
-#include "trace/contour.hpp"
 
 namespace d2b {
 

@@ -20,7 +20,7 @@
 #include "read/gdal_setup.hpp"
 #include "read/parcel_reader.hpp"
 #include "read/side_rasters.hpp"
-#include "write/page/page_sink.hpp"
+#include "view/page/page_sink.hpp"
 #include "write/raster/geotiff.hpp"
 #include "write/surface/surface_sink.hpp"
 

@@ -11,9 +11,9 @@
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "options/run_plan.hpp"
-#include "pipeline/preview.hpp"
 #include "pipeline/report_run.hpp"
 #include "read/source_files.hpp"
+#include "view/preview.hpp"
 
 namespace d2b {
 

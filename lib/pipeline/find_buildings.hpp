@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "attributes/record_builder.hpp"
 #include "core/context.hpp"
 #include "core/executor.hpp"
 #include "core/grid.hpp"
@@ -15,6 +14,7 @@
 #include "diagnose/parcel_fit.hpp"
 #include "diagnose/surface_sampling.hpp"
 #include "elevations/elevation_reader.hpp"
+#include "features/record_builder.hpp"
 #include "options/run_plan.hpp"
 
 namespace d2b {

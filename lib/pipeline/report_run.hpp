@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "contours/contour.hpp"
+#include "contours/level_plan.hpp"
 #include "core/context.hpp"
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/run.hpp"
@@ -14,9 +16,7 @@
 #include "diagnose/surface_sampling.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "features/drawn_stack.hpp"
-#include "levels/level_plan.hpp"
 #include "pipeline/run_setup.hpp"
-#include "trace/contour.hpp"
 
 namespace d2b {
 

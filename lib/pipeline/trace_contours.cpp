@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "contours/building_levels.hpp"
+#include "contours/clean_tiers.hpp"
+#include "contours/level_plan.hpp"
 #include "core/context.hpp"
 #include "detect/detection.hpp"
-#include "levels/building_levels.hpp"
-#include "levels/clean_tiers.hpp"
-#include "levels/level_plan.hpp"
 
 namespace d2b {
 namespace {

@@ -5,16 +5,16 @@
 #include <optional>
 #include <vector>
 
+#include "contours/clean_tiers.hpp"
+#include "contours/contour_archive.hpp"
+#include "contours/level_plan.hpp"
+#include "contours/tracer.hpp"
 #include "core/context.hpp"
 #include "core/statistics.hpp"
 #include "elevations/elevation_reader.hpp"
-#include "filter/contour_archive.hpp"
-#include "levels/clean_tiers.hpp"
-#include "levels/level_plan.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/run_setup.hpp"
-#include "trace/tracer.hpp"
 
 namespace d2b {
 

@@ -22,6 +22,7 @@
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"
+#include "read/georeferencing.hpp"
 #include "read/open_raster.hpp"
 
 namespace d2b {

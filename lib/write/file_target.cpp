@@ -9,13 +9,11 @@
 #include <cpl_vsi.h>
 
 #include "dem2buildings/error.hpp"
-#include "preview/map_frame.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"
 #include "write/destination.hpp"
 #include "write/ogr_util.hpp"
-#include "write/page/page_sink.hpp"
 #include "write/surface/surface_sink.hpp"
 
 namespace d2b {
@@ -147,6 +145,24 @@ bool exists(const FileDestination& place) {
 }
 
 }  // namespace
+
+std::optional<PictureFormat> picture_format_of(const std::string& name) {
+    std::string extension = std::filesystem::path(name).extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (extension == ".png")
+        return PictureFormat::png;
+    if (extension == ".svg")
+        return PictureFormat::svg;
+    if (extension == ".pdf")
+        return PictureFormat::pdf;
+    return std::nullopt;
+}
+
+bool begins_a_picture(const std::string& beginning) {
+    return beginning.starts_with("\x89PNG\r\n") || beginning.starts_with("%PDF-") ||
+           beginning.find("<svg") != std::string::npos;
+}
 
 FileDestination resolve_file_target(const FileTarget& target) {
     register_formats();

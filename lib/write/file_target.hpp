@@ -1,13 +1,31 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace d2b {
 
 /// Kinds of files written next to the layers.
 enum class FileKind { geotiff, picture, surface, materials, page };
+
+enum class PictureFormat { png, svg, pdf };
+
+/// Returns the format for the extension of a file name; not case-sensitive.
+[[nodiscard]] std::optional<PictureFormat> picture_format_of(const std::string& name);
+
+/// True if a file with this beginning is a picture in one of these formats.
+[[nodiscard]] bool begins_a_picture(const std::string& beginning);
+
+/// Marker at the begin of our pages, so that no other HTML file is replaced.
+inline constexpr std::string_view page_signature = "<!DOCTYPE html>\n<!-- A page of dem2buildings -->\n";
+
+/// True if a file begins like one of our pages.
+[[nodiscard]] inline bool looks_like_page(std::string_view beginning) {
+    return beginning.starts_with(page_signature);
+}
 
 /// Requested destination of a raster or other file.
 struct FileTarget {

@@ -11,9 +11,9 @@
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings_tiles/plan_file.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
+#include "pipeline/tiles/found_tile.hpp"
 #include "read/gdal_setup.hpp"
-#include "tiles/drawn_tile.hpp"
-#include "tiles/found_tile.hpp"
 
 namespace d2b {
 namespace {

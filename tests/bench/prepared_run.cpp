@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "contours/building_levels.hpp"
+#include "contours/level_plan.hpp"
 #include "core/georeference.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
 #include "detect/detection.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "features/reprojection.hpp"
-#include "levels/building_levels.hpp"
-#include "levels/level_plan.hpp"
 #include "support/memory_io.hpp"
 
 namespace d2b::bench {

@@ -4,16 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "contours/contour_archive.hpp"
+#include "contours/level_plan.hpp"
+#include "contours/tracer.hpp"
 #include "core/context.hpp"
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/dem_source.hpp"
-#include "filter/contour_archive.hpp"
-#include "levels/level_plan.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
-#include "trace/tracer.hpp"
 
 namespace d2b::bench {
 

@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <utility>
 
-#include "attributes/record_builder.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
 #include "detect/detection.hpp"
 #include "features/contour_drawer.hpp"
+#include "features/record_builder.hpp"
 #include "ground/ground.hpp"
 #include "prepared_run.hpp"
 #include "support/memory_io.hpp"

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "attributes/attribute_table.hpp"
 #include "dem2buildings/help.hpp"
+#include "features/attribute_table.hpp"
 
 namespace d2b {
 namespace {

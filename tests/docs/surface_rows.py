@@ -48,7 +48,7 @@ def flow_row(plain, ready):
     counts = [f"{before}, then {after}" for before, after in zip(short_of(plain), short_of(ready))]
     before, after = block_change.covered(plain), block_change.covered(ready)
     changed = 100 * before.symmetric_difference(after).area / before.area
-    done = subprocess.run([sys.executable, str(SOURCE / "tests/flow/block_change.py"), plain, ready], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, str(SOURCE / "tests/surface/block_change.py"), plain, ready], capture_output=True, text=True)
     most = done.stdout.split(" at most ")[1].split(" ")[0]
     return ["sample town (1 m)", f"{len(polygons(plain))}", *counts, f"{changed:.2f} %", f"{most} %"]
 

@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "attributes/attribute_table.hpp"
 #include "dem2buildings/help.hpp"
+#include "features/attribute_table.hpp"
 
 namespace {
 

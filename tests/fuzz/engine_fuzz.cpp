@@ -1,12 +1,12 @@
 // Any small grid is traced as the slow reference traces it, in bands of any height.
 #include <algorithm>
 
+#include "contours/reference.hpp"
 #include "fuzz/bytes.hpp"
 #include "geometry/geos.hpp"
 #include "outline/arc_graph.hpp"
 #include "outline/outline.hpp"
 #include "support/outline_checks.hpp"
-#include "trace/reference.hpp"
 
 namespace d2b::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "fuzz/bytes.hpp"
-#include "tiles/drawn_tile.hpp"
-#include "tiles/found_tile.hpp"
-#include "tiles/traced_tile.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
+#include "pipeline/tiles/found_tile.hpp"
+#include "pipeline/tiles/traced_tile.hpp"
 
 namespace d2b::test {
 namespace {

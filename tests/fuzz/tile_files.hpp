@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/band.hpp"
-#include "tiles/found_tile.hpp"
+#include "pipeline/tiles/found_tile.hpp"
 
 namespace d2b::test {
 

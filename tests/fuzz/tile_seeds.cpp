@@ -9,9 +9,9 @@
 #include <string>
 
 #include "fuzz/tile_files.hpp"
-#include "tiles/drawn_tile.hpp"
-#include "tiles/found_tile.hpp"
-#include "tiles/traced_tile.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
+#include "pipeline/tiles/found_tile.hpp"
+#include "pipeline/tiles/traced_tile.hpp"
 
 namespace d2b::test {
 namespace {

@@ -12,8 +12,8 @@
 #include "pipeline/block_town.hpp"
 #include "pipeline/random_town.hpp"
 #include "pipeline/run.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles_case.hpp"
-#include "tiles/drawn_tile.hpp"
 
 namespace d2b {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/record_builder.hpp"
-#include "filter/contour_archive.hpp"
+#include "contours/contour_archive.hpp"
+#include "features/record_builder.hpp"
 
 namespace d2b::test {
 

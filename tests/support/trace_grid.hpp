@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "contours/level_plan.hpp"
+#include "contours/tracer.hpp"
 #include "detect/detection.hpp"
-#include "levels/level_plan.hpp"
 #include "support/contour_set.hpp"
-#include "trace/tracer.hpp"
 
 namespace d2b::test {
 

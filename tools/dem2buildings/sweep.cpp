@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.hpp"
-#include "pipeline/preview.hpp"
-#include "preview/map_page.hpp"
+#include "view/preview.hpp"
+#include "view/map_page.hpp"
 
 namespace d2b {
 namespace {

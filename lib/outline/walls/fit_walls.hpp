@@ -7,12 +7,12 @@
 #include <mutex>
 #include <vector>
 
+#include "contours/contour.hpp"
 #include "core/executor.hpp"
 #include "core/lattice.hpp"
 #include "dem2buildings/spool.hpp"
 #include "outline/arc_graph.hpp"
 #include "outline/walls/wall_clusters.hpp"
-#include "trace/contour.hpp"
 
 namespace d2b {
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "contours/contour.hpp"
 #include "core/stop_token.hpp"
 #include "dem2buildings/options.hpp"
 #include "outline/walls/trace_sums.hpp"
-#include "trace/contour.hpp"
 
 namespace d2b {
 

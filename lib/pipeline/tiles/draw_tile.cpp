@@ -6,20 +6,20 @@
 #include <utility>
 #include <vector>
 
+#include "contours/contour_archive.hpp"
 #include "core/lattice.hpp"
 #include "detect/units.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/reprojection.hpp"
-#include "filter/contour_archive.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
+#include "pipeline/tiles/found_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "pipeline/tiles/trace_tile.hpp"
 #include "pipeline/trace_contours.hpp"
-#include "tiles/drawn_tile.hpp"
-#include "tiles/found_tile.hpp"
 
 namespace d2b {
 

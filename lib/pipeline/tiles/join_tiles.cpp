@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "pipeline/find_buildings.hpp"
+#include "pipeline/tiles/found_tile.hpp"
 #include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
-#include "tiles/found_tile.hpp"
 
 namespace d2b {
 namespace {

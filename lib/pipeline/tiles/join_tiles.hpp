@@ -10,8 +10,8 @@
 
 #include "dem2buildings/spool.hpp"
 #include "detect/units.hpp"
+#include "pipeline/tiles/found_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
-#include "tiles/found_tile.hpp"
 
 namespace d2b {
 

@@ -10,22 +10,22 @@
 #include <utility>
 #include <vector>
 
-#include "attributes/record_builder.hpp"
+#include "contours/contour_archive.hpp"
+#include "contours/level_plan.hpp"
 #include "core/lattice.hpp"
 #include "dem2buildings/spool.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/feature_writer.hpp"
+#include "features/record_builder.hpp"
 #include "features/reprojection.hpp"
-#include "filter/contour_archive.hpp"
-#include "levels/level_plan.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
+#include "pipeline/tiles/file_cache.hpp"
 #include "pipeline/tiles/tile_numbers.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 #include "pipeline/tiles/trace_tile.hpp"
-#include "tiles/drawn_tile.hpp"
-#include "tiles/file_cache.hpp"
 
 namespace d2b {
 

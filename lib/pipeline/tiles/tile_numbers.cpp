@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-#include "tiles/drawn_tile.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
 
 namespace d2b {
 

@@ -12,8 +12,8 @@
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/spool.hpp"
 #include "features/feature_writer.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
-#include "tiles/drawn_tile.hpp"
 
 namespace d2b {
 

@@ -13,8 +13,8 @@
 #include "detect/units.hpp"
 #include "elevations/filter_invalid.hpp"
 #include "pipeline/run_setup.hpp"
-#include "tiles/checkpoint_file.hpp"
-#include "tiles/found_tile.hpp"
+#include "pipeline/tiles/checkpoint_file.hpp"
+#include "pipeline/tiles/found_tile.hpp"
 
 namespace d2b {
 

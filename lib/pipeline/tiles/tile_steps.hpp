@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "dem2buildings/commit_list.hpp"
+#include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
-#include "tiles/drawn_tile.hpp"
 
 namespace d2b {
 

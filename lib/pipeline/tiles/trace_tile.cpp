@@ -7,16 +7,16 @@
 #include <utility>
 #include <vector>
 
+#include "contours/tracer.hpp"
 #include "core/context.hpp"
-#include "diagnose/suspicious_values.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "features/reprojection.hpp"
+#include "features/suspicious_values.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
+#include "pipeline/tiles/file_cache.hpp"
+#include "pipeline/tiles/traced_tile.hpp"
 #include "pipeline/trace_contours.hpp"
-#include "tiles/file_cache.hpp"
-#include "tiles/traced_tile.hpp"
-#include "trace/tracer.hpp"
 
 namespace d2b {
 

@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-#include "levels/level_plan.hpp"
+#include "contours/level_plan.hpp"
+#include "contours/split_into_runs.hpp"
 #include "pipeline/tiles/tile_run.hpp"
-#include "trace/split_into_runs.hpp"
 
 namespace d2b {
 

@@ -1,9 +1,9 @@
 #include <optional>
 #include <utility>
 
+#include "contours/contour_archive.hpp"
 #include "features/feature_writer.hpp"
 #include "features/reprojection.hpp"
-#include "filter/contour_archive.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/tile_steps.hpp"

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "preview/map_frame.hpp"
 #include "write/file_target.hpp"
 
 namespace d2b {

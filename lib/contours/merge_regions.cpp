@@ -1,0 +1,412 @@
+#include "contours/merge_regions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <boost/container/small_vector.hpp>
+
+#include "core/disjoint_sets.hpp"
+#include "core/stop_token.hpp"
+
+namespace d2b {
+
+/// Visits the cells of a building in scan order with their preceding neighbours. Holds two rows that move
+/// down the building's columns.
+class NeighbourScan {
+  public:
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+    /// @param stop checked at each run, because one building may fill a whole raster
+    NeighbourScan(const BuildingCells& cells, const StopToken& stop) : cells_(cells), stop_(stop) {
+        std::int32_t end = 0;
+        for (const BuildingCells::Run& run : cells.runs) {
+            first_ = std::min(first_, run.begin);
+            end = std::max(end, run.end);
+        }
+        above_.resize(cells.runs.empty() ? 0 : static_cast<std::size_t>(end - first_));
+    }
+
+    /// Calls use(cell, left, up, up_left) with the indices of cells in scan order, or `none`.
+    template <typename Use>
+    void for_each(const Use& use) {
+        std::uint32_t cell = 0;
+        for (const BuildingCells::Run& run : cells_.runs) {
+            stop_.check();
+            std::uint32_t left = none;
+            std::uint32_t up_left = run.begin > first_ ? above(run.row, run.begin - 1) : none;
+            for (std::int32_t col = run.begin; col < run.end; ++col, ++cell) {
+                const std::uint32_t up = above(run.row, col);
+                use(cell, left, up, up_left);
+                Seen& here = above_[static_cast<std::size_t>(col - first_)];
+                here = {run.row, cell, here.row, here.cell};
+                left = cell;
+                up_left = up;
+            }
+        }
+    }
+
+  private:
+    /// Last two cells of a column.
+    struct Seen {
+        std::int32_t row = std::numeric_limits<std::int32_t>::min();
+        std::uint32_t cell = none;
+        std::int32_t row_before = std::numeric_limits<std::int32_t>::min();
+        std::uint32_t cell_before = none;
+    };
+    [[nodiscard]] std::uint32_t above(std::int32_t row, std::int32_t col) const {
+        const Seen& seen = above_[static_cast<std::size_t>(col - first_)];
+        if (seen.row == row - 1)
+            return seen.cell;
+        return seen.row == row && seen.row_before == row - 1 ? seen.cell_before : none;
+    }
+
+    const BuildingCells& cells_;
+    const StopToken& stop_;
+    std::int32_t first_ = std::numeric_limits<std::int32_t>::max();
+    std::vector<Seen> above_;
+};
+
+/// Region adjacency graph whose regions are merged, with their sums and the lengths of their common borders.
+class RegionAdjacencyGraph {
+  public:
+    static constexpr std::uint32_t none = 0xFFFFFFFF;
+
+    struct Region {
+        double points = 0;
+        double sum = 0;   ///< sum of elevations
+        double mean = 0;  ///< undefined without points
+
+        void add(const Region& other) {
+            points += other.points;
+            sum += other.sum;
+            mean = sum / points;
+        }
+    };
+    /// Squared error added by merging two regions.
+    [[nodiscard]] static double added_error(const Region& one, const Region& other) {
+        if (one.points == 0 || other.points == 0)
+            return 0;
+        const double step = one.mean - other.mean;
+        return one.points * other.points / (one.points + other.points) * step * step;
+    }
+
+    /// @param own_border border in cells that each region has in addition to its actual one
+    explicit RegionAdjacencyGraph(std::vector<Region> regions, double own_border = 0);
+
+    /// Adds a border. Repeated calls for the same two regions add up.
+    /// @param length length in cells
+    void add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length);
+
+    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(regions_.size()); }
+    [[nodiscard]] std::uint32_t root(std::uint32_t region) { return sets_.find(region); }
+    [[nodiscard]] bool is_root(std::uint32_t region) const { return sets_.is_root(region); }
+    [[nodiscard]] const Region& of(std::uint32_t root) const { return regions_[root]; }
+
+    struct Neighbour {
+        std::uint32_t region = none;
+        double cost = 0;  ///< cost of merging: added squared error per length of the removed border,
+                          ///< including a region's own one
+    };
+    /// Returns the cheapest neighbour to merge with; the lowest index in case of a tie. Cached until the
+    /// region or a neighbour changes.
+    [[nodiscard]] Neighbour cheapest(std::uint32_t root);
+    /// @return the root of both
+    std::uint32_t merge(std::uint32_t a, std::uint32_t b);
+
+  private:
+    struct Border {
+        std::uint32_t region = none;
+        std::uint32_t length = 0;
+    };
+    /// Cached cheapest neighbour, and the number of merges at that time; none if not cached.
+    struct Cheapest {
+        Neighbour neighbour;
+        std::uint32_t merges = none;
+    };
+    [[nodiscard]] bool still_holds(std::uint32_t root) const;
+    /// Merges the borders with the same neighbour.
+    void merge_duplicate_borders(std::uint32_t root);
+
+    /// Borders of a region. Most regions have few, which need no heap allocation: the average of a planar
+    /// graph is below six.
+    using Borders = boost::container::small_vector<Border, 10>;
+
+    double own_border_;
+    std::vector<Region> regions_;
+    DisjointSets sets_;
+    std::vector<Borders> borders_;
+    std::vector<std::uint32_t>
+        given_;  ///< number of borders as added, which determines the list that is moved
+    std::vector<Cheapest> cheapest_;
+    std::vector<std::uint32_t> changed_;  ///< number of merges when it last grew or was merged
+    std::uint32_t merges_ = 0;
+    std::vector<std::uint32_t>
+        place_;  ///< scratch of merge_duplicate_borders(): index of a neighbour in the list of borders
+};
+
+RegionAdjacencyGraph::RegionAdjacencyGraph(std::vector<Region> regions, double own_border)
+    : own_border_(own_border),
+      regions_(std::move(regions)),
+      sets_(static_cast<std::uint32_t>(regions_.size())),
+      borders_(regions_.size()),
+      given_(regions_.size(), 0),
+      cheapest_(regions_.size()),
+      changed_(regions_.size(), 0),
+      place_(regions_.size(), none) {}
+
+void RegionAdjacencyGraph::add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length) {
+    const auto add = [&](std::uint32_t from, std::uint32_t to) {
+        ++given_[from];
+        // Borders are added cell by cell, so the last one mostly matches.
+        if (Borders& borders = borders_[from]; !borders.empty() && borders.back().region == to)
+            borders.back().length += length;
+        else
+            borders.push_back({to, length});
+    };
+    add(a, b);
+    add(b, a);
+}
+
+void RegionAdjacencyGraph::merge_duplicate_borders(std::uint32_t root_of) {
+    Borders& borders = borders_[root_of];
+    Border* const all = borders.data();
+    const std::size_t count = borders.size();
+    std::uint32_t kept = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t length = all[k].length;
+        const std::uint32_t other = root(all[k].region);
+        if (other == root_of)
+            continue;
+        const std::uint32_t place = place_[other];
+        if (place == none) {
+            place_[other] = kept;
+            all[kept++] = {other, length};
+        } else {
+            all[place].length += length;
+        }
+    }
+    borders.resize(kept);
+    given_[root_of] = kept;
+}
+
+bool RegionAdjacencyGraph::still_holds(std::uint32_t root_of) const {
+    const std::uint32_t then = cheapest_[root_of].merges;
+    if (then == none || changed_[root_of] > then)
+        return false;
+    const Borders& borders = borders_[root_of];
+    return std::ranges::all_of(borders,
+                               [&](const Border& border) { return changed_[border.region] <= then; });
+}
+
+RegionAdjacencyGraph::Neighbour RegionAdjacencyGraph::cheapest(std::uint32_t root_of) {
+    if (still_holds(root_of))
+        return cheapest_[root_of].neighbour;
+    merge_duplicate_borders(root_of);
+    Neighbour best{none, std::numeric_limits<double>::infinity()};
+    const Region here = regions_[root_of];
+    const double own = own_border_;
+    for (const Border& border : borders_[root_of]) {
+        place_[border.region] = none;
+        const double cost = added_error(here, regions_[border.region]) / (border.length + own);
+        const bool better = (cost < best.cost) | ((cost == best.cost) & (border.region < best.region));
+        best.cost = better ? cost : best.cost;
+        best.region = better ? border.region : best.region;
+    }
+    cheapest_[root_of] = {best, merges_};
+    return best;
+}
+
+std::uint32_t RegionAdjacencyGraph::merge(std::uint32_t a, std::uint32_t b) {
+    // Moves the shorter list, so that each border moves O(log n) times.
+    if (given_[a] < given_[b])
+        std::swap(a, b);
+    sets_.merge_roots(a, b);
+    regions_[a].add(regions_[b]);
+    borders_[a].insert(borders_[a].end(), borders_[b].begin(), borders_[b].end());
+    given_[a] += given_[b];
+    borders_[b] = {};
+    changed_[a] = changed_[b] = ++merges_;
+    return a;
+}
+
+namespace {
+
+// Prices rise to the requested one, so that the most similar regions are merged first.
+constexpr std::array<double, 8> shares_of_price{1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 8,
+                                                1.0 / 4,   1.0 / 2,  3.0 / 4,  1.0};
+// Limit of rounds. Rounds are repeated, because two narrow regions may form a wide one together.
+constexpr int most_rounds = 8;
+
+/// Initial regions: neighbours that hardly differ, joined during a scan. Most cells are joined here, which
+/// saves a graph of all cells.
+class Seeds {
+  public:
+    Seeds(const BuildingCells& cells, double price, const StopToken& stop)
+        : sets_(static_cast<std::uint32_t>(cells.elevations.size())), sums_(sets_.size()) {
+        for (std::size_t i = 0; i < sums_.size(); ++i)
+            if (!std::isnan(cells.elevations[i]))
+                sums_[i] = {1, cells.elevations[i], cells.elevations[i]};
+        NeighbourScan(cells, stop)
+            .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t) {
+                for (const std::uint32_t beside : {left, up})
+                    if (beside != NeighbourScan::none)
+                        join(beside, cell, price);
+            });
+    }
+    [[nodiscard]] std::uint32_t root(std::uint32_t cell) { return sets_.find(cell); }
+    [[nodiscard]] const RegionAdjacencyGraph::Region& of(std::uint32_t root) const { return sums_[root]; }
+
+  private:
+    void join(std::uint32_t one, std::uint32_t other, double price) {
+        one = root(one);
+        other = root(other);
+        if (one == other || RegionAdjacencyGraph::added_error(sums_[one], sums_[other]) > price)
+            return;
+        const auto [low, high] = std::minmax(one, other);
+        sets_.merge_roots(low, high);
+        sums_[low].add(sums_[high]);
+    }
+
+    DisjointSets sets_;
+    std::vector<RegionAdjacencyGraph::Region> sums_;
+};
+
+/// Region adjacency graph, and the initial region of each cell.
+struct Image {
+    std::vector<std::uint32_t> first;  ///< by cell
+    RegionAdjacencyGraph graph;
+
+    [[nodiscard]] std::uint32_t region(std::uint32_t cell) { return graph.root(first[cell]); }
+};
+
+Image first_image(const BuildingCells& cells, const RegionOptions& options, const StopToken& stop) {
+    Seeds seeds(cells, shares_of_price.front() * options.price, stop);
+    std::vector<std::uint32_t> number(cells.elevations.size());
+    std::vector<RegionAdjacencyGraph::Region> regions;
+    for (std::uint32_t cell = 0; cell < number.size(); ++cell) {
+        const std::uint32_t root = seeds.root(cell);  // first cell of the region
+        if (root == cell) {
+            number[cell] = static_cast<std::uint32_t>(regions.size());
+            regions.push_back(seeds.of(root));
+        } else {
+            number[cell] = number[root];
+        }
+    }
+    Image image{std::move(number), RegionAdjacencyGraph(std::move(regions), options.own_border)};
+    NeighbourScan(cells, stop)
+        .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t) {
+            for (const std::uint32_t beside : {left, up})
+                if (beside != NeighbourScan::none && image.first[beside] != image.first[cell])
+                    image.graph.add_border(image.first[beside], image.first[cell], 1);
+        });
+    return image;
+}
+
+/// Merges each region with its cheapest neighbour while that costs at most the price.
+/// @param roots in ascending order; merged ones are removed, because most merge early
+void merge_up_to(RegionAdjacencyGraph& graph, double price, std::vector<std::uint32_t>& roots,
+                 const StopToken& stop) {
+    for (bool merged = true; merged;) {
+        merged = false;
+        std::size_t kept = 0;
+        for (const std::uint32_t region : roots) {
+            if (!graph.is_root(region))
+                continue;
+            roots[kept++] = region;
+            stop.check();
+            const RegionAdjacencyGraph::Neighbour neighbour = graph.cheapest(region);
+            if (neighbour.region == RegionAdjacencyGraph::none || neighbour.cost > price)
+                continue;
+            graph.merge(region, neighbour.region);
+            merged = true;
+        }
+        roots.resize(kept);
+    }
+}
+
+/// Flags the regions that contain a square of the given width.
+std::vector<bool> wide_regions(const BuildingCells& cells, Image& image, int width, const StopToken& stop) {
+    std::vector<bool> wide(image.graph.size());
+    /// Largest square within a region whose lower right corner is a cell.
+    struct Corner {
+        std::uint32_t region = RegionAdjacencyGraph::none;
+        std::int32_t side = 1;
+    };
+    std::vector<Corner> corners(cells.elevations.size());
+    NeighbourScan(cells, stop)
+        .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t up_left) {
+            const std::uint32_t region = image.region(cell);
+            const auto within = [&](std::uint32_t other) {
+                return other != NeighbourScan::none && corners[other].region == region ? corners[other].side
+                                                                                       : 0;
+            };
+            const std::int32_t side = 1 + std::min({within(left), within(up), within(up_left)});
+            corners[cell] = {region, side};
+            if (side >= width)
+                wide[region] = true;
+        });
+    return wide;
+}
+
+void merge_narrow(const BuildingCells& cells, Image& image, int width, const StopToken& stop) {
+    RegionAdjacencyGraph& graph = image.graph;
+    for (int round = 0; width > 1 && round < most_rounds; ++round) {
+        const std::vector<bool> wide = wide_regions(cells, image, width, stop);
+        std::vector<std::uint32_t> narrow;
+        for (std::uint32_t region = 0; region < graph.size(); ++region)
+            if (graph.is_root(region) && !wide[region])
+                narrow.push_back(region);
+        std::ranges::stable_sort(narrow, {}, [&](std::uint32_t region) { return graph.of(region).points; });
+        bool merged = false;
+        for (const std::uint32_t region : narrow) {
+            if (!graph.is_root(region))
+                continue;
+            const RegionAdjacencyGraph::Neighbour neighbour = graph.cheapest(region);
+            if (neighbour.region == RegionAdjacencyGraph::none)
+                continue;
+            graph.merge(region, neighbour.region);
+            merged = true;
+        }
+        if (!merged)
+            return;
+    }
+}
+
+TierRegions numbered(Image& image) {
+    const RegionAdjacencyGraph& graph = image.graph;
+    TierRegions result;
+    result.of_cell.resize(image.first.size());
+    std::vector<std::uint32_t> number(graph.size(), RegionAdjacencyGraph::none);
+    for (std::uint32_t cell = 0; cell < result.of_cell.size(); ++cell) {
+        const std::uint32_t root = image.region(cell);
+        if (number[root] == RegionAdjacencyGraph::none) {
+            number[root] = static_cast<std::uint32_t>(result.regions.size());
+            const RegionAdjacencyGraph::Region& region = graph.of(root);
+            result.regions.push_back({static_cast<std::int64_t>(region.points),
+                                      region.points > 0 ? region.sum / region.points : 0});
+        }
+        result.of_cell[cell] = number[root];
+    }
+    return result;
+}
+
+}  // namespace
+
+TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& options, const StopToken& stop) {
+    Image image = first_image(cells, options, stop);
+    std::vector<std::uint32_t> roots(image.graph.size());
+    std::iota(roots.begin(), roots.end(), 0U);
+    for (const double share : shares_of_price)
+        merge_up_to(image.graph, share * options.price, roots, stop);
+    merge_narrow(cells, image, options.least_width, stop);
+    return numbered(image);
+}
+
+}  // namespace d2b

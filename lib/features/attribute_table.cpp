@@ -1,0 +1,385 @@
+#include "features/attribute_table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/text.hpp"
+
+namespace d2b {
+namespace {
+
+struct Translation {
+    FieldNames names;
+    std::string_view own;
+    std::string_view other;
+};
+
+// Field names of other programs. URock takes the height of a building from ROOF_HEIGHT by default and
+// extrudes a block to it, so it gets p90 because the highest point may be a spire. City4CFD configures its
+// attribute names; these are those of its own examples. OSM: tags of Simple 3D Buildings.
+constexpr std::array translations{
+    Translation{FieldNames::urock, "id", "ID_BUILD"},
+    Translation{FieldNames::urock, "p90", "ROOF_HEIGHT"},
+    Translation{FieldNames::city4cfd, "id", "unique_id"},
+    Translation{FieldNames::city4cfd, "num_floors", "floors"},
+    Translation{FieldNames::city4cfd, "min_height", "base_height"},
+    Translation{FieldNames::osm, "num_floors", "building:levels"},
+    Translation{FieldNames::osm, "ground", "ele"},
+};
+
+}  // namespace
+
+std::string_view field_name(FieldNames names, std::string_view own) {
+    for (const Translation& translation : translations)
+        if (translation.names == names && translation.own == own)
+            return translation.other;
+    return own;
+}
+
+namespace {
+
+using Unit = AttributeUnit;
+constexpr double storey_m = 3.0;
+
+FieldValue number(double value) {
+    return std::isfinite(value) ? FieldValue{value} : FieldValue{};
+}
+/// Rounds a measurement in metres to hundredths, because the data are not more accurate.
+FieldValue measure(double value) {
+    return number(round_to_hundredths(value));
+}
+FieldValue reference(std::int64_t id) {
+    return id > 0 ? FieldValue{id} : FieldValue{};
+}
+FieldValue nodata_share(const BuildingRecord& record) {
+    if (record.cells == 0 || record.points > record.cells || std::isnan(record.confidence))
+        return {};
+    return 1 - static_cast<double>(record.points) / static_cast<double>(record.cells);
+}
+FieldValue doubt(const BuildingRecord& record) {
+    if (record.doubt.empty() || !(record.confidence < sure_confidence))
+        return {};
+    return std::string(record.doubt);
+}
+FieldValue floors(double height_m) {
+    if (!std::isfinite(height_m))
+        return {};
+    return std::max<std::int64_t>(1, std::llround(std::min(height_m, 1e6) / storey_m));
+}
+
+constexpr std::string_view status_words =
+    "the least form that more than a twentieth of the outline has: regularized, simplified (lines through "
+    "the middles of the cells' borders, or -simplify), traced, kept_traced (as traced: another form would "
+    "have broken it), or repaired";
+
+constexpr std::array building_table{
+    Attribute<BuildingRecord>{"id", "Building", FieldType::integer, Unit::none,
+                              "number of the building, from 1 in scan order",
+                              [](const BuildingRecord& r) -> FieldValue { return r.id; }},
+    Attribute<BuildingRecord>{"ground", "Ground", FieldType::real, Unit::vertical,
+                              "elevation of the ground: a low percentile of the terrain under and beside the "
+                              "outline; in the thesis preset "
+                              "the lowest point within a cell outside it",
+                              [](const BuildingRecord& r) { return number(r.ground); }},
+    Attribute<BuildingRecord>{"roof", "Roof", FieldType::real, Unit::vertical,
+                              "elevation of the highest point",
+                              [](const BuildingRecord& r) { return number(r.roof); }},
+    Attribute<BuildingRecord>{"height", "Highest point", FieldType::real, Unit::metre,
+                              "highest point above ground",
+                              [](const BuildingRecord& r) { return measure(r.height_m); }},
+    Attribute<BuildingRecord>{"min_height", "Lowest part", FieldType::real, Unit::metre,
+                              "height above ground at which the building begins",
+                              [](const BuildingRecord&) -> FieldValue { return 0.0; }},
+    Attribute<BuildingRecord>{"p50", "Median height", FieldType::real, Unit::metre,
+                              "height above ground that half of the points do not exceed",
+                              [](const BuildingRecord& r) { return measure(r.heights_m[0]); }},
+    Attribute<BuildingRecord>{"p70", "70 % height", FieldType::real, Unit::metre,
+                              "height above ground that 70 % of the points do not exceed",
+                              [](const BuildingRecord& r) { return measure(r.heights_m[1]); }},
+    Attribute<BuildingRecord>{"p90", "90 % height", FieldType::real, Unit::metre,
+                              "height above ground that 90 % of the points do not exceed",
+                              [](const BuildingRecord& r) { return measure(r.heights_m[2]); }},
+    Attribute<BuildingRecord>{"p95", "95 % height", FieldType::real, Unit::metre,
+                              "height above ground that 95 % of the points do not exceed",
+                              [](const BuildingRecord& r) { return measure(r.heights_m[3]); }},
+    Attribute<BuildingRecord>{"num_floors", "Floors", FieldType::integer, Unit::none,
+                              "estimate: p95 in storeys of 3 m, at least 1",
+                              [](const BuildingRecord& r) { return floors(r.heights_m[3]); }},
+    Attribute<BuildingRecord>{
+        "has_parts", "Has parts", FieldType::integer, Unit::none,
+        "1 if the stack has more than one contour, else 0",
+        [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.parts > 1 ? 1 : 0}; }},
+    Attribute<BuildingRecord>{"n_parts", "Parts", FieldType::integer, Unit::none, "contours of the stack",
+                              [](const BuildingRecord& r) -> FieldValue { return r.parts; }},
+    Attribute<BuildingRecord>{"n_levels", "Levels", FieldType::integer, Unit::none,
+                              "highest level of the stack",
+                              [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.levels}; }},
+    Attribute<BuildingRecord>{"n_points", "Points", FieldType::integer, Unit::none, "points of the DEM in it",
+                              [](const BuildingRecord& r) -> FieldValue { return r.points; }},
+    Attribute<BuildingRecord>{"n_cells", "Cells", FieldType::integer, Unit::none, "cells of the DEM in it",
+                              [](const BuildingRecord& r) -> FieldValue { return r.cells; }},
+    Attribute<BuildingRecord>{"nodata", "Not valid", FieldType::real, Unit::none,
+                              "share of its cells without a valid point; NULL with -trace points",
+                              [](const BuildingRecord& r) { return nodata_share(r); }},
+    Attribute<BuildingRecord>{
+        "confidence", "Confidence", FieldType::real, Unit::none,
+        "how certain it is that this is a building, 0 to 1; NULL in the thesis preset",
+        [](const BuildingRecord& r) { return number(floor_to_hundredths(r.confidence)); }},
+    Attribute<BuildingRecord>{"doubt", "Doubt", FieldType::text, Unit::none,
+                              "the strongest sign against a building, where confidence is below 0.9",
+                              [](const BuildingRecord& r) { return doubt(r); }},
+    Attribute<BuildingRecord>{
+        "at_edge", "At the edge", FieldType::integer, Unit::none,
+        "1 if it touches the edge of the part of the raster that is used, else 0",
+        [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.at_edge ? 1 : 0}; }},
+    Attribute<BuildingRecord>{
+        "area_m2", "Area", FieldType::real, Unit::square_metre,
+        "area of the footprint less its courtyards, on the ellipsoid where the CRS has one",
+        [](const BuildingRecord& r) { return measure(r.area_m2); }},
+    Attribute<BuildingRecord>{"volume_m3", "Volume", FieldType::real, Unit::cubic_metre,
+                              "between its surface and the level of the ground",
+                              [](const BuildingRecord& r) { return measure(r.area_m2 * r.mean_m); }},
+    Attribute<BuildingRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
+                              "length of all rings, on the ellipsoid where the CRS has one",
+                              [](const BuildingRecord& r) { return measure(r.perimeter_m); }},
+    Attribute<BuildingRecord>{
+        "status", "Outline", FieldType::text, Unit::none, status_words,
+        [](const BuildingRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
+    Attribute<BuildingRecord>{"moved_m", "Moved", FieldType::real, Unit::metre,
+                              "largest distance between the regularized outline and its trace",
+                              [](const BuildingRecord& r) { return measure(r.deviation_m); }},
+    Attribute<BuildingRecord>{"area_chg", "Area change", FieldType::real, Unit::none,
+                              "change of the area by straight walls, as a share of the traced area",
+                              [](const BuildingRecord& r) { return number(r.area_change); }},
+    Attribute<BuildingRecord>{"parcel", "Parcel", FieldType::text, Unit::none,
+                              "identifier of the polygon of -split_by that holds most of it; there only with "
+                              "that option, NULL for lines",
+                              [](const BuildingRecord& r) {
+                                  return r.parcel.empty() ? FieldValue{} : FieldValue{std::string(r.parcel)};
+                              }},
+};
+
+constexpr std::array contour_table{
+    Attribute<ContourRecord>{"id", "Contour", FieldType::integer, Unit::none,
+                             "number of the contour, from 1 by level, then in scan order",
+                             [](const ContourRecord& r) -> FieldValue { return r.id; }},
+    Attribute<ContourRecord>{"parent_id", "Stands on", FieldType::integer, Unit::none,
+                             "id of the contour one level down that contains it; NULL in level 0",
+                             [](const ContourRecord& r) { return reference(r.parent_id); }},
+    Attribute<ContourRecord>{"bldg_id", "Building", FieldType::integer, Unit::none,
+                             "id of the building; NULL in level 0",
+                             [](const ContourRecord& r) { return reference(r.building_id); }},
+    Attribute<ContourRecord>{"level", "Level", FieldType::integer, Unit::none,
+                             "0 is the root: every valid point",
+                             [](const ContourRecord& r) -> FieldValue { return std::int64_t{r.level}; }},
+    Attribute<ContourRecord>{"threshold", "Threshold", FieldType::real, Unit::vertical,
+                             "the elevation that its points exceed; the minimum in level 0",
+                             [](const ContourRecord& r) { return number(r.threshold); }},
+    Attribute<ContourRecord>{
+        "base", "Base", FieldType::real, Unit::vertical,
+        "lower end of this part of the stack: the top of the part below, the ground in level 1",
+        [](const ContourRecord& r) { return number(r.base); }},
+    Attribute<ContourRecord>{
+        "top", "Top", FieldType::real, Unit::vertical,
+        "upper end of this part of the stack: tier_z, at most the threshold of the part above",
+        [](const ContourRecord& r) { return number(r.top); }},
+    Attribute<ContourRecord>{"height", "Height", FieldType::real, Unit::metre,
+                             "top of this part above the ground of its building; NULL in level 0",
+                             [](const ContourRecord& r) { return number(r.height_m); }},
+    Attribute<ContourRecord>{"min_height", "Lowest part", FieldType::real, Unit::metre,
+                             "base of this part above the ground of its building; NULL in level 0",
+                             [](const ContourRecord& r) { return number(r.min_height_m); }},
+    Attribute<ContourRecord>{"tier_z", "Tier", FieldType::real, Unit::vertical,
+                             "mean elevation of the points that no child holds; NULL where there is none",
+                             [](const ContourRecord& r) { return number(r.tier_z); }},
+    Attribute<ContourRecord>{"n_points", "Points", FieldType::integer, Unit::none,
+                             "points of the DEM in it that exceed its threshold",
+                             [](const ContourRecord& r) -> FieldValue { return r.points; }},
+    Attribute<ContourRecord>{"elev_min", "Lowest", FieldType::real, Unit::vertical,
+                             "lowest elevation of its points",
+                             [](const ContourRecord& r) { return number(r.lowest); }},
+    Attribute<ContourRecord>{"elev_mean", "Mean", FieldType::real, Unit::vertical,
+                             "mean elevation of its points",
+                             [](const ContourRecord& r) { return number(r.mean); }},
+    Attribute<ContourRecord>{"elev_max", "Highest", FieldType::real, Unit::vertical,
+                             "highest elevation of its points",
+                             [](const ContourRecord& r) { return number(r.highest); }},
+    Attribute<ContourRecord>{
+        "confidence", "Confidence", FieldType::real, Unit::none,
+        "confidence of its building, 0 to 1; NULL in the thesis preset",
+        [](const ContourRecord& r) { return number(floor_to_hundredths(r.confidence)); }},
+    Attribute<ContourRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
+                             "area less holes, on the ellipsoid where the CRS has one",
+                             [](const ContourRecord& r) { return number(r.area_m2); }},
+    Attribute<ContourRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
+                             "length of all rings, on the ellipsoid where the CRS has one",
+                             [](const ContourRecord& r) { return number(r.perimeter_m); }},
+    Attribute<ContourRecord>{
+        "status", "Outline", FieldType::text, Unit::none, status_words,
+        [](const ContourRecord& r) -> FieldValue { return std::string(status_name(r.status)); }},
+};
+
+std::string unit_name(Unit unit, const std::string& vertical) {
+    switch (unit) {
+        case Unit::vertical:
+            return vertical;
+        case Unit::metre:
+            return "m";
+        case Unit::square_metre:
+            return "m2";
+        case Unit::cubic_metre:
+            return "m3";
+        case Unit::none:
+            break;
+    }
+    return "";
+}
+
+std::string_view type_name(FieldType type) {
+    return type == FieldType::integer ? "integer" : type == FieldType::real ? "real" : "text";
+}
+
+template <typename Record>
+std::string markdown(std::span<const Attribute<Record>> attributes) {
+    std::string text = "| field | type | unit | meaning |\n|---|---|---|---|\n";
+    for (const Attribute<Record>& a : attributes)
+        text += "| `" + std::string(a.name) + "` | " + std::string(type_name(a.type)) + " | " +
+                unit_name(a.unit, "vertical unit") + " | " + std::string(a.description) + " |\n";
+    return text;
+}
+
+}  // namespace
+
+std::span<const Attribute<BuildingRecord>> building_attributes(bool with_parcel) {
+    return std::span(building_table).first(building_table.size() - (with_parcel ? 0 : 1));
+}
+std::span<const Attribute<ContourRecord>> contour_attributes() {
+    return contour_table;
+}
+
+template <typename Record>
+std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes,
+                                   const std::string& vertical_unit, FieldNames names) {
+    std::vector<FieldSpec> fields;
+    for (const Attribute<Record>& a : attributes) {
+        const std::string unit = unit_name(a.unit, vertical_unit);
+        fields.push_back({std::string(field_name(names, a.name)),
+                          std::string(a.alias) + (unit.empty() ? "" : " (" + unit + ")"), a.type, unit,
+                          std::string(a.description)});
+    }
+    return fields;
+}
+
+template <typename Record>
+std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes, const Record& record) {
+    std::vector<FieldValue> values;
+    values.reserve(attributes.size());
+    for (const Attribute<Record>& a : attributes)
+        values.push_back(a.value(record));
+    return values;
+}
+
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<BuildingRecord>>, const std::string&,
+                                            FieldNames);
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<ContourRecord>>, const std::string&,
+                                            FieldNames);
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<RejectedRecord>>, const std::string&,
+                                            FieldNames);
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<ProblemRecord>>, const std::string&,
+                                            FieldNames);
+template std::vector<FieldValue> field_values(std::span<const Attribute<ProblemRecord>>,
+                                              const ProblemRecord&);
+template std::vector<FieldValue> field_values(std::span<const Attribute<RejectedRecord>>,
+                                              const RejectedRecord&);
+template std::vector<FieldValue> field_values(std::span<const Attribute<BuildingRecord>>,
+                                              const BuildingRecord&);
+template std::vector<FieldValue> field_values(std::span<const Attribute<ContourRecord>>,
+                                              const ContourRecord&);
+
+std::string schema_markdown() {
+    return "## buildings\n\n" + markdown(building_attributes(true)) + "\n## contours\n\n" +
+           markdown(contour_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes()) +
+           "\n## problems\n\n" + markdown(problem_attributes());
+}
+
+namespace {
+
+using Unit = AttributeUnit;
+
+constexpr std::array rejected_table{
+    Attribute<RejectedRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
+                              [](const RejectedRecord& r) -> FieldValue { return r.id; }},
+    Attribute<RejectedRecord>{
+        "reason", "Reason", FieldType::text, Unit::none,
+        "contour_short, contour_small, contour_on_dropped, building_not_tall: dropped; hole_short, "
+        "hole_small: filled; "
+        "outline_kept_traced, polygon_repaired, polygon_lost: written in another form, or not at all",
+        [](const RejectedRecord& r) -> FieldValue { return std::string(r.reason); }},
+    Attribute<RejectedRecord>{"building", "Building", FieldType::integer, Unit::none,
+                              "id of the building that has this traced outline",
+                              [](const RejectedRecord& r) { return id_or_null(r.building); }},
+    Attribute<RejectedRecord>{"contour", "Contour", FieldType::integer, Unit::none,
+                              "id of the contour that has this traced outline",
+                              [](const RejectedRecord& r) { return id_or_null(r.contour); }},
+    Attribute<RejectedRecord>{"level", "Level", FieldType::integer, Unit::none,
+                              "level of the contour, or of the one that has the hole",
+                              [](const RejectedRecord& r) -> FieldValue { return std::int64_t{r.level}; }},
+    Attribute<RejectedRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
+                              "area less holes, on the ellipsoid where the CRS has one",
+                              [](const RejectedRecord& r) -> FieldValue { return r.area_m2; }},
+    Attribute<RejectedRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
+                              "length of all rings, on the ellipsoid where the CRS has one",
+                              [](const RejectedRecord& r) -> FieldValue { return r.perimeter_m; }},
+};
+
+}  // namespace
+
+std::span<const Attribute<RejectedRecord>> rejected_attributes() {
+    return rejected_table;
+}
+
+namespace {
+
+using Unit = AttributeUnit;
+
+constexpr std::array problem_table{
+    Attribute<ProblemRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
+                             [](const ProblemRecord& r) -> FieldValue { return r.id; }},
+    Attribute<ProblemRecord>{"kind", "Kind", FieldType::text, Unit::none,
+                             "surface_corner_cut, surface_notch_filled: corners that touched, and how far "
+                             "they are apart now, in m; "
+                             "surface_lost: a building that is not in the surface, and its area in m2; "
+                             "flow_wall, flow_gap, flow_neck: a "
+                             "wall, a gap or a narrow part of a building that is shorter or narrower than "
+                             "-flow_ready, in m; flow_angle: a "
+                             "corner that is too sharp, in degrees; flow_touch: corners that touched, and "
+                             "how far they are apart now, in m; "
+                             "flow_crossing: outlines that cross; flow_step: roofs beside each other that "
+                             "differ by less than -min_wall, "
+                             "in m",
+                             [](const ProblemRecord& r) -> FieldValue { return std::string(r.kind); }},
+    Attribute<ProblemRecord>{"building", "Building", FieldType::integer, Unit::none,
+                             "id of the building; of the lowest, where there are several",
+                             [](const ProblemRecord& r) { return id_or_null(r.building); }},
+    Attribute<ProblemRecord>{"other", "Other building", FieldType::integer, Unit::none, "id of the next one",
+                             [](const ProblemRecord& r) { return id_or_null(r.other); }},
+    Attribute<ProblemRecord>{"before", "Size before", FieldType::real, Unit::none,
+                             "what was measured, in the unit of its kind",
+                             [](const ProblemRecord& r) -> FieldValue { return r.before; }},
+    Attribute<ProblemRecord>{"after", "Size after", FieldType::real, Unit::none,
+                             "the same in what is written",
+                             [](const ProblemRecord& r) -> FieldValue { return r.after; }},
+    Attribute<ProblemRecord>{
+        "state", "State", FieldType::text, Unit::none, "changed or left",
+        [](const ProblemRecord& r) -> FieldValue { return std::string(r.changed ? "changed" : "left"); }},
+};
+
+}  // namespace
+
+std::span<const Attribute<ProblemRecord>> problem_attributes() {
+    return problem_table;
+}
+
+}  // namespace d2b

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "dem2buildings/options.hpp"
+#include "dem2buildings/sinks.hpp"
+#include "features/record_builder.hpp"
+
+namespace d2b {
+
+/// Returns another program's name for a field of the buildings layer, or our own name if it has none.
+[[nodiscard]] std::string_view field_name(FieldNames names, std::string_view own);
+
+/// Confidence from which no counter-evidence is reported.
+inline constexpr double sure_confidence = 0.9;
+
+enum class AttributeUnit { none, vertical, metre, square_metre, cubic_metre };
+
+/// Attribute of a record: the only place that defines its name, type, unit, description and value.
+template <typename Record>
+struct Attribute {
+    std::string_view name;  ///< at most 10 ASCII characters
+    std::string_view alias;
+    FieldType type;
+    AttributeUnit unit;
+    std::string_view description;
+    FieldValue (*value)(const Record&);
+};
+
+/// Attributes of buildings. @param with_parcel includes the last attribute, the parcel, which exists only if
+/// parcels divide buildings
+[[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes(bool with_parcel);
+[[nodiscard]] std::span<const Attribute<ContourRecord>> contour_attributes();
+[[nodiscard]] std::span<const Attribute<RejectedRecord>> rejected_attributes();
+[[nodiscard]] std::span<const Attribute<ProblemRecord>> problem_attributes();
+
+/// Describes the attributes as fields of a layer. @param vertical_unit name of the DEM's vertical unit
+template <typename Record>
+[[nodiscard]] std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes,
+                                                 const std::string& vertical_unit,
+                                                 FieldNames names = FieldNames::own);
+template <typename Record>
+[[nodiscard]] std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes,
+                                                   const Record& record);
+
+/// Returns NULL for 0, which means "no object".
+[[nodiscard]] inline FieldValue id_or_null(std::int64_t id) {
+    return id > 0 ? FieldValue{id} : FieldValue{};
+}
+
+/// Describes the layers as Markdown tables, which docs/output.md contains.
+[[nodiscard]] std::string schema_markdown();
+
+}  // namespace d2b

@@ -1,0 +1,205 @@
+#include "features/suspicious_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/invalid_elevations.hpp"
+#include "core/text.hpp"
+#include "dem2buildings/error.hpp"
+
+namespace d2b {
+namespace {
+
+/// Converts a value to the form of -snodata: before scale and offset.
+std::string stored_text(double elevation, const DemInfo& info) {
+    return value_text(stored_value(elevation, info.scale, info.offset));
+}
+
+class Strange {
+  public:
+    Strange(const DemInfo& info, const ReadOptions& options, Context& context)
+        : info_(info), options_(options), context_(context), name_("'" + info.name + "'") {}
+
+    void refuse_most(const ValueCounts& outside, std::int64_t valid) const;
+    void warn_of_outside(const ValueCounts& outside) const;
+    void warn_of_spikes(const ValueCounts& spikes) const;
+    void warn_of_undeclared(const SuspiciousValues& suspicious, const UndeclaredNodata& undeclared) const;
+    /// @param told values that were reported already
+    void warn_of_shared(const SuspiciousValues& suspicious, std::int64_t cells,
+                        const std::vector<SharedValue>& told) const;
+    void warn_of_set_aside(std::int64_t cells) const;
+
+  private:
+    /// "outside of the elevations of land, -500 to 9000 m"
+    [[nodiscard]] std::string not_in_range() const;
+    /// Returns the remedy if a value stands for no data.
+    [[nodiscard]] std::string nodata_advice(double elevation) const;
+    [[nodiscard]] bool is_own_nodata(double elevation) const { return info_.overridden_nodata == elevation; }
+
+    const DemInfo& info_;
+    const ReadOptions& options_;
+    Context& context_;
+    std::string name_;
+};
+
+std::string Strange::not_in_range() const {
+    if (const auto& range = options_.elevation_range)
+        return "outside of -zrange " + number_text((*range)[0]) + " " + number_text((*range)[1]);
+    std::string text = "outside of the elevations of land, " + number_text(land_elevations.lowest) + " to " +
+                       number_text(land_elevations.highest) + " m";
+    if (const UnitReport& units = context_.report.units; units.vertical_metres != 1)
+        text += ", in the unit " + units.vertical;
+    return text;
+}
+
+std::string Strange::nodata_advice(double elevation) const {
+    if (is_own_nodata(elevation))
+        return std::string("it is the NoData value that the file declares, so leave out ") +
+               (options_.ignore_nodata ? "-inodata" : "-snodata");
+    return "if " + value_text(elevation) + " stands for no data, give -snodata " +
+           stored_text(elevation, info_);
+}
+
+void Strange::refuse_most(const ValueCounts& outside, std::int64_t valid) const {
+    if (outside.cells() <= valid)
+        return;
+    const auto most = outside.most();
+    throw InputError(
+        outside.text(name_) + ", which is " + not_in_range() +
+        ", and these are more than half of all; give the unit of the elevations with -zunit, the "
+        "range in which they lie with -zrange" +
+        (most ? ", or the value that stands for no data with -snodata " + stored_text(most->value, info_)
+              : "") +
+        ".");
+}
+
+void Strange::warn_of_outside(const ValueCounts& outside) const {
+    if (outside.cells() == 0)
+        return;
+    const auto most = outside.most();
+    std::string advice = "give the range of elevations with -zrange";
+    if (most)
+        advice = nodata_advice(most->value) +
+                 (is_own_nodata(most->value) ? "" : ", and if not, the range with -zrange");
+    context_.warn(outside.text(name_) + ", which is " + not_in_range() + ", and " +
+                  (outside.cells() == 1 ? "is" : "are") + " treated as no data; " + advice + ".");
+}
+
+void Strange::warn_of_spikes(const ValueCounts& spikes) const {
+    if (spikes.cells() == 0)
+        return;
+    const auto most = spikes.most();
+    context_.warn(spikes.text(name_) + ", more than " + number_text(spikes_m.invalid_above) +
+                  " m above all cells around, and " + (spikes.cells() == 1 ? "is" : "are") +
+                  " treated as no data" + (most ? "; " + nodata_advice(most->value) : "") + ".");
+}
+
+void Strange::warn_of_undeclared(const SuspiciousValues& suspicious,
+                                 const UndeclaredNodata& undeclared) const {
+    for (const SharedValue& taken : undeclared.taken) {
+        const std::int64_t cells = suspicious.undeclared.cells_of(taken.value).value_or(taken.cells);
+        context_.warn(undeclared_text({taken.value, cells}, name_) +
+                      ", so they are treated as no data; declare that with -snodata " +
+                      stored_text(taken.value, info_) + ", or keep the elevation with -inodata.");
+    }
+    for (const SharedValue& named : undeclared.named)
+        context_.warn(undeclared_text(named, name_) + "; if it stands for no data, give -snodata " +
+                      stored_text(named.value, info_) + ", and if not, -inodata.");
+}
+
+void Strange::warn_of_shared(const SuspiciousValues& suspicious, std::int64_t cells,
+                             const std::vector<SharedValue>& told) const {
+    for (const auto& [value, sharing] : suspicious.bins.shared(cells))
+        if (info_.overridden_nodata != value &&
+            std::ranges::find(told, value, &SharedValue::value) == told.end())
+            context_.warn(cells_have(sharing, name_) + "the elevation " + value_text(value) + ", more than " +
+                          number_text(ValueBins::apart_m) + " m from any other; " + nodata_advice(value) +
+                          ".");
+}
+
+void Strange::warn_of_set_aside(std::int64_t cells) const {
+    if (cells == 0 || options_.ignore_nodata || !info_.overridden_nodata)
+        return;
+    const std::string value = value_text(*info_.overridden_nodata);
+    context_.warn(
+        cells_have(cells, name_) + "the elevation " + value +
+        ", the NoData value that the file declares and that -snodata takes the place of; if it stands for no "
+        "data, leave out -snodata.");
+}
+
+}  // namespace
+
+void report_suspicious_values(const SuspiciousValues& suspicious, std::int64_t valid,
+                              const UndeclaredNodata& undeclared, const DemInfo& info,
+                              const ReadOptions& options, Context& context) {
+    RunReport& report = context.report;
+    report.count(Reason::elevation_outside_range, suspicious.outside.cells());
+    report.count(Reason::elevation_undeclared, suspicious.undeclared.cells());
+    report.count(Reason::elevation_above_neighbours, suspicious.spikes.cells());
+    report.count(Reason::elevation_not_roof, suspicious.spires);
+    const Strange of(info, options, context);
+    const std::int64_t within = valid + suspicious.spikes.cells();
+    of.refuse_most(suspicious.outside, within);
+    of.warn_of_outside(suspicious.outside);
+    of.warn_of_set_aside(suspicious.overridden_nodata);
+    of.warn_of_spikes(suspicious.spikes);
+    of.warn_of_undeclared(suspicious, undeclared);
+    of.warn_of_shared(suspicious, within, undeclared.named);
+}
+
+namespace {
+
+constexpr double highest_m = 1000;     // the highest building of the world has 828 m
+constexpr double negligible_m = 1e-6;  // rounding error of a mean
+
+std::string whole_metres(double metres) {
+    return value_text(std::round(metres)) + " m";
+}
+
+std::string advice(double elevation) {
+    return " has an elevation of " + value_text(elevation) +
+           "; give the value that stands for no data with -snodata, the range of elevations with -zrange, or "
+           "their "
+           "unit "
+           "with -zunit.";
+}
+
+/// "Building 3 is", "12 buildings are"
+std::string who(std::int64_t buildings, std::int64_t id, const char* one, const char* more) {
+    return buildings == 1 ? "Building " + std::to_string(id) + one
+                          : std::to_string(buildings) + " buildings" + more;
+}
+
+}  // namespace
+
+void ImplausibleHeights::Extreme::add(std::int64_t building, double metres, double extreme, bool farther) {
+    if (buildings++ == 0 || farther) {
+        id = building;
+        height_m = metres;
+        elevation = extreme;
+    }
+}
+
+void ImplausibleHeights::note(const BuildingRecord& building, const ContourRecord& footprint) {
+    if (building.height_m > highest_m)
+        high_.add(building.id, building.height_m, building.roof, building.height_m > high_.height_m);
+    if (building.mean_m < -negligible_m)
+        low_.add(building.id, building.mean_m, footprint.lowest, building.mean_m < low_.height_m);
+}
+
+std::vector<std::string> ImplausibleHeights::warnings() const {
+    std::vector<std::string> sentences;
+    if (high_.buildings > 0)
+        sentences.push_back(who(high_.buildings, high_.id, " is", " are") + " more than " +
+                            whole_metres(highest_m) + " high: building " + std::to_string(high_.id) + ", " +
+                            whole_metres(high_.height_m) + "," + advice(high_.elevation));
+    if (low_.buildings > 0)
+        sentences.push_back(who(low_.buildings, low_.id, " has", " have") +
+                            " a negative volume, being lower than the ground on average: building " +
+                            std::to_string(low_.id) + advice(low_.elevation));
+    return sentences;
+}
+
+}  // namespace d2b

@@ -1,0 +1,248 @@
+#include "pipeline/tiles/checkpoint_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <optional>
+#include <random>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include "dem2buildings/version.hpp"
+#include "pipeline/tiles/file_cache.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::array<char, 8> magic{'d', '2', 'b', '-', 't', 'i', 'l', 'e'};
+
+/// File header as stored.
+struct FileHeader {
+    std::array<char, 8> magic{};
+    std::array<char, 16> version{};
+    std::uint64_t plan = 0;
+    std::uint32_t step = 0;
+    std::uint32_t part = 0;
+    std::uint64_t body_size = 0;
+    std::uint64_t body_digest = 0;
+    std::uint64_t payload_size = 0;
+};
+
+std::array<char, 16> this_version() {
+    std::array<char, 16> text{};
+    std::copy_n(version.begin(), std::min(version.size(), text.size()), text.begin());
+    return text;
+}
+
+FileHeader header_of(const CheckpointId& id) {
+    return {magic, this_version(), id.plan, static_cast<std::uint32_t>(id.step), id.part, 0, 0, 0};
+}
+
+std::optional<FileHeader> read_header(const OpenFile& file) {
+    FileHeader header;
+    if (!file.is_open() || !file.read(0, std::as_writable_bytes(std::span(&header, 1))))
+        return {};
+    return header;
+}
+
+/// Returns true if the file has exactly the length that its header declares.
+bool is_whole(const FileHeader& header, std::uint64_t size) {
+    const std::uint64_t left = size - sizeof(FileHeader);
+    return header.body_size <= left && header.payload_size == left - header.body_size;
+}
+
+std::string rerun_text(const CheckpointId& id) {
+    const std::string step = "'" + std::string(step_name(id.step)) + "'";
+    const bool of_all = id.step == TileStep::join || id.step == TileStep::merge;
+    return of_all ? step : step + " of tile " + std::to_string(id.part);
+}
+
+bool is_of(const FileHeader& header, const CheckpointId& id) {
+    const FileHeader wanted = header_of(id);
+    return header.magic == wanted.magic && header.version == wanted.version && header.plan == wanted.plan &&
+           header.step == wanted.step && header.part == wanted.part;
+}
+
+/// Returns the difference between a file and the requested one, or "".
+std::string mismatch(const std::filesystem::path& path, const FileHeader& header, const CheckpointId& id) {
+    const FileHeader wanted = header_of(id);
+    const std::string name = "'" + path.string() + "' ";
+    const std::string instead = "; delete it and run " + rerun_text(id) + " again.";
+    if (header.magic != wanted.magic || header.step != wanted.step || header.part != wanted.part)
+        return name + "is not the file that " + rerun_text(id) + " writes" + instead;
+    if (header.version != wanted.version)
+        return name + "was written by another version of dem2buildings" + instead;
+    if (header.plan != wanted.plan)
+        return name + "belongs to another plan" + instead;
+    return {};
+}
+
+std::string reason(int error) {
+    return std::generic_category().message(error);
+}
+
+[[noreturn]] void fail(const std::filesystem::path& path, int error) {
+    throw OutputError("'" + path.string() + "' cannot be written: " + reason(error) +
+                      "; make room in the work folder or let it be written to, and run the step again.");
+}
+
+/// @param sync force the file to disk before it is renamed @throws OutputError
+void write_file(const std::filesystem::path& path, const CheckpointId& id, std::span<const std::byte> body,
+                std::span<const std::byte> payload, bool sync) {
+    FileHeader header = header_of(id);
+    header.body_size = body.size();
+    header.body_digest = digest_of(body);
+    header.payload_size = payload.size();
+    // Temporary name with a random suffix, because processes on several machines may have the same number. If
+    // two processes work on one tile, their results are equal except for timings, and the last rename wins.
+    const std::filesystem::path temporary =
+        path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +
+                              std::to_string(std::random_device()()));
+    int error = 0;
+    {
+        const OpenFile file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+        const bool done = file.is_open() && file.write(std::as_bytes(std::span(&header, 1))) &&
+                          file.write(body) && file.write(payload) && (!sync || file.sync());
+        error = done ? 0 : errno;
+    }
+    if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0)
+        error = errno;
+    // Another process may have finished first and removed this file as a leftover.
+    if (error == 0 || (error == ENOENT && checkpoint_exists(path, id)))
+        return;
+    ::unlink(temporary.c_str());
+    fail(path, error);
+}
+
+/// @return file descriptor @throws OutputError
+int open_folder(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+    const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0)
+        fail(folder, errno);
+    return opened;
+}
+
+}  // namespace
+
+std::string_view step_name(TileStep step) {
+    constexpr std::array<std::string_view, 5> names{"find", "join", "draw", "merge", "write"};
+    return names[static_cast<std::size_t>(step)];
+}
+
+std::uint64_t digest_of(std::span<const std::byte> bytes) {
+    // FNV-1a on words of eight bytes and the remaining bytes, at about 1 GB per second.
+    constexpr std::uint64_t prime = 0x100000001b3;
+    std::uint64_t digest = 0xcbf29ce484222325 ^ bytes.size();
+    const auto add = [&](std::uint64_t word) {
+        digest = (digest ^ word) * prime;
+        digest ^= digest >> 29;
+    };
+    for (; bytes.size() >= sizeof(std::uint64_t); bytes = bytes.subspan(sizeof(std::uint64_t))) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data(), sizeof(word));
+        add(word);
+    }
+    for (const std::byte byte : bytes)
+        add(static_cast<std::uint64_t>(byte));
+    return digest;
+}
+
+void write_checkpoint(const std::filesystem::path& path, const CheckpointId& id,
+                      std::span<const std::byte> body, std::span<const std::byte> payload) {
+    std::error_code ignored;
+    std::filesystem::create_directories(path.parent_path(), ignored);
+    write_file(path, id, body, payload, true);
+}
+
+CheckpointBatch::CheckpointBatch(std::filesystem::path folder)
+    : folder_(std::move(folder)), opened_(open_folder(folder_)) {}
+
+CheckpointBatch::~CheckpointBatch() {
+    ::close(opened_);
+}
+
+void CheckpointBatch::write(const std::filesystem::path& path, const CheckpointId& id,
+                            std::span<const std::byte> body, std::span<const std::byte> payload) {
+    write_file(path, id, body, payload, false);
+    any_ = true;
+}
+
+void CheckpointBatch::finish() {
+    if (any_ && ::syncfs(opened_) != 0)
+        fail(folder_, errno);
+}
+
+void remove_unfinished(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().starts_with('.'))
+            std::filesystem::remove(entry.path(), ignored);
+}
+
+bool checkpoint_exists(const std::filesystem::path& path, const CheckpointId& id) {
+    const OpenFile file(path, O_RDONLY);
+    const std::optional<FileHeader> header = read_header(file);
+    return header && is_of(*header, id) && is_whole(*header, file.size());
+}
+
+CheckpointFile::CheckpointFile(std::filesystem::path path, const CheckpointId& id, FileHandleCache* cache)
+    : path_(std::move(path)), id_(id), cache_(cache) {
+    const std::shared_ptr<const OpenFile> opened = open();
+    const OpenFile& file = *opened;
+    if (!file.is_open())
+        throw InputError("'" + path_.string() + "' cannot be read: " + reason(errno) + "; run " +
+                         rerun_text(id) + " first.");
+    const std::optional<FileHeader> header = read_header(file);
+    if (!header)
+        throw InputError(damaged("it ends too soon"));
+    if (const std::string text = mismatch(path_, *header, id); !text.empty())
+        throw InputError(text);
+    if (!is_whole(*header, file.size()))
+        throw InputError(
+            damaged("it is " + std::to_string(file.size()) + " bytes long and should be of another length"));
+    body_.resize(static_cast<std::size_t>(header->body_size));
+    if (!file.read(sizeof(FileHeader), body_) || digest_of(body_) != header->body_digest)
+        throw InputError(damaged("its bytes are not those that were written"));
+    payload_begin_ = sizeof(FileHeader) + header->body_size;
+    payload_size_ = header->payload_size;
+}
+
+std::shared_ptr<const OpenFile> CheckpointFile::open() const {
+    return cache_ != nullptr ? cache_->open(path_) : std::make_shared<const OpenFile>(path_, O_RDONLY);
+}
+
+std::vector<std::byte> CheckpointFile::payload(std::uint64_t begin, std::uint64_t size) const {
+    const std::shared_ptr<const OpenFile> file = open();
+    if (begin > payload_size_ || size > payload_size_ - begin)
+        throw InputError(damaged("more is announced than there is"));
+    std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+    if (!file->is_open() || !file->read(payload_begin_ + begin, bytes))
+        throw InputError(damaged("it cannot be read any more"));
+    return bytes;
+}
+
+std::string CheckpointFile::damaged(const std::string& what) const {
+    return "'" + path_.string() + "' is damaged: " + what + "; delete it and run " + rerun_text(id_) +
+           " again.";
+}
+
+void PayloadBlocks::add(const ByteWriter& block) {
+    if (block.bytes().empty())
+        return;
+    blocks_.push_back({block.bytes().size(), digest_of(block.bytes())});
+    bytes_.insert(bytes_.end(), block.bytes().begin(), block.bytes().end());
+}
+
+ByteReader read_block(const CheckpointFile& file, std::uint64_t begin, const PayloadBlocks::Block& block) {
+    std::vector<std::byte> bytes = file.payload(begin, block.size);
+    if (digest_of(bytes) != block.digest)
+        throw InputError(file.damaged("its bytes are not those that were written"));
+    return ByteReader(std::move(bytes));
+}
+
+}  // namespace d2b

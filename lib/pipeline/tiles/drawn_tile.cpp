@@ -1,0 +1,335 @@
+#include "pipeline/tiles/drawn_tile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include "contours/contour_archive.hpp"
+#include "detect/detection.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::array doubts{
+    CounterEvidence::rough, CounterEvidence::no_step,         CounterEvidence::steep, CounterEvidence::pieces,
+    CounterEvidence::green, CounterEvidence::no_right_angles, CounterEvidence::ragged};
+
+std::uint8_t number_of(std::string_view doubt) {
+    std::uint8_t number = 0;
+    for (const CounterEvidence known : doubts) {
+        if (counter_evidence_name(known) == doubt)
+            break;
+        ++number;
+    }
+    return number;
+}
+
+OutlineStatus load_status(ByteReader& reader) {
+    const auto status = reader.take<std::uint8_t>();
+    if (status > static_cast<std::uint8_t>(OutlineStatus::repaired))
+        throw CorruptRecord("an outline has no known status");
+    return static_cast<OutlineStatus>(status);
+}
+
+void save(const WorldPolygon& part, ByteWriter& writer) {
+    writer.put_list(part.exterior);
+    writer.put(static_cast<std::uint64_t>(part.interiors.size()));
+    for (const WorldRing& ring : part.interiors)
+        writer.put_list(ring);
+    writer.put_list(part.arcs);
+}
+
+WorldPolygon load_part(ByteReader& reader) {
+    WorldPolygon part;
+    part.exterior = reader.take_list<Position>();
+    part.interiors.resize(reader.take_count(sizeof(std::uint64_t)));
+    for (WorldRing& ring : part.interiors)
+        ring = reader.take_list<Position>();
+    part.arcs = reader.take_list<CircularArc>();
+    return part;
+}
+
+void save(const FeaturePolygon& polygon, ByteWriter& writer) {
+    writer.put(static_cast<std::uint64_t>(polygon.parts.size()));
+    for (const WorldPolygon& part : polygon.parts)
+        save(part, writer);
+    writer.put(polygon.measure);
+    writer.put(static_cast<std::uint8_t>(polygon.status));
+    for (const double value :
+         {polygon.deviation, polygon.simplified, polygon.kept_traced, polygon.area_change})
+        writer.put(value);
+    writer.put_list(std::vector<char>(polygon.invalid_reason.begin(), polygon.invalid_reason.end()));
+    writer.put(static_cast<std::uint8_t>(polygon.split_by_projection ? 1 : 0));
+}
+
+FeaturePolygon load_polygon(ByteReader& reader) {
+    FeaturePolygon polygon;
+    polygon.parts.resize(reader.take_count(sizeof(std::uint64_t)));
+    for (WorldPolygon& part : polygon.parts)
+        part = load_part(reader);
+    polygon.measure = reader.take<Geodesy::Measure>();
+    polygon.status = load_status(reader);
+    for (double* value :
+         {&polygon.deviation, &polygon.simplified, &polygon.kept_traced, &polygon.area_change})
+        *value = reader.take<double>();
+    const auto invalid_reason = reader.take_list<char>();
+    polygon.invalid_reason.assign(invalid_reason.begin(), invalid_reason.end());
+    polygon.split_by_projection = reader.take<std::uint8_t>() != 0;
+    return polygon;
+}
+
+void save(const std::optional<FeaturePolygon>& polygon, ByteWriter& writer) {
+    writer.put(static_cast<std::uint8_t>(polygon ? 1 : 0));
+    if (polygon)
+        save(*polygon, writer);
+}
+
+std::optional<FeaturePolygon> load_optional_polygon(ByteReader& reader) {
+    if (reader.take<std::uint8_t>() == 0)
+        return {};
+    return load_polygon(reader);
+}
+
+}  // namespace
+
+void save(const DrawnContour& drawn, ByteWriter& writer) {
+    writer.put(drawn.key);
+    writer.put(drawn.parent);
+    writer.put(drawn.building_index);
+    writer.put(static_cast<std::uint8_t>(drawn.is_low_confidence ? 1 : 0));
+    // The status of records is saved with their polygons, below.
+    writer.put(drawn.record);
+    writer.put(drawn.own);
+    if (drawn.key.level == 1) {
+        BuildingRecord record = drawn.building_record;
+        writer.put(number_of(std::exchange(record.doubt, {})));
+        record.parcel = {};
+        writer.put(record);
+    }
+    save(drawn.building, writer);
+    save(drawn.contour, writer);
+}
+
+DrawnContour load_drawn_contour(ByteReader& reader) {
+    DrawnContour drawn;
+    drawn.key = reader.take<ContourKey>();
+    drawn.parent = reader.take<std::int64_t>();
+    drawn.building_index = reader.take<std::int64_t>();
+    drawn.is_low_confidence = reader.take<std::uint8_t>() != 0;
+    drawn.record = reader.take<ContourRecord>();
+    drawn.record.status = OutlineStatus::traced;
+    drawn.own = reader.take<PointStats>();
+    if (drawn.key.level == 1) {
+        const auto doubt = reader.take<std::uint8_t>();
+        drawn.building_record = reader.take<BuildingRecord>();
+        drawn.building_record.status = OutlineStatus::traced;
+        drawn.building_record.parcel = {};  // restored later from its number
+        drawn.building_record.doubt =
+            doubt < doubts.size() ? counter_evidence_name(doubts[doubt]) : std::string_view();
+    }
+    drawn.building = load_optional_polygon(reader);
+    drawn.contour = load_optional_polygon(reader);
+    if (drawn.record.level != drawn.key.level)
+        throw CorruptRecord("a contour is not on its level");
+    return drawn;
+}
+
+namespace {
+
+void save(const DeferredBuilding& building, ByteWriter& writer) {
+    writer.put(building.facts);
+    writer.put_list(building.thresholds);
+}
+
+DeferredBuilding load_deferred_building(ByteReader& reader) {
+    DeferredBuilding building;
+    building.facts = reader.take<JoinedBuilding>();
+    building.thresholds = reader.take_list<double>();
+    return building;
+}
+
+void save(const DeferredContour& left, ByteWriter& writer) {
+    writer.put(left.head);
+    save(left.stored, left.head.key.level, writer);
+}
+
+/// @param tile its contours loaded so far
+DeferredContour load_deferred_contour(ByteReader& reader, const DrawnTile& tile) {
+    DeferredContour left;
+    left.head = reader.take<ContourHead>();
+    const ContourHead& head = left.head;
+    const auto before = static_cast<std::int64_t>(tile.left.size());
+    if (head.label == 0 || head.label > tile.deferred_buildings.size() || head.parent < -1 ||
+        head.parent >= before || head.key.level < 1 || (head.key.level > 1) != (head.parent >= 0))
+        throw CorruptRecord("a contour stands on none");
+    if (static_cast<std::size_t>(head.key.level) > tile.deferred_buildings[head.label - 1].thresholds.size())
+        throw CorruptRecord("a contour is of a level that its building does not have");
+    if (head.parent >= 0 &&
+        tile.left[static_cast<std::size_t>(head.parent)].head.key.level != head.key.level - 1)
+        throw CorruptRecord("a contour stands on one that is not the level below it");
+    left.stored = load_stored(head.key.level, reader);
+    return left;
+}
+
+}  // namespace
+
+void save(const DrawnTile& tile, ByteWriter& writer) {
+    writer.put(tile.tally);
+    writer.put(tile.levels);
+    writer.put(tile.buildings);
+    writer.put(tile.error);
+    writer.put(static_cast<std::uint64_t>(tile.deferred_buildings.size()));
+    for (const DeferredBuilding& building : tile.deferred_buildings)
+        save(building, writer);
+    writer.put(static_cast<std::uint64_t>(tile.left.size()));
+    for (const DeferredContour& left : tile.left)
+        save(left, writer);
+    writer.put_list(tile.cells.runs);
+    writer.put_list(tile.cells.elevations);
+}
+
+DrawnTile load_drawn_tile(ByteReader& reader) {
+    DrawnTile tile;
+    tile.tally = reader.take<Tally>();
+    tile.levels = reader.take<std::int32_t>();
+    tile.buildings = reader.take<std::int64_t>();
+    tile.error = reader.take<StackError>();
+    tile.deferred_buildings.resize(reader.take_count(sizeof(JoinedBuilding)));
+    for (DeferredBuilding& building : tile.deferred_buildings)
+        building = load_deferred_building(reader);
+    const std::size_t left = reader.take_count(sizeof(ContourHead));
+    for (std::size_t i = 0; i < left; ++i)
+        tile.left.push_back(load_deferred_contour(reader, tile));
+    tile.cells.runs = reader.take_list<RowSpan>();
+    tile.cells.elevations = reader.take_list<double>();
+    std::uint64_t cells = 0;
+    for (const RowSpan& run : tile.cells.runs) {
+        if (run.begin >= run.end)
+            throw CorruptRecord("a run of cells is empty");
+        cells += static_cast<std::uint64_t>(std::int64_t{run.end} - run.begin);
+    }
+    if (cells != tile.cells.elevations.size())
+        throw CorruptRecord("there are not as many elevations as cells");
+    return tile;
+}
+
+void DrawnBlocks::add(const DrawnContour& drawn) {
+    if (block_.bytes().empty())
+        first_ = drawn.key;
+    else if (block_.bytes().size() >= usual_bytes || drawn.key.level != first_.level) {
+        finish();
+        first_ = drawn.key;
+    }
+    save(drawn, block_);
+}
+
+void DrawnBlocks::finish() {
+    if (block_.bytes().empty())
+        return;
+    payload_.add(std::exchange(block_, {}));
+    blocks_.push_back({payload_.blocks().back(), first_});
+}
+
+std::optional<ContourKey> DrawnStream::key() {
+    if (next_)
+        return next_->key;
+    if (block_) {
+        load_next();
+        return next_->key;
+    }
+    if (next_block_ < blocks_.size())
+        return blocks_[next_block_].first;
+    return {};
+}
+
+DrawnContour DrawnStream::take() {
+    if (!block_)
+        load_block();
+    if (!next_)
+        load_next();
+    DrawnContour drawn = std::move(*next_);
+    next_.reset();
+    if (block_->left() == 0)
+        block_.reset();
+    return drawn;
+}
+
+void DrawnStream::load_block() {
+    const DrawnBlock& block = blocks_[next_block_++];
+    block_.emplace(read_block(file_, begin_, block.bytes));
+    begin_ += block.bytes.size;
+    load_next();
+    if (next_->key != block.first)
+        throw InputError(file_.damaged("a block begins with another contour than is announced"));
+}
+
+void DrawnStream::load_next() {
+    try {
+        next_ = std::make_unique<DrawnContour>(load_drawn_contour(*block_));
+    } catch (const CorruptRecord& broken) {
+        throw InputError(file_.damaged(broken.what()));
+    }
+    if (last_ && !(*last_ < next_->key))
+        throw InputError(file_.damaged("its contours are not in order"));
+    last_ = next_->key;
+}
+
+void save(const NumberedTile& tile, ByteWriter& writer) {
+    writer.put_list(tile.numbers.written);
+    writer.put_list(tile.numbers.buildings);
+    writer.put_list(tile.left);
+}
+
+NumberedTile load_numbered_tile(ByteReader& reader) {
+    NumberedTile tile;
+    tile.numbers.written = reader.take_list<std::int64_t>();
+    tile.numbers.buildings = reader.take_list<std::int64_t>();
+    tile.left = reader.take_list<DrawnBlock>();
+    return tile;
+}
+
+void NumberedLayer::add(std::int64_t tile, const std::vector<WorldPolygon>& parts) {
+    for (const WorldPolygon& part : parts)
+        for (const Position& at : part.exterior) {
+            const bool first = features == 0 && &part == parts.data() && &at == part.exterior.data();
+            least = first ? at : Position{std::min(least.x, at.x), std::min(least.y, at.y)};
+            most = first ? at : Position{std::max(most.x, at.x), std::max(most.y, at.y)};
+        }
+    ++features;
+    const auto place = std::ranges::lower_bound(tiles, tile);
+    if (place == tiles.end() || *place != tile)
+        tiles.insert(place, tile);
+}
+
+void save(const NumberedWhole& whole, ByteWriter& writer) {
+    writer.put(whole.levels);
+    writer.put(static_cast<std::uint64_t>(whole.layers.size()));
+    for (const NumberedLayer& layer : whole.layers) {
+        writer.put(layer.features);
+        writer.put(layer.least);
+        writer.put(layer.most);
+        writer.put_list(layer.tiles);
+    }
+}
+
+NumberedWhole load_numbered_whole(ByteReader& reader, std::int64_t tiles) {
+    NumberedWhole whole;
+    whole.levels = reader.take<std::int32_t>();
+    if (whole.levels < 1)
+        throw CorruptRecord("there is no level");
+    whole.layers.resize(reader.take_count(sizeof(std::int64_t)));
+    for (NumberedLayer& layer : whole.layers) {
+        layer.features = reader.take<std::int64_t>();
+        layer.least = reader.take<Position>();
+        layer.most = reader.take<Position>();
+        layer.tiles = reader.take_list<std::int64_t>();
+        if (std::ranges::adjacent_find(layer.tiles, std::greater_equal<>()) != layer.tiles.end() ||
+            (!layer.tiles.empty() && (layer.tiles.front() < 0 || layer.tiles.back() >= tiles)))
+            throw CorruptRecord("a layer has parts of tiles that are none of the plan's");
+    }
+    return whole;
+}
+
+}  // namespace d2b

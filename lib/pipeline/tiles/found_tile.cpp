@@ -1,0 +1,218 @@
+#include "pipeline/tiles/found_tile.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <utility>
+
+#include "core/grid.hpp"
+
+namespace d2b {
+namespace {
+
+void save_text(const std::string& text, ByteWriter& writer) {
+    writer.put_list(std::vector<char>(text.begin(), text.end()));
+}
+
+std::string load_text(ByteReader& reader) {
+    const auto letters = reader.take_list<char>();
+    return {letters.begin(), letters.end()};
+}
+
+/// Run-length encodes the labels of a seam, because most of them are 0.
+void save_labels(const std::vector<Label>& line, ByteWriter& writer) {
+    writer.put_varint(line.size());
+    for (auto begin = line.begin(); begin != line.end();) {
+        const auto end = std::find_if(begin, line.end(), [&](Label label) { return label != *begin; });
+        writer.put_varint(static_cast<std::uint64_t>(end - begin));
+        writer.put_varint(*begin);
+        begin = end;
+    }
+}
+
+/// @param labels largest valid label
+std::vector<Label> load_labels(ByteReader& reader, Label labels, std::int32_t cells) {
+    const std::int32_t length = reader.take_varint(cells);
+    if (length > 0 && length < cells)
+        throw CorruptRecord("a seam is not that of its unit");
+    std::vector<Label> line;
+    while (static_cast<std::int32_t>(line.size()) < length) {
+        const std::int32_t run = reader.take_varint(length - static_cast<std::int32_t>(line.size()));
+        const std::uint64_t label = reader.take_varint();
+        if (run == 0 || label > labels)
+            throw CorruptRecord("a seam is not that of its unit");
+        line.insert(line.end(), static_cast<std::size_t>(run), static_cast<Label>(label));
+    }
+    return line;
+}
+
+void save(const UnitEdges::Lines& lines, ByteWriter& writer) {
+    for (const std::vector<Label>& line : lines)
+        save_labels(line, writer);
+}
+
+void save(const FoundUnit& unit, ByteWriter& writer) {
+    writer.put_list(unit.objects);
+    writer.put_list(unit.boxes);
+    writer.put_list(unit.runs);
+    for (const UnitEdges::Lines* lines :
+         {&unit.edges.above, &unit.edges.left, &unit.edges.below, &unit.edges.right})
+        save(*lines, writer);
+}
+
+UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32_t cells) {
+    UnitEdges::Lines lines;
+    for (std::vector<Label>& line : lines)
+        line = load_labels(reader, labels, cells);
+    return lines;
+}
+
+FoundUnit load_found_unit(ByteReader& reader, const Window& own) {
+    FoundUnit unit;
+    unit.objects = reader.take_list<SeenObject>();
+    unit.boxes = reader.take_list<Window>();
+    unit.runs = reader.take_list<LabelRun>();
+    const auto labels = static_cast<Label>(unit.objects.size());
+    if (unit.boxes.size() != unit.objects.size())
+        throw CorruptRecord("objects have no boxes");
+    for (const LabelRun& run : unit.runs)
+        if (run.label == 0 || run.label > labels || run.begin >= run.end || !own.holds(run.row, run.begin) ||
+            run.end > own.end_col())
+            throw CorruptRecord("labels lie outside of their unit");
+    unit.edges.above = load_lines(reader, labels, own.cols);
+    unit.edges.left = load_lines(reader, labels, own.rows);
+    unit.edges.below = load_lines(reader, labels, own.cols);
+    unit.edges.right = load_lines(reader, labels, own.rows);
+    return unit;
+}
+
+}  // namespace
+
+std::vector<LabelRun> label_runs(const Unit& unit, const Grid<Label>& labels) {
+    const Window& own = unit.own;
+    std::vector<LabelRun> runs;
+    for (std::int32_t row = own.row; row < own.end_row(); ++row)
+        for_equal_runs(labels.row(row - unit.seen.row)
+                           .subspan(static_cast<std::size_t>(own.col - unit.seen.col),
+                                    static_cast<std::size_t>(own.cols)),
+                       [&](std::int32_t begin, std::int32_t end, Label label) {
+                           runs.push_back({row, own.col + begin, own.col + end, label});
+                       });
+    return runs;
+}
+
+std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& runs) {
+    std::vector<Window> boxes(objects);
+    for (const LabelRun& run : runs) {
+        Window& box = boxes[run.label - 1];
+        if (box.rows == 0) {
+            box = {run.row, run.begin, 1, run.end - run.begin};
+            continue;
+        }
+        const std::int32_t end = std::max(box.end_col(), run.end);
+        box.col = std::min(box.col, run.begin);
+        box.cols = end - box.col;
+        box.rows = run.row + 1 - box.row;
+    }
+    return boxes;
+}
+
+void FoundFacts::merge(const FoundFacts& other) {
+    survey.statistics.merge(other.survey.statistics);
+    survey.suspicious.merge(other.survey.suspicious);
+    fit.merge(other.fit);
+    slope.merge(other.slope);
+    sides.merge(other.sides);
+    terrain_outside += other.terrain_outside;
+    parcels.merge(other.parcels);
+    sampling.merge(other.sampling);
+    islands.merge(other.islands);
+    tally.merge(other.tally);
+    for (const std::string& text : other.warnings)
+        if (std::ranges::find(warnings, text) == warnings.end())
+            warnings.push_back(text);
+}
+
+void FoundFacts::save(ByteWriter& writer) const {
+    writer.put(survey.statistics);
+    survey.suspicious.save(writer);
+    writer.put(fit);
+    writer.put(slope);
+    writer.put(sides);
+    writer.put(terrain_outside);
+    writer.put(parcels);
+    writer.put(sampling);
+    writer.put(islands);
+    writer.put(tally);
+    writer.put(static_cast<std::uint64_t>(warnings.size()));
+    for (const std::string& text : warnings)
+        save_text(text, writer);
+}
+
+void FoundFacts::load(ByteReader& reader) {
+    survey.statistics = reader.take<ElevationStatistics>();
+    survey.suspicious.load(reader);
+    const auto loaded = std::bit_cast<GroundFit>(reader.take<std::array<std::byte, sizeof(GroundFit)>>());
+    fit = loaded;
+    slope = reader.take<GroundSlope>();
+    sides = reader.take<AuxiliaryCoverage>();
+    terrain_outside = reader.take<std::int64_t>();
+    parcels = reader.take<ParcelFit>();
+    sampling = reader.take<SurfaceSampling>();
+    islands = reader.take<ValidIslands>();
+    tally = reader.take<Tally>();
+    warnings.resize(reader.take_count(sizeof(std::uint64_t)));
+    for (std::string& text : warnings)
+        text = load_text(reader);
+}
+
+void save(const FoundTile& tile, ByteWriter& writer) {
+    tile.facts.save(writer);
+    for (const FoundUnit& unit : tile.units)
+        save(unit, writer);
+}
+
+FoundTile load_found_tile(ByteReader& reader, FoundFacts facts, const std::vector<Window>& windows) {
+    facts.load(reader);
+    FoundTile tile{std::move(facts), {}};
+    for (const Window& own : windows)
+        tile.units.push_back(load_found_unit(reader, own));
+    return tile;
+}
+
+Label JoinedTile::sure() const {
+    return static_cast<Label>(std::ranges::count_if(buildings, &JoinedBuilding::is_building));
+}
+
+void save(const JoinedTile& tile, ByteWriter& writer) {
+    writer.put_list(tile.buildings);
+    writer.put(tile.window);
+    writer.put(static_cast<std::uint64_t>(tile.units.size()));
+    for (const JoinedUnit& unit : tile.units) {
+        writer.put(unit.unit);
+        writer.put_list(unit.number);
+    }
+}
+
+JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64_t units) {
+    JoinedTile tile;
+    tile.buildings = reader.take_list<JoinedBuilding>();
+    tile.window = reader.take<Window>();
+    const Window& part = tile.window;
+    const bool is_empty = tile.buildings.empty() && part == Window{};
+    if (!is_empty && (part.rows < 0 || part.cols < 0 || part.row < window.row || part.col < window.col ||
+                      part.rows > window.end_row() - part.row || part.cols > window.end_col() - part.col))
+        throw CorruptRecord("its window is not within that of the plan");
+    tile.units.resize(reader.take_count(sizeof(std::int64_t)));
+    for (JoinedUnit& unit : tile.units) {
+        unit.unit = reader.take<std::int64_t>();
+        unit.number = reader.take_list<Label>();
+        if (unit.unit < 0 || unit.unit >= units || unit.number.empty() ||
+            std::ranges::max(unit.number) > tile.other())
+            throw CorruptRecord("a unit is none of the plan's");
+    }
+    return tile;
+}
+
+}  // namespace d2b

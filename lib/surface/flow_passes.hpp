@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/stop_token.hpp"
+#include "surface/block_budget.hpp"
+#include "surface/flow_limits.hpp"
+#include "surface/flow_problem.hpp"
+#include "surface/planar_partition.hpp"
+
+namespace d2b {
+
+/// Result of changing a partition.
+struct FlowOutlines {
+    std::vector<FinePolygon> outlines;  ///< per contour
+    std::vector<FlowProblem> problems;
+    std::size_t left = 0;  ///< number of faults
+};
+
+/// Alternates mending and taking apart, because mending makes corners touch, and taking these apart makes
+/// short walls.
+class FlowPasses {
+  public:
+    FlowPasses(PlanarPartition plan, std::span<const PartitionContour> contours, const FlowLimits& limits,
+               const std::vector<bool>& frozen)
+        : plan_(std::move(plan)),
+          contours_(contours),
+          limits_(limits),
+          frozen_(frozen),
+          budget_(contours, plan_.edges, limits) {}
+
+    /// @return std::nullopt if a contour would be broken or outlines would cross
+    [[nodiscard]] std::optional<FlowOutlines> make(std::span<const PartitionContour> leveled,
+                                                   const StopToken& stop);
+    /// Contours that were in pieces or gone, if make() failed for that reason.
+    [[nodiscard]] const std::vector<std::uint32_t>& broken() const { return broken_; }
+
+  private:
+    void mend(const StopToken& stop);
+    [[nodiscard]] bool take_apart(std::span<const PartitionContour> leveled, const StopToken& stop);
+    void straighten();
+    [[nodiscard]] bool is_sound(const std::vector<FinePolygon>& outlines) const;
+
+    PlanarPartition plan_;
+    std::span<const PartitionContour> contours_;
+    const FlowLimits& limits_;
+    const std::vector<bool>& frozen_;
+    BlockBudget budget_;  // shared by all passes
+    std::vector<FlowProblem> problems_;
+    std::vector<std::uint32_t> broken_;
+};
+
+}  // namespace d2b

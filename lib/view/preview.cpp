@@ -1,0 +1,76 @@
+#include "view/preview.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/georeference.hpp"
+#include "dem2buildings/error.hpp"
+#include "options/run_plan.hpp"
+#include "view/map_page.hpp"
+
+namespace d2b {
+namespace {
+
+CellSize cell_of(const DemInfo& dem, const Crs& crs) {
+    try {
+        return cell_steps(dem.window, Georeference(dem.transform, TraceMode::cells), crs);
+    } catch (const InputError&) {
+        // The centre lies outside the projection's domain, which is allowed when levels are traced without
+        // detection.
+        const AffineTransform& g = dem.transform;
+        const double metres = crs.horizontal_unit() ? crs.horizontal_unit()->metres : 1;
+        return {std::hypot(g[1], g[4]) * metres, std::hypot(g[2], g[5]) * metres, 1};
+    }
+}
+
+/// Describes the options that shape a stack.
+std::string parameters_text(const Options& options) {
+    std::string text = "lod " + std::to_string(options.levels.lod);
+    if (!options.levels.fixed.empty() || options.levels.interval)
+        text = "given levels";
+    return text + ", nf " + std::to_string(options.filter.noise_factor);
+}
+
+}  // namespace
+
+MapArea map_area_of(const Options& options, const DemInfo& dem) {
+    const Crs crs(options.read.crs.empty() ? dem.crs_wkt : options.read.crs);
+    return {dem, crs, cell_of(dem, crs)};
+}
+
+FileTarget picture_target(const Options& options) {
+    const WriteOptions& write = options.write;
+    FileTarget target{write.preview, write.overwrite, {options.read.source}, FileKind::picture};
+    std::vector<std::string> others = auxiliary_file_names(write);
+    others.insert(others.end(), {write.destination, options.ground.terrain, options.detect.mask,
+                                 options.detect.ndvi, options.detect.split_by});
+    for (const std::string& name : others)
+        if (!name.empty())
+            target.in_use.push_back(name);
+    return target;
+}
+
+Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& dem) : features_(features) {
+    if (options.write.preview.empty())
+        return;
+    file_ = open_picture(picture_target(options));
+    const int longest = options.write.preview_size;
+    const MapArea ground = map_area_of(options, dem);
+    const PictureFormat format = file_->format();
+    sink_.emplace(features, MapFrame(ground, map_size_on_page(ground, longest)), format,
+                  [this, format, longest, text = parameters_text(options)](const MapPicture& map) {
+                      file_->write(draw_map_page(map, text, format, longest));
+                  });
+}
+
+void Preview::prepare(CommitList& commit) {
+    if (file_)
+        file_->prepare(commit);
+}
+
+std::vector<std::string> Preview::take_warnings() {
+    return file_ ? file_->take_warnings() : std::vector<std::string>();
+}
+
+}  // namespace d2b

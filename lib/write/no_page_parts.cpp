@@ -1,9 +1,0 @@
-#include "write/page_parts.hpp"
-
-namespace d2b {
-
-const PageParts* page_parts() {
-    return nullptr;
-}
-
-}  // namespace d2b

@@ -1,0 +1,129 @@
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "contours/reference.hpp"
+#include "core/byte_stream.hpp"
+#include "support/random_grid.hpp"
+
+namespace d2b {
+namespace {
+
+using test::TraceSettings;
+
+std::set<LatticePoint> distinct(const LatticeRing& ring) {
+    return {ring.begin(), ring.end()};
+}
+
+void expect_simple_and_compressed(const LatticeRing& ring) {
+    EXPECT_EQ(distinct(ring).size(), ring.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const LatticePoint a = ring[i];
+        const LatticePoint b = ring[(i + 1) % ring.size()];
+        const LatticePoint c = ring[(i + 2) % ring.size()];
+        EXPECT_NE(a.row == b.row, a.col == b.col);
+        EXPECT_NE(a.row == b.row, b.row == c.row);
+    }
+}
+
+class RandomGrid : public testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomGrid, EqualsTheReference) {
+    for (unsigned seed = GetParam() * 100; seed < GetParam() * 100 + 100; ++seed) {
+        SCOPED_TRACE(seed);
+        const test::RandomGridCase c = test::random_grid(seed);
+        Context context;
+        TraceSettings settings;
+        settings.mode = c.mode;
+        settings.rows_a_band = 1 + static_cast<std::int32_t>(seed % 15);
+        settings.linked_alone = seed % 4 != 0;
+        const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, settings, context);
+        const auto expected = test::reference_contours(c.grid, c.thresholds, c.mode);
+        ASSERT_EQ(set.contours.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            const Contour& contour = set.contours[i];
+            EXPECT_EQ(contour.key, (ContourKey{expected[i].level, *expected[i].squares.begin()}));
+            EXPECT_EQ(test::squares_inside(contour), expected[i].squares);
+            EXPECT_EQ(contour.squares(), static_cast<std::int64_t>(expected[i].squares.size()));
+            EXPECT_EQ(contour.exterior.points(), expected[i].exterior_points);
+            EXPECT_EQ(contour.interiors.size(), expected[i].interiors);
+            if (expected[i].level > 0) {
+                EXPECT_EQ(set.contours[static_cast<std::size_t>(contour.parent)].key,
+                          (ContourKey{expected[i].level - 1, expected[i].parent_first}));
+            } else {
+                EXPECT_EQ(contour.parent, -1);
+            }
+            expect_simple_and_compressed(contour.exterior.corners());
+            for (const PackedRing& ring : contour.interiors) {
+                EXPECT_LT(ring.area(), 0);
+                expect_simple_and_compressed(ring.corners());
+            }
+        }
+    }
+}
+
+/// What a tracer hands out.
+class Kept final : public ContourSink {
+  public:
+    std::int64_t take(FinishedContour&& finished) override {
+        all.push_back(std::move(finished));
+        return std::ssize(all) - 1;
+    }
+    std::vector<FinishedContour> all;
+};
+
+std::vector<FinishedContour> traced(const test::RandomGridCase& c, Outlines outlines) {
+    ElevationStatistics statistics;
+    statistics.add({{0, c.grid.rows, c.grid.cols}, c.grid.z});
+    Label labels = 1;
+    for (const Label label : c.grid.labels)
+        labels = std::max(labels, label);
+    LevelPlan plan{statistics.minimum, std::vector<std::vector<double>>(labels + 1, c.thresholds)};
+    plan.thresholds[0].clear();
+    const TraceFrame frame{
+        {0, 0, c.grid.rows, c.grid.cols}, plan.level_count(), statistics.fixed_point(), statistics.range()};
+    Kept kept;
+    Tracer tracer(frame, c.mode, kept, outlines);
+    const auto before = test::point_rows<std::uint16_t>(c.grid, plan, {}, 0, 0);
+    const auto band = test::point_rows<std::uint16_t>(c.grid, plan, {}, 0, c.grid.rows);
+    tracer.trace(split_into_runs(frame, c.mode, before, band));
+    return std::move(kept.all);
+}
+
+bool same(const PointStats& a, const PointStats& b) {
+    return a.n == b.n && a.sum == b.sum && a.coarse_sum == b.coarse_sum &&
+           a.coarse_squares == b.coarse_squares && a.lowest == b.lowest && a.highest == b.highest;
+}
+
+std::vector<std::byte> saved(const ElevationSample& sample) {
+    ByteWriter writer;
+    sample.save(writer);
+    return {writer.bytes().begin(), writer.bytes().end()};
+}
+
+TEST_P(RandomGrid, AddsUpTheSameWithoutOutlines) {
+    for (unsigned seed = GetParam() * 20; seed < GetParam() * 20 + 20; ++seed) {
+        SCOPED_TRACE(seed);
+        const test::RandomGridCase c = test::random_grid(seed);
+        const std::vector<FinishedContour> with = traced(c, Outlines::traced);
+        const std::vector<FinishedContour> without = traced(c, Outlines::none);
+        ASSERT_EQ(without.size(), with.size());
+        for (std::size_t i = 0; i < with.size(); ++i) {
+            EXPECT_EQ(without[i].contour.key, with[i].contour.key);
+            EXPECT_TRUE(same(without[i].contour.own, with[i].contour.own));
+            EXPECT_TRUE(same(without[i].contour.above, with[i].contour.above));
+            EXPECT_EQ(saved(without[i].sample), saved(with[i].sample));
+            EXPECT_GT(with[i].contour.exterior.points(), 3);
+            EXPECT_EQ(without[i].contour.exterior.points(), 0);
+            EXPECT_TRUE(without[i].contour.interiors.empty());
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomGrid, testing::Range(0U, 20U));
+
+}  // namespace
+}  // namespace d2b

@@ -1,0 +1,104 @@
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/tiles/checkpoint_file.hpp"
+#include "pipeline/tiles/file_cache.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace d2b {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr CheckpointId seal{TileStep::draw, 0x1234, 7};
+
+std::vector<std::byte> bytes_from(const std::string& text) {
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+
+class TileFiles : public testing::Test {
+  protected:
+    TileFiles() {
+        write_checkpoint(path_, seal, bytes_from("the body"), bytes_from("and the tail"));
+        whole_ = content();
+    }
+    [[nodiscard]] std::string content() const {
+        std::ifstream file(path_, std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    void put(const std::string& content) const { std::ofstream(path_, std::ios::binary) << content; }
+    /// "" where the file is taken.
+    [[nodiscard]] std::string refusal(const CheckpointId& wanted = seal) const {
+        try {
+            const CheckpointFile file(path_, wanted);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    test::TemporaryFolder folder_;
+    fs::path path_ = folder_.path() / "7";
+    std::string whole_;
+};
+
+TEST_F(TileFiles, GiveBackWhatWasWritten) {
+    EXPECT_TRUE(checkpoint_exists(path_, seal));
+    CheckpointFile file(path_, seal);
+    ByteReader body = file.body();
+    EXPECT_EQ(body.take_bytes(8).size(), 8U);
+    EXPECT_EQ(body.left(), 0U);
+    EXPECT_EQ(file.payload(4, 8), bytes_from("the tail"));
+    EXPECT_THROW((void)file.payload(5, 8), InputError);
+    EXPECT_THROW((void)file.payload(13, 0), InputError);
+    EXPECT_THROW((void)file.payload(~std::uint64_t{0}, 2), InputError);
+}
+
+TEST_F(TileFiles, StayOpenWhereTheyAreReadByTurns) {
+    FileHandleCache recent;
+    CheckpointFile file(path_, seal, &recent);
+    fs::remove(path_);
+    EXPECT_EQ(file.payload(4, 8), bytes_from("the tail"));
+    EXPECT_THROW((void)file.payload(5, 8), InputError);
+}
+
+TEST_F(TileFiles, AreRefusedWhereverTheyEnd) {
+    for (std::size_t length = 0; length < whole_.size(); ++length) {
+        put(whole_.substr(0, length));
+        EXPECT_TRUE(refusal().starts_with("'" + path_.string() + "' is damaged: ")) << length;
+        EXPECT_FALSE(checkpoint_exists(path_, seal)) << length;
+    }
+    put(whole_ + "x");
+    EXPECT_NE(refusal(), "");
+    EXPECT_FALSE(checkpoint_exists(path_, seal));
+}
+
+/// Blocks in the tail have digests of their own.
+TEST_F(TileFiles, AreRefusedWhicheverByteHasChanged) {
+    const std::size_t payload = std::string("and the tail").size();
+    for (std::size_t i = 0; i < whole_.size() - payload; ++i)
+        for (const char change : {'\x01', '\x80', '\xff'}) {
+            std::string changed = whole_;
+            changed[i] = static_cast<char>(changed[i] ^ change);
+            put(changed);
+            EXPECT_NE(refusal(), "") << "byte " << i;
+        }
+}
+
+TEST_F(TileFiles, AreOfOneStepTileAndPlan) {
+    const std::string again = "; delete it and run 'draw' of tile 8 again.";
+    EXPECT_EQ(refusal({TileStep::draw, 0x1234, 8}),
+              "'" + path_.string() + "' is not the file that 'draw' of tile 8 writes" + again);
+    EXPECT_EQ(
+        refusal({TileStep::find, 0x1234, 7}),
+        "'" + path_.string() +
+            "' is not the file that 'find' of tile 7 writes; delete it and run 'find' of tile 7 again.");
+    EXPECT_EQ(refusal({TileStep::draw, 0x1235, 7}),
+              "'" + path_.string() + "' belongs to another plan; delete it and run 'draw' of tile 7 again.");
+}
+
+}  // namespace
+}  // namespace d2b

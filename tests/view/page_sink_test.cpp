@@ -1,0 +1,337 @@
+#include "view/page/page_sink.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <random>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <cpl_conv.h>
+#include <nlohmann/json.hpp>
+
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/report.hpp"
+#include "view/page_parts.hpp"
+#include "write/write_fixture.hpp"
+#include "write/zlib.hpp"
+
+namespace d2b::test {
+namespace {
+
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
+/// Takes numbers as their description has them.
+class Unpacked {
+  public:
+    explicit Unpacked(std::string bytes) : bytes_(std::move(bytes)) {}
+
+    std::uint64_t take() {
+        std::uint64_t number = 0;
+        for (unsigned shift = 0;; shift += 7) {
+            const auto byte = static_cast<unsigned char>(bytes_.at(at_++));
+            number |= std::uint64_t{byte & 0x7FU} << shift;
+            if (byte < 0x80)
+                return number;
+        }
+    }
+    std::int64_t take_signed() { return signed_of(take()); }
+    static std::int64_t signed_of(std::uint64_t packed) {
+        const auto half = static_cast<std::int64_t>(packed / 2);
+        return packed % 2 == 0 ? half : -half - 1;
+    }
+    [[nodiscard]] bool is_at_end() const { return at_ == bytes_.size(); }
+    [[nodiscard]] std::string rest() const { return bytes_.substr(at_); }
+
+  private:
+    std::string bytes_;
+    std::size_t at_ = 0;
+};
+
+TEST(VarintBuffer, areThoseThatWerePut) {
+    std::mt19937_64 random(3);
+    VarintBuffer numbers;
+    std::vector<std::int64_t> put{0,
+                                  -1,
+                                  1,
+                                  63,
+                                  -64,
+                                  64,
+                                  std::numeric_limits<std::int64_t>::min(),
+                                  std::numeric_limits<std::int64_t>::max()};
+    for (int digits = 1; digits < 64; ++digits)
+        put.push_back(static_cast<std::int64_t>(random() >> static_cast<unsigned>(digits)) *
+                      (digits % 2 == 0 ? 1 : -1));
+    for (const std::int64_t number : put)
+        numbers.put_zigzag(number);
+    numbers.put(300);
+    EXPECT_EQ(numbers.bytes().substr(0, 4), std::string("\0\1\2\x7E", 4));  // 0, -1, 1, 63
+    Unpacked unpacked(numbers.bytes());
+    for (const std::int64_t number : put)
+        EXPECT_EQ(unpacked.take_signed(), number);
+    EXPECT_EQ(unpacked.rest(), "\xAC\x02");  // as the description of LEB128 has it
+}
+
+TEST(Base64, asTheStandardHasIt) {
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("f"), "Zg==");
+    EXPECT_EQ(base64("fo"), "Zm8=");
+    EXPECT_EQ(base64("foo"), "Zm9v");
+    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(base64("\xFB\xFF"), "+/8=");
+    EXPECT_EQ(hex_decoded("00ff1a"), std::string("\0\xFF\x1A", 3));
+}
+
+TEST(Deflated, isInflatedAgain) {
+    const std::string text(100000, 'x');
+    const std::string packed = zlib_compressed(text);
+    EXPECT_LT(packed.size(), 1000U);
+    std::size_t size = 0;
+    const std::unique_ptr<void, decltype(&VSIFree)> bytes(
+        CPLZLibInflate(packed.data(), packed.size(), nullptr, 0, &size), &VSIFree);
+    ASSERT_TRUE(bytes);
+    EXPECT_EQ(std::string(static_cast<const char*>(bytes.get()), size), text);
+}
+
+/// A house with a hole, a tier upon it and one upon that.
+SurfaceBuilding house() {
+    SurfaceBuilding building;
+    building.id = 7;
+    building.base = 1000;
+    building.roof = 4000;
+    building.tiers = {{1,
+                       -1,
+                       3000,
+                       {{{0, 0, 3000}, {100, 0, 3000}, {100, 90, 3000}, {0, 90, 3000}},
+                        {{10, 10, 3000}, {10, 20, 3000}, {20, 20, 3000}}}},
+                      {2, 0, 5000, {{{30, 30, 5000}, {60, 30, 5000}, {60, 60, 5000}}}},
+                      {3, 1, 5000, {{{40, 40, 5000}, {50, 40, 5000}, {50, 45, 5000}}}}};
+    return building;
+}
+
+TEST(PageStack, asItsDescriptionSays) {
+    PageStack stack;
+    stack.add(house());
+    SurfaceBuilding lower = house();
+    lower.id = 9;
+    lower.base = 990;
+    lower.tiers.resize(1);
+    stack.add(lower);
+    EXPECT_EQ(stack.buildings(), 2);
+    const auto counts = stack.counts();
+    ASSERT_EQ(counts.size(), 3U);
+    EXPECT_EQ(counts[0].contours, 2);
+    EXPECT_EQ(counts[0].corners, 14);
+    EXPECT_EQ(counts[1].contours, 3);
+    EXPECT_EQ(counts[1].corners, 17);
+    EXPECT_EQ(counts[2].contours, 4);
+    EXPECT_EQ(counts[2].corners, 20);
+
+    Unpacked numbers(stack.packed().bytes());
+    SurfacePoint at;
+    const auto expect_building = [&](const SurfaceBuilding& building, std::int64_t id, std::int64_t base) {
+        EXPECT_EQ(numbers.take_signed(), building.id - id);
+        EXPECT_EQ(numbers.take_signed(), building.base - base);
+        EXPECT_EQ(numbers.take_signed(), building.roof - building.base);
+        ASSERT_EQ(numbers.take(), building.tiers.size());
+        for (std::size_t i = 0; i < building.tiers.size(); ++i) {
+            const SurfaceTier& tier = building.tiers[i];
+            EXPECT_EQ(numbers.take(), static_cast<std::uint64_t>(tier.level));
+            EXPECT_EQ(numbers.take(), i == 0 ? 0U : 1U);
+            EXPECT_EQ(numbers.take_signed(), tier.top - (i == 0 ? building.base : building.tiers[i - 1].top));
+            ASSERT_EQ(numbers.take(), tier.rings.size());
+            for (const auto& ring : tier.rings) {
+                ASSERT_EQ(numbers.take(), ring.size());
+                for (const SurfacePoint& point : ring) {
+                    EXPECT_EQ(at.x += numbers.take_signed(), point.x);
+                    EXPECT_EQ(at.y += numbers.take_signed(), point.y);
+                }
+            }
+        }
+    };
+    expect_building(house(), 0, 0);
+    expect_building(lower, 7, 1000);
+    EXPECT_TRUE(numbers.is_at_end());
+}
+
+TEST(PageRelief, isTheMeanOrTheLowest) {
+    const Window window{10, 20, 1, 1602};
+    for (const bool lowest : {false, true}) {
+        PageRelief relief(window, lowest);
+        ASSERT_EQ(relief.step(), 5);
+        ASSERT_EQ(relief.cols(), 321);
+        ASSERT_EQ(relief.rows(), 1);
+        std::vector<float> values(1602, unknown);
+        values[0] = 3;
+        values[1] = 6;  // of two that are known
+        values[10] = -1.5F;
+        values[1600] = 2;
+        values[1601] = 1;
+        // From right to left, as units may come.
+        for (const auto& [col, cols] : {std::pair{800, 802}, std::pair{0, 800}})
+            relief.add({10, 20 + col, 1, cols}, std::span(values).subspan(static_cast<std::size_t>(col),
+                                                                          static_cast<std::size_t>(cols)));
+        Unpacked numbers(relief.packed().bytes());
+        EXPECT_EQ(Unpacked::signed_of(numbers.take() - 1), lowest ? 300 : 450);
+        EXPECT_EQ(numbers.take(), 0U);
+        EXPECT_EQ(Unpacked::signed_of(numbers.take() - 1), -150 - (lowest ? 300 : 450));
+        for (int i = 3; i < 320; ++i)
+            EXPECT_EQ(numbers.take(), 0U);
+        EXPECT_EQ(Unpacked::signed_of(numbers.take() - 1), (lowest ? 100 : 150) + 150);
+        EXPECT_TRUE(numbers.is_at_end());
+    }
+}
+
+class PageTest : public WriteTest {
+  protected:
+    PageTest() {
+        dem_.name = "/data/</script>.tif";
+        dem_.window = {0, 0, 10, 10};
+        meta_.frame.scale = {0.5 / 1024, 0.5 / 1024, 0.001};
+        meta_.fields = {{"id", "Building", FieldType::integer, "", "its number"},
+                        {"p90", "90 % height", FieldType::real, "m", "</script>"}};
+        meta_.first_fields = {"p90"};
+    }
+    void SetUp() override {
+        WriteTest::SetUp();
+        if (page_parts() == nullptr)
+            GTEST_SKIP() << "built without pages";
+    }
+    [[nodiscard]] FileDestination place(const std::string& name, bool overwrite = false) const {
+        return resolve_file_target({path(name), overwrite, {}, FileKind::page});
+    }
+    static SurfacePart part(std::int64_t id) {
+        SurfacePart part;
+        part.buildings.push_back(house());
+        part.buildings[0].id = id;
+        part.buildings[0].values = {id, 12.34567};
+        return part;
+    }
+    /// Of the whole file, with the third building.
+    std::string written(const std::string& name) {
+        const Page page = open_page(place(name), {dem_});
+        page.surface->begin(meta_);
+        page.surface->add(part(3));
+        RunReport report;
+        report.cuts = {{1, 2.5}, {2, 1.5}, {3, 0.5}};
+        page.surface->take_report(report);
+        page.surface->finish();
+        return bytes(name);
+    }
+
+    DemInfo dem_;
+    SurfaceMeta meta_;
+};
+
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+    const std::size_t from = text.find(begin) + begin.size();
+    return text.substr(from, text.find(end, from) - from);
+}
+
+TEST_F(PageTest, namesAreTextAndNothingComesFromOutside) {
+    const std::string page = written("<script>alert(1)&.html");
+    EXPECT_TRUE(looks_like_page(page));
+    EXPECT_EQ(between(page, "<title>", "</title>"), "&lt;script&gt;alert(1)&amp;");
+    EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+    EXPECT_EQ(std::ranges::count(page, '@'), std::ranges::count(std::string(page_parts()->script), '@') +
+                                                 std::ranges::count(std::string(page_parts()->style), '@'));
+    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
+    EXPECT_TRUE(policy.starts_with("default-src 'none'; script-src 'sha256-")) << policy;
+    EXPECT_EQ(policy.find("unsafe"), std::string::npos);
+    EXPECT_EQ(page.find(" src="), std::string::npos);
+    EXPECT_EQ(page.find("<link"), std::string::npos);
+    EXPECT_NE(page.find("three.js authors"), std::string::npos);
+}
+
+TEST_F(PageTest, holdsWhatWasAdded) {
+    const std::string page = written("a.html");
+    const std::string letters = between(page, "id=\"data\">", "</script>");
+    std::string packed;
+    std::uint32_t bits = 0;
+    const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (std::size_t i = 0; i < letters.size() && letters[i] != '='; ++i) {
+        bits = bits << 6U | static_cast<std::uint32_t>(alphabet.find(letters[i]));
+        if (i % 4 != 0)
+            packed += static_cast<char>(bits >> (6 - 2 * (i % 4)) & 0xFFU);
+    }
+    std::size_t size = 0;
+    const std::unique_ptr<void, decltype(&VSIFree)> bytes(
+        CPLZLibInflate(packed.data(), packed.size(), nullptr, 0, &size), &VSIFree);
+    ASSERT_TRUE(bytes);
+    const std::string sections(static_cast<const char*>(bytes.get()), size);
+    const auto about_size = static_cast<std::size_t>(static_cast<unsigned char>(sections[0])) +
+                            256 * static_cast<std::size_t>(static_cast<unsigned char>(sections[1]));
+    const auto about = nlohmann::json::parse(sections.substr(4, about_size));
+    EXPECT_EQ(about.at("title"), "a");
+    EXPECT_EQ(about.at("buildings"), 1);
+    EXPECT_EQ(about.at("fields").at(1).at("values").at(0), 12.346);
+    EXPECT_EQ(about.at("levels").size(), 3U);
+    EXPECT_EQ(about.at("levels").at(1).at("contours"), 2);
+    EXPECT_EQ(about.at("levels").at(1).at("rmse"), 1.5);
+    EXPECT_EQ(about.at("classes").size(), 9U);
+    EXPECT_EQ(about.at("classes").at(0).at("label"), "below 3 m");
+}
+
+TEST_F(PageTest, isThereWholeOrNotAtAll) {
+    {
+        const Page page = open_page(place("a.html"), {dem_});
+        page.surface->begin(meta_);
+        page.surface->add(part(1));
+    }
+    EXPECT_EQ(entries(), Names{});
+}
+
+TEST_F(PageTest, aFileThatHasChangedMeanwhileIsLeftAlone) {
+    const Page page = open_page(place("a.html"), {dem_});
+    put("a.html", "of somebody else");
+    page.surface->begin(meta_);
+    EXPECT_NE(thrown<OutputError>([&] { page.surface->finish(); }).find("a.html"), std::string::npos);
+    EXPECT_EQ(bytes("a.html"), "of somebody else");
+}
+
+TEST_F(PageTest, replacesAPageOfItsOwnAlone) {
+    put("a.html", "<!DOCTYPE html>\n<p>Dear diary\n");
+    EXPECT_NE(thrown<OptionError>([&] {
+                  static_cast<void>(place("a.html"));
+              }).find("exists; give another name, or -overwrite"),
+              std::string::npos);
+    EXPECT_NE(thrown<OptionError>([&] {
+                  static_cast<void>(place("a.html", true));
+              }).find("is no page of dem2buildings"),
+              std::string::npos);
+    written("b.html");
+    EXPECT_EQ(place("b.html", true).old_files.size(), 1U);
+    EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(place("b.htm")); }),
+              "Pages are written as HTML; give \"" + path("b.htm") + "\" a name that ends in .html.");
+}
+
+TEST_F(PageTest, isNoLongerThanBrowsersTake) {
+    const Page page = open_page(place("a.html"), {dem_}, std::uint64_t{1} << 19);
+    page.surface->begin(meta_);
+    page.surface->add(part(1));
+    const std::string said = thrown<OutputError>([&] { page.surface->finish(); });
+    EXPECT_NE(said.find("would be longer than 0 MiB, with which browsers become slow; use a smaller window "
+                        "(-te, -projwin or -srcwin), or fewer levels (a lower -lod)."),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(entries(), Names{});
+}
+
+TEST_F(WriteTest, pagesNeedThePartsOfTheBuild) {
+    if (page_parts() != nullptr)
+        GTEST_SKIP() << "built with pages";
+    const DemInfo dem;
+    EXPECT_EQ(thrown<OptionError>([&] {
+                  static_cast<void>(
+                      open_page(resolve_file_target({path("a.html"), false, {}, FileKind::page}), {dem}));
+              }),
+              "This dem2buildings was built without pages; leave -page out, or build it with -D "
+              "D2B_BUILD_PAGE=ON.");
+}
+
+}  // namespace
+}  // namespace d2b::test
