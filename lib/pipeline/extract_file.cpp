@@ -6,13 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/report_run.hpp"
-#include "read/source_files.hpp"
 #include "view/preview.hpp"
 
 namespace d2b {
@@ -52,19 +50,6 @@ class RasterTee final : public RasterSink {
 
 namespace {
 
-/// If the file names were given in the wrong order, the destination is the raster and the source cannot be
-/// read.
-std::unique_ptr<DemSource> open_source(const Options& options, const Callbacks& callbacks) {
-    try {
-        return open_dem(options.read, callbacks);
-    } catch (const InputError&) {
-        if (!are_swapped(options.read.source, options.write.destination))
-            throw;
-        throw OptionError("'" + options.read.source + "' is no raster and '" + options.write.destination +
-                          "' is one; the source comes first, so change their order.");
-    }
-}
-
 std::vector<SurfaceSink*> pointers(const std::vector<std::unique_ptr<SurfaceSink>>& sinks) {
     std::vector<SurfaceSink*> all;
     all.reserve(sinks.size());
@@ -77,7 +62,7 @@ std::vector<SurfaceSink*> pointers(const std::vector<std::unique_ptr<SurfaceSink
 
 Inputs open_inputs(const Options& options, const Callbacks& callbacks, const AuxiliaryArrays& arrays) {
     Inputs inputs;
-    inputs.dem = open_source(options, callbacks);
+    inputs.dem = open_dem(options.read, callbacks);
     inputs.side = open_auxiliary_sources(options, inputs.dem->info(), callbacks, arrays);
     return inputs;
 }

@@ -105,17 +105,6 @@ std::string read_failure_advice(const std::string& path, const std::string& driv
     return "; the file may be truncated or damaged";
 }
 
-bool are_swapped(const std::string& source, const std::string& destination) {
-    const GdalMessages quiet;
-    std::error_code error;
-    // Streams can be read only once; probing one would wait for data that never comes.
-    if (is_standard_input(source) || std::filesystem::is_fifo(source, error))
-        return false;
-    const bool no_source = !source.starts_with("/vsi") && !std::filesystem::exists(source, error);
-    return (no_source || (opens_as(GDAL_OF_VECTOR, source) && !opens_as(GDAL_OF_RASTER, source))) &&
-           !destination.empty() && opens_as(GDAL_OF_RASTER, destination);
-}
-
 namespace {
 
 SourceFile stat_file(const std::string& name) {

@@ -16,10 +16,6 @@ namespace d2b {
 /// Advice about a raster that cannot be read, likewise. @param driver GDAL's short name
 [[nodiscard]] std::string read_failure_advice(const std::string& path, const std::string& driver);
 
-/// Returns true if two file names were probably given in the wrong order: the first one does not exist or
-/// holds vectors, and the second one is a raster.
-[[nodiscard]] bool are_swapped(const std::string& source, const std::string& destination);
-
 /// File that a source is read from.
 struct SourceFile {
     std::string name;

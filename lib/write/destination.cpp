@@ -70,15 +70,6 @@ fs::path resolved_path(const std::string& name) {
 }
 
 void check_parent_folder(const std::string& name, const fs::path& path) {
-    const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    std::error_code error;
-    const fs::file_status status = fs::status(parent, error);
-    if (!fs::exists(status))
-        throw OutputError("Cannot write \"" + name + "\": there is no folder \"" + parent.string() +
-                          "\"; make it first.");
-    if (!fs::is_directory(status))
-        throw OutputError("Cannot write \"" + name + "\": \"" + parent.string() +
-                          "\" is not a folder; choose another destination.");
     // Permission bits do not cover read-only and special file systems, and do not apply to root.
     const StagingFolder trial(name, path);
 }

@@ -99,7 +99,7 @@ TEST_F(BuildingErrors, refusesToOverwriteWhatItReadsOrWrites) {
                 "\"dtm.tif\" exists; give another name, or -overwrite to replace it.");
         refused(2, {option, "out.png"},
                 "Rasters are written as GeoTIFF; give \"out.png\" a name that ends in .tif.");
-        refused(1, {option, "no/such/g.tif"}, "there is no folder \"no/such\"; make it first.");
+        refused(1, {option, "no/such/g.tif"}, "the folder \"no/such\" takes no new files (");
     }
     refused(2, {"-write_ground", "a.tif", "-write_height", "a.tif"},
             "\"a.tif\" is read or written by this run already; choose another name.");

@@ -12,7 +12,7 @@ class PageErrors : public TownErrors {};
 
 TEST_F(PageErrors, names) {
     refused(2, "Pages are written as HTML; give \"a.htm\" a name that ends in .html.", {"-page", "a.htm"});
-    refused(1, "there is no folder \"no/such\"; make it first.", {"-page", "no/such/a.html"});
+    refused(1, "the folder \"no/such\" takes no new files (", {"-page", "no/such/a.html"});
     std::ofstream(path("other.html")) << "<!DOCTYPE html>\n<p>Dear diary\n";
     refused(2, "\"other.html\" exists; give another name, or -overwrite to replace it.",
             {"-page", "other.html"});

@@ -397,7 +397,7 @@ TEST_F(SurfaceErrors, names) {
         {"-surface", "a.ply"});
     refused(2, "\"a.obj\" is read or written by this run already; choose another name.",
             {"-surface", "a.obj", "-surface", "a.obj"});
-    refused(1, "there is no folder \"no/such\"; make it first.", {"-surface", "no/such/a.obj"});
+    refused(1, "the folder \"no/such\" takes no new files (", {"-surface", "no/such/a.obj"});
     std::ofstream(path("there.obj")) << "# made by hand\nv 1 2 3\n";
     refused(2, "\"there.obj\" exists; give another name, or -overwrite to replace it.",
             {"-surface", "there.obj"});

@@ -42,13 +42,16 @@ class OutputErrors : public CliTest {
 };
 
 TEST_F(OutputErrors, destinationsThatCannotBe) {
-    failed(1, R"(Cannot write "no/out.gpkg": there is no folder "no"; make it first.)", "no/out.gpkg");
-    failed(1, R"("dem.tif" is not a folder; choose another destination.)", "dem.tif/out.gpkg");
+    failed(1, R"(Cannot write "no/out.gpkg": the folder "no" takes no new files (No such file or directory))",
+           "no/out.gpkg");
+    failed(1, R"(the folder "dem.tif" takes no new files (Not a directory))", "dem.tif/out.gpkg");
     failed(2, R"(The name "out.xyz" does not tell its format; give it an extension such as .gpkg, or say)",
            "out.xyz");
     failed(2, R"(The name "out" does not tell its format)", "out");
-    failed(2, R"(There is no format "NoSuch" in this GDAL; -f takes, among others: GPKG, ESRI Shapefile)",
-           "out.gpkg", {"-f", "NoSuch"});
+    failed(
+        2,
+        R"(Format "NoSuch" cannot hold a new vector dataset; -f takes, among others: GPKG, ESRI Shapefile)",
+        "out.gpkg", {"-f", "NoSuch"});
     failed(2, R"(Format "GTiff" cannot hold a new vector dataset)", "out.gpkg", {"-f", "GTiff"});
     failed(2, R"(Format "Memory" cannot hold a new vector dataset)", "out.gpkg", {"-f", "Memory"});
     failed(2, R"("out.geojson" holds one layer (format GeoJSON); use -layers buildings or -layers contours)",

@@ -45,11 +45,13 @@ class FailureTest : public WriteTest {
 };
 
 TEST_F(FailureTest, FoldersThatAreNotThereOrNotFolders) {
-    EXPECT_EQ(refused(to("no/a.gpkg")), "Cannot write \"" + path("no/a.gpkg") + "\": there is no folder \"" +
-                                            path("no") + "\"; make it first.");
+    EXPECT_EQ(refused(to("no/a.gpkg")),
+              "Cannot write \"" + path("no/a.gpkg") + "\": the folder \"" + path("no") +
+                  "\" takes no new files (No such file or directory); choose another destination.");
     put("file", "text");
-    EXPECT_EQ(refused(to("file/a.gpkg")), "Cannot write \"" + path("file/a.gpkg") + "\": \"" + path("file") +
-                                              "\" is not a folder; choose another destination.");
+    EXPECT_EQ(refused(to("file/a.gpkg")),
+              "Cannot write \"" + path("file/a.gpkg") + "\": the folder \"" + path("file") +
+                  "\" takes no new files (Not a directory); choose another destination.");
 }
 
 TEST_F(FailureTest, FoldersThatTakeNoFiles) {

@@ -58,15 +58,10 @@ TEST_F(FormatTest, UnusableFormatsAreRefusedWithOthersThatServe) {
     const auto message = [](const WriteOptions& options) {
         return thrown<OptionError>([&] { static_cast<void>(format_for(options)); });
     };
-    EXPECT_EQ(message(named("a.gpkg", "Nonesuch")),
-              "There is no format \"Nonesuch\" in this GDAL; -f takes, among others: " + some + ".");
-    for (const char* format : {"GTiff", "VICAR", "TopoJSON", "Memory"}) {
-        if (GDALGetDriverByName(format) == nullptr)
-            continue;
+    for (const char* format : {"Nonesuch", "GTiff", "VICAR", "TopoJSON", "Memory"})
         EXPECT_EQ(message(named("a.gpkg", format)),
                   "Format \"" + std::string(format) +
                       "\" cannot hold a new vector dataset; -f takes, among others: " + some + ".");
-    }
     for (const char* name : {"a", "a.tif", "a.gpkg.d/b", "gpkg", "/vsistdout/"})
         EXPECT_EQ(message(named(name)),
                   "The name \"" + std::string(name) +

@@ -30,11 +30,6 @@
 
 namespace d2b {
 
-/// Rejects reserved table names and duplicate column names in SQLite databases. @throws OptionError if -nln
-/// is a reserved name, or -lco gives a column the name of one of our fields
-void reject_reserved_names(const VectorFormat& format, const WriteOptions& options,
-                           std::span<const LayerSpec> layers);
-
 namespace {
 
 constexpr std::array beginnings{"sqlite_", "gpkg_", "rtree_"};
@@ -51,41 +46,15 @@ bool is_reserved(const std::string& name) {
                                [&](const char* table) { return EQUAL(name.c_str(), table); });
 }
 
-/// True if a column would duplicate a field. FID may be an integer field, which then holds the feature ids as
-/// well.
-bool clashes(const FieldSpec& field, const std::string& column, bool fid) {
-    return EQUAL(field.name.c_str(), column.c_str()) && !(fid && field.type == FieldType::integer);
-}
-
-void reject_column(const std::string& option, std::span<const LayerSpec> layers) {
-    const auto equals = option.find('=');
-    const std::string name = option.substr(0, equals);
-    const bool fid = EQUAL(name.c_str(), "FID");
-    if (equals == std::string::npos || (!fid && !EQUAL(name.c_str(), "GEOMETRY_NAME")))
-        return;
-    const std::string column = option.substr(equals + 1);
-    for (const LayerSpec& layer : layers)
-        for (const FieldSpec& field : layer.fields)
-            if (clashes(field, column, fid))
-                throw OptionError("-lco " + option + " is the name of a field of the layer \"" + layer.name +
-                                  "\"; choose another name.");
-}
-
-}  // namespace
-
-void reject_reserved_names(const VectorFormat& format, const WriteOptions& options,
-                           std::span<const LayerSpec> layers) {
+/// Rejects reserved table names in SQLite databases, most of which GDAL accepts.
+void reject_reserved_names(const VectorFormat& format, std::span<const LayerSpec> layers) {
     if (format.name != "GPKG" && format.name != "SQLite")
         return;
     for (const LayerSpec& layer : layers)
         if (is_reserved(layer.name))
             throw OptionError("-nln: a table \"" + layer.name + "\" of a " + format.name +
                               " file has a meaning of its own; choose another name.");
-    for (const std::string& option : options.layer_options)
-        reject_column(option, layers);
 }
-
-namespace {
 
 /// Throws if a driver changes field names of a standard, because other programs look for them
 /// (case-insensitive).
@@ -167,7 +136,7 @@ std::vector<std::string> create_table_statements(const PlannedOutput& draft) {
 }  // namespace
 
 bool preflight_create(const PlannedOutput& draft) {
-    reject_reserved_names(draft.format, draft.options, draft.layers);
+    reject_reserved_names(draft.format, draft.layers);
     const NoSidecar no_sidecar;
     const ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
     try {
@@ -365,8 +334,8 @@ void write_trial(const std::string& file, const std::string& folder, const Plann
 
 std::optional<CoordinateRounding> coordinate_rounding(const PlannedOutput& draft, bool appends) {
     using To = CoordinateRounding::To;
-    if (!supports_virtual_files(draft.format.driver) || draft.layers.empty() || draft.layers.front().points ||
-        !std::isfinite(draft.place.x + draft.place.y))
+    if (!has_capability(draft.format.driver, GDAL_DCAP_VIRTUALIO) || draft.layers.empty() ||
+        draft.layers.front().points || !std::isfinite(draft.place.x + draft.place.y))
         return CoordinateRounding{};
     const GdalMessages quiet;
     const NoSidecar no_sidecar;

@@ -181,10 +181,7 @@ bool extension_fits(GDALDriverH driver, const std::string& name) {
 
 GDALDriverH driver_by_name(const std::string& name) {
     GDALDriverH driver = GDALGetDriverByName(name.c_str());
-    if (driver == nullptr)
-        throw OptionError("There is no format \"" + name +
-                          "\" in this GDAL; -f takes, among others: " + some_formats() + ".");
-    if (!can_create(driver))
+    if (driver == nullptr || !can_create(driver))
         throw OptionError("Format \"" + name +
                           "\" cannot hold a new vector dataset; -f takes, among others: " + some_formats() +
                           ".");
