@@ -4,8 +4,8 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
-#include <string_view>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
@@ -117,90 +117,46 @@ namespace {
 
 using Bytes = std::span<const std::byte>;
 
-void append_hex(std::string& text, Bytes bytes) {
-    static constexpr std::string_view digits = "0123456789ABCDEF";
-    constexpr unsigned nibble = 4;
-    constexpr unsigned low = 15;
-    for (const std::byte byte : bytes) {
-        text += digits[std::to_integer<unsigned>(byte) >> nibble];
-        text += digits[std::to_integer<unsigned>(byte) & low];
-    }
-}
-
-}  // namespace
-
-RowInserts::RowInserts(GDALDatasetH dataset, sqlite3* handle, const WriteTarget& target, std::string head,
-                       std::string doing)
-    : dataset_(dataset), handle_(handle), target_(target), head_(std::move(head)), doing_(std::move(doing)) {}
-
-void RowInserts::fail() const {
-    const std::string reason = sqlite3_errmsg(handle_);
-    throw OutputError("Cannot write \"" + target_.name + "\": " + doing_ + " failed (" + reason + ")" +
-                      advice_for(reason) + ".");
-}
-
-void RowInserts::add(std::initializer_list<Cell> row) {
-    if (handle_ != nullptr)
-        bind(row);
-    else
-        append(row);
-}
-
-void RowInserts::bind(std::initializer_list<Cell> row) {
-    if (!statement_) {
-        std::string sql = head_ + " (?";
-        for (std::size_t i = 1; i < row.size(); ++i)
-            sql += ",?";
+/// Inserts many rows into a table of two columns with a prepared statement, which takes a third of the time
+/// of SQL text.
+class RowInserts {
+  public:
+    /// @param begin e.g. INSERT INTO "a"
+    RowInserts(sqlite3* handle, const WriteTarget& target, const std::string& begin)
+        : handle_(handle), target_(target) {
         sqlite3_stmt* statement = nullptr;
-        if (sqlite3_prepare_v2(handle_, (sql + ")").c_str(), -1, &statement, nullptr) != SQLITE_OK)
-            fail();
+        const bool prepared = sqlite3_prepare_v2(handle_, (begin + " VALUES (?,?)").c_str(), -1, &statement,
+                                                 nullptr) == SQLITE_OK;
         statement_.reset(statement);
+        require(prepared);
     }
-    int place = 0;
-    for (const Cell& cell : row) {
-        ++place;
-        const auto* integer = std::get_if<std::int64_t>(&cell);
-        const Bytes bytes = integer != nullptr ? Bytes() : std::get<Bytes>(cell);
-        const int bound = integer != nullptr
-                              ? sqlite3_bind_int64(statement_.get(), place, *integer)
-                              : sqlite3_bind_blob64(statement_.get(), place, bytes.data(), bytes.size(),
-                                                    SQLITE_STATIC);  // valid until the step below
-        if (bound != SQLITE_OK)
-            fail();
+
+    /// @throws OutputError
+    void add(std::int64_t first, std::int64_t second) {
+        step(first, sqlite3_bind_int64(statement_.get(), 2, second));
     }
-    const bool done = sqlite3_step(statement_.get()) == SQLITE_DONE;
-    if (sqlite3_reset(statement_.get()) != SQLITE_OK || !done)
-        fail();
-}
-
-void RowInserts::append(std::initializer_list<Cell> row) {
-    constexpr std::size_t most = 1 << 16;
-    sql_ += sql_.empty() ? head_ + " (" : ",(";
-    bool first = true;
-    for (const Cell& cell : row) {
-        sql_ += std::exchange(first, false) ? "" : ",";
-        if (const auto* integer = std::get_if<std::int64_t>(&cell)) {
-            sql_ += std::to_string(*integer);
-        } else {
-            sql_ += "X'";
-            append_hex(sql_, std::get<Bytes>(cell));
-            sql_ += "'";
-        }
+    void add(std::int64_t first, Bytes second) {
+        step(first, sqlite3_bind_blob64(statement_.get(), 2, second.data(), second.size(), SQLITE_STATIC));
     }
-    sql_ += ")";
-    if (sql_.size() > most)
-        finish();
-}
 
-void RowInserts::finish() {
-    statement_.reset();
-    if (sql_.empty())
-        return;
-    OgrCall call(target_);
-    call.check(sql_succeeds(dataset_, std::exchange(sql_, {})), doing_);
-}
+  private:
+    void step(std::int64_t first, int bound) {
+        require(bound == SQLITE_OK && sqlite3_bind_int64(statement_.get(), 1, first) == SQLITE_OK);
+        const bool done = sqlite3_step(statement_.get()) == SQLITE_DONE;
+        require(sqlite3_reset(statement_.get()) == SQLITE_OK && done);
+    }
+    void require(bool done) const {
+        if (done)
+            return;
+        const std::string reason = sqlite3_errmsg(handle_);
+        throw OutputError("Cannot write \"" + target_.name + "\": filling the spatial index failed (" +
+                          reason + ")" + advice_for(reason) + ".");
+    }
 
-namespace {
+    sqlite3* handle_;
+    const WriteTarget& target_;
+    std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> statement_{nullptr, sqlite3_finalize};
+};
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -222,10 +178,13 @@ bool SpatialIndex::run(const std::string& sql) const {
 
 std::optional<SpatialIndex> SpatialIndex::begin(GDALDatasetH dataset, OGRLayerH layer,
                                                 const WriteTarget& target) {
+    sqlite3* const handle = sqlite_handle(dataset);
+    if (handle == nullptr)
+        return std::nullopt;
     const GdalMessages quiet;
     const std::string table = OGR_L_GetName(layer);
     const std::string column = OGR_L_GetGeometryColumn(layer);
-    SpatialIndex index(dataset, target);
+    SpatialIndex index(dataset, handle, target);
     index.name_ = "rtree_" + table + "_" + column;
     const std::string nodes = sql_identifier(index.name_ + "_node");
     const auto read_node_size = [&] {
@@ -279,24 +238,19 @@ void SpatialIndex::add(std::int64_t id, const Feature& feature) {
 }
 
 void SpatialIndex::fill(const PackedRtree& tree) const {
-    sqlite3* const handle = sqlite_handle(dataset_);
     const auto rows = [&](const char* verb, const char* table) {
-        return RowInserts(dataset_, handle, *target_, verb + sql_identifier(name_ + table) + " VALUES",
-                          "filling the spatial index");
+        return RowInserts(handle_, *target_, verb + sql_identifier(name_ + table));
     };
     RowInserts entries = rows("INSERT INTO ", "_rowid");
     for (const PackedRtree::Entry& entry : tree.entries)
-        entries.add({entry.id, entry.leaf});
-    entries.finish();
+        entries.add(entry.id, entry.leaf);
     RowInserts nodes = rows("INSERT OR REPLACE INTO ", "_node");
     for (const PackedRtree::Node& node : tree.nodes)
-        nodes.add({node.number, std::span(node.bytes)});
-    nodes.finish();
+        nodes.add(node.number, node.bytes);
     RowInserts parents = rows("INSERT INTO ", "_parent");
     for (const PackedRtree::Node& node : tree.nodes)
         if (node.parent != 0)
-            parents.add({node.number, node.parent});
-    parents.finish();
+            parents.add(node.number, node.parent);
 }
 
 void SpatialIndex::finish() {
