@@ -1,11 +1,8 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
 #include <cairo.h>
-#include <cstddef>
 #include <memory>
 #include <pango/pangocairo.h>
 #include <string>
@@ -20,40 +17,16 @@ namespace d2b {
 /// @throws OutputError if the library or function does not exist
 [[nodiscard]] void* load_symbol(const char* library, const char* function);
 
-/// String literal as a template argument.
-template <std::size_t size>
-struct FixedString {
-    // NOLINTNEXTLINE(modernize-avoid-c-arrays): that is what a literal is
-    constexpr FixedString(const char (&text)[size]) { std::copy_n(text, size, bytes.begin()); }
-    std::array<char, size> bytes{};
-};
-
-/// Function of Cairo or Pango that is resolved by the first call.
-/// Cairo and Pango are not linked because they pull in many libraries, which would delay the start of every
-/// run although few runs draw. Loading pangocairo is enough, because it depends on all other libraries that
-/// are called here.
-template <FixedString name, class Function>
-class LazySymbol;
-
-template <FixedString name, class Result, class... Values>
-class LazySymbol<name, Result(Values...)> {
-  public:
-    /// @throws OutputError if Cairo or Pango is missing
-    Result operator()(Values... values) const {
-        static const auto function =
-            reinterpret_cast<Result (*)(Values...)>(load_symbol("libpangocairo-1.0.so.0", name.bytes.data()));
-        return function(values...);
-    }
-};
-
-}  // namespace d2b
-
-/// Declares a lazily resolved wrapper of a C function in namespace d2b, under its own name.
+/// Declares a function of Cairo, Pango or GLib in namespace d2b, under its own name, that is resolved by the
+/// first call. They are not linked because they pull in 26 libraries, by which every start would take 9 ms
+/// longer although few runs draw. Loading pangocairo is enough, because it depends on all others.
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage,bugprone-macro-parentheses): nothing else makes text of a name
-#define D2B_LAZY_SYMBOL(function) inline constexpr LazySymbol<#function, decltype(::function)> function
-
-/// Functions of Cairo used in this folder.
-namespace d2b {
+#define D2B_LAZY_SYMBOL(function)                                                                      \
+    inline constexpr auto function = [](auto... values) {                                              \
+        static const auto loaded =                                                                     \
+            reinterpret_cast<decltype(&::function)>(load_symbol("libpangocairo-1.0.so.0", #function)); \
+        return loaded(values...);                                                                      \
+    }
 
 D2B_LAZY_SYMBOL(cairo_clip);
 D2B_LAZY_SYMBOL(cairo_close_path);
@@ -104,11 +77,6 @@ D2B_LAZY_SYMBOL(cairo_svg_surface_create_for_stream);
 D2B_LAZY_SYMBOL(cairo_svg_surface_set_document_unit);
 D2B_LAZY_SYMBOL(cairo_translate);
 
-}  // namespace d2b
-
-/// Functions of Pango and GLib used in this folder.
-namespace d2b {
-
 D2B_LAZY_SYMBOL(g_free);
 D2B_LAZY_SYMBOL(g_object_unref);
 D2B_LAZY_SYMBOL(g_utf8_make_valid);
@@ -130,11 +98,6 @@ D2B_LAZY_SYMBOL(pango_layout_set_font_description);
 D2B_LAZY_SYMBOL(pango_layout_set_single_paragraph_mode);
 D2B_LAZY_SYMBOL(pango_layout_set_text);
 D2B_LAZY_SYMBOL(pango_layout_set_width);
-
-}  // namespace d2b
-
-/// RAII wrappers of Cairo objects. Include only in sources of this folder.
-namespace d2b {
 
 struct SurfaceDeleter {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
