@@ -48,6 +48,15 @@ template <std::size_t n>
     return text;
 }
 
+/// Converts ASCII letters to lower case, independent of the locale.
+[[nodiscard]] inline std::string to_lower(std::string_view text) {
+    std::string result(text);
+    for (char& letter : result)
+        if (letter >= 'A' && letter <= 'Z')
+            letter = static_cast<char>(letter - 'A' + 'a');
+    return result;
+}
+
 /// Converts to valid UTF-8, because file names may be any bytes while tables, XML and JSON hold only
 /// characters. Each maximal truncated sequence, and each other invalid byte, becomes U+FFFD, as Unicode
 /// recommends.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/number_from_chars.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {
@@ -33,13 +34,6 @@ constexpr std::array known_units{
     KnownUnit{"millimetre", 0.001, {"mm", "millimetre", "millimeter"}},
     KnownUnit{"kilometre", 1000, {"km"}},
 };
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    std::transform(result.begin(), result.end(), result.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return result;
-}
 
 void set_vertical(UnitReport& report, const LengthUnit& unit, std::string decided_by) {
     report.vertical = unit.name;
@@ -69,7 +63,7 @@ void resolve_vertical(UnitReport& report, const DemInfo& info, const Crs& crs, s
 }  // namespace
 
 std::optional<LengthUnit> parse_length_unit(std::string_view text) {
-    const std::string name = lower(text);
+    const std::string name = to_lower(text);
     const auto* known = std::find_if(known_units.begin(), known_units.end(), [&](const KnownUnit& unit) {
         return std::ranges::find(unit.aliases, name) != unit.aliases.end();
     });
@@ -85,7 +79,7 @@ std::optional<LengthUnit> parse_length_unit(std::string_view text) {
 std::optional<LengthUnit> stated_unit(const std::string& band_unit, const std::string& raster,
                                       const std::string& option) {
     constexpr std::array<std::string_view, 4> none{"", "unknown", "unspecified", "none"};
-    if (std::ranges::find(none, lower(band_unit)) != none.end())
+    if (std::ranges::find(none, to_lower(band_unit)) != none.end())
         return {};
     if (auto unit = parse_length_unit(band_unit))
         return unit;

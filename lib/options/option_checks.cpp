@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -151,13 +150,6 @@ std::span<const OptionDependency> option_dependencies() {
 
 namespace {
 
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& letter : result)
-        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    return result;
-}
-
 /// Returns the Damerau-Levenshtein distance (optimal string alignment).
 std::size_t edit_distance(std::string_view one, std::string_view other) {
     std::vector<std::vector<std::size_t>> cost(one.size() + 1, std::vector<std::size_t>(other.size() + 1));
@@ -270,7 +262,7 @@ void check_offset(const LevelOptions& levels) {
 /// Requires an OBJ or STL, because -surface_solids has no effect on CityJSON and glTF.
 void check_solids(const Request& request) {
     const auto is_parted = [](const std::string& name) {
-        const std::string small = lower(name);
+        const std::string small = to_lower(name);
         return small.ends_with(".obj") || small.ends_with(".stl");
     };
     const std::vector<std::string>& files = request.options.write.surfaces;
@@ -304,12 +296,12 @@ bool has_effect(const OptionRow& row, const Request& request) {
 }
 
 std::string nearest_name(std::string_view typed, std::span<const std::string> candidates) {
-    const std::string wanted = lower(typed);
+    const std::string wanted = to_lower(typed);
     // Allows a third of the letters to be wrong, so that short names do not match arbitrary ones.
     std::size_t best = wanted.size() / 3 + 1;
     std::string nearest;
     for (const std::string& candidate : candidates) {
-        const std::string name = lower(candidate);
+        const std::string name = to_lower(candidate);
         const bool begins = wanted.size() >= 3 && name.starts_with(wanted);
         const std::size_t distance = std::min(edit_distance(wanted, name), begins ? std::size_t{1} : best);
         if (distance < best) {

@@ -25,9 +25,7 @@ std::size_t end_of_word(std::string_view text, std::size_t begin) {
 
 std::string without_words(const std::string& text) {
     constexpr std::string_view key = "password=";
-    std::string lower = text;
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = to_lower(text);
     std::string result;
     std::size_t done = 0;
     for (std::size_t at = lower.find(key); at != std::string::npos; at = lower.find(key, done)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include <cpl_conv.h>
@@ -26,9 +27,6 @@ constexpr std::array services{
     "WMS:", "WMTS:",    "WCS:",     "WFS:",      "OAPIF:",    "OGCAPI:", "STACTA:",     "STACIT:",
     "CSW:", "EEDA:",    "EEDAI:",   "PLMOSAIC:", "PLSCENES:", "CARTO:",  "AMIGOCLOUD:", "NGW:",
     "ES:",  "ELASTIC:", "COUCHDB:", "CLOUDANT:", "GNM:",      "DAAS:"};
-/// Prefixes of remote file systems. They may be nested: /vsizip//vsicurl/...
-constexpr std::array stores{"/vsicurl", "/vsis3",    "/vsigs",      "/vsiaz",  "/vsiadls",
-                            "/vsioss",  "/vsiswift", "/vsiwebhdfs", "/vsihdfs"};
 
 constexpr const char* allowed_file = "CPL_VSIL_CURL_ALLOWED_FILENAME";
 
@@ -46,14 +44,17 @@ std::string server_in(const std::string& text) {
     return "";
 }
 
-bool is_address_list(const std::string& name) {
+/// Returns which of the formats a name or file is of, by its beginning; "" if it is of none. Streams are left
+/// alone, because looking at their beginning would consume it. @param formats ends with nullptr
+std::string format_among(std::span<const char* const> formats, const std::string& name) {
     VSIStatBufL status;
-    // Streams are left alone because looking at their beginning would consume it.
     const bool looks = name.starts_with('<') ||
                        (VSIStatExL(name.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
                         VSI_ISREG(status.st_mode) != 0);
-    return looks && GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR,
-                                         address_list_formats.data(), nullptr) != nullptr;
+    const GDALDriverH driver =
+        looks ? GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR, formats.data(), nullptr)
+              : nullptr;
+    return driver != nullptr ? GDALGetDriverShortName(driver) : "";
 }
 
 /// Returns true if the response would be parsed as a CRS definition: OSRImportFromUrl() accepts OGC WKT or,
@@ -81,16 +82,6 @@ CPLHTTPResult* allow_or_refuse(const char* address, CSLConstList options, GDALPr
     return passes ? nullptr : refused(address);  // nullptr lets GDAL fetch the address itself
 }
 
-/// True if a file is of a format, by its beginning.
-bool is_file_of(const char* format, const std::string& name) {
-    const std::array<const char*, 2> only{format, nullptr};
-    VSIStatBufL status;
-    return VSIStatExL(name.c_str(), &status, VSI_STAT_EXISTS_FLAG | VSI_STAT_NATURE_FLAG) == 0 &&
-           VSI_ISREG(status.st_mode) != 0 &&
-           GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VECTOR, only.data(), nullptr) !=
-               nullptr;
-}
-
 CPLStringList other_drivers(const char* without) {
     CPLStringList names;
     for (int i = 0; i < GDALGetDriverCount(); ++i)
@@ -107,14 +98,15 @@ NetworkGuard::Fetching NetworkGuard::access_of(const std::string& name) {
     const bool text = name.starts_with('{') || name.starts_with('<');
     if (!text && !server_in(name).empty())
         return Fetching::one_server;
-    if (!text &&
-        std::ranges::any_of(stores, [&](const char* store) { return name.find(store) != std::string::npos; }))
+    if (!text && std::ranges::any_of(remote_prefixes, [&](const char* store) {
+            return name.find(store) != std::string::npos;
+        }))
         return Fetching::any;
     return Fetching::none;
 }
 
 NetworkGuard::NetworkGuard(const std::string& name) : name_(name), fetching_(access_of(name)) {
-    if (fetching_ == Fetching::none && is_address_list(name))
+    if (fetching_ == Fetching::none && !format_among(address_list_formats, name).empty())
         fetching_ = Fetching::any;
     close();
 }
@@ -154,15 +146,17 @@ DatasetOwner open_guarded(const std::string& name, unsigned flags, const char* c
     const NetworkGuard gate(name);
     const bool any_raster =
         drivers == nullptr && ((flags & GDAL_OF_RASTER) != 0 || (flags & GDAL_OF_VECTOR) == 0);
+    constexpr std::array<const char*, 3> treated_formats{"KMLSUPEROVERLAY", "GPKG", nullptr};
+    const std::string format = format_among(treated_formats, name);
     CPLStringList others;
     // Images of a KML superoverlay may lie on any server, and its driver fetches them in a way that cannot be
     // intercepted.
-    if (any_raster && gate.blocks_all() && is_file_of("KMLSUPEROVERLAY", name)) {
+    if (any_raster && gate.blocks_all() && format == "KMLSUPEROVERLAY") {
         others = other_drivers("KMLSUPEROVERLAY");
         drivers = others.List();
     }
     std::optional<NoSidecar> no_sidecar;
-    if (is_file_of("GPKG", name))
+    if (format == "GPKG")
         no_sidecar.emplace();  // as when it is closed, see close_dataset()
     DatasetOwner dataset(GDALOpenEx(name.c_str(), flags, drivers, open_options, nullptr));
     if (dataset && no_sidecar)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,10 @@ class NetworkGuard {
     Fetching fetching_;
     std::optional<std::string> file_before_;  ///< previous value of the option set by close()
 };
+
+/// Prefixes of remote file systems. They may be nested: /vsizip//vsicurl/...
+inline constexpr std::array remote_prefixes{"/vsicurl", "/vsis3",    "/vsigs",      "/vsiaz",  "/vsiadls",
+                                            "/vsioss",  "/vsiswift", "/vsiwebhdfs", "/vsihdfs"};
 
 /// Calls GDALOpenEx() behind a gate. @param drivers null for all @return null if it cannot be opened
 [[nodiscard]] DatasetOwner open_guarded(const std::string& name, unsigned flags,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <filesystem>
 #include <iterator>
@@ -15,6 +14,7 @@
 #include <cpl_vsi.h>
 #include <gdal.h>
 
+#include "core/text.hpp"
 #include "core/warnings.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_handles.hpp"
@@ -36,20 +36,14 @@ std::string header_of(const std::string& path) {
     return head;
 }
 
-std::string lower(std::string text) {
-    std::ranges::transform(text, text.begin(),
-                           [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return text;
-}
-
 bool is_points(const std::string& path, const std::string& head) {
-    const std::string name = lower(path);
+    const std::string name = to_lower(path);
     return head.starts_with("LASF") || name.ends_with(".las") || name.ends_with(".laz");
 }
 
 /// Returns GDAL's prefix for an archive, or "" if the file is not one.
 std::string_view archive_prefix(const std::string& path, const std::string& head) {
-    const std::string name = lower(path);
+    const std::string name = to_lower(path);
     if (head.starts_with("PK\x03\x04"))
         return "/vsizip/";
     if (name.ends_with(".tar") || name.ends_with(".tar.gz") || name.ends_with(".tgz"))
@@ -95,12 +89,10 @@ std::string open_failure_advice(const std::string& path) {
 
 std::string read_failure_advice(const std::string& path, const std::string& driver) {
     constexpr std::array servers{"WMS", "WCS", "WMTS", "OGCAPI", "EEDAI", "DAAS", "PLMOSAIC"};
-    constexpr std::array remote{"/vsicurl", "/vsis3",    "/vsigs",      "/vsiaz",  "/vsiadls",
-                                "/vsioss",  "/vsiswift", "/vsiwebhdfs", "/vsihdfs"};
     if (driver == "VRT")
         return "; check whether the files and functions that the VRT names are there";
     if (std::ranges::find(servers, driver) != servers.end() ||
-        std::ranges::any_of(remote, [&](const char* prefix) { return path.starts_with(prefix); }))
+        std::ranges::any_of(remote_prefixes, [&](const char* prefix) { return path.starts_with(prefix); }))
         return "; check whether the server answers, or copy the file here first";
     return "; the file may be truncated or damaged";
 }

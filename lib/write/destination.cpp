@@ -401,8 +401,7 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
         throw_unreachable_postgresql(destination, messages.reason());
     if (!dataset)
         return std::nullopt;
-    format.transactions = GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&
-                          GDALDatasetTestCapability(dataset.get(), ODsCEmulatedTransactions) == FALSE;
+    format.transactions = has_native_transactions(dataset.get());
     if (format.name == "PostgreSQL")
         check_postgresql(destination, dataset.get(), options, names);
     ExistingDataset existing;

@@ -1,13 +1,12 @@
 #include "write/file_target.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <system_error>
 
 #include <cpl_vsi.h>
 
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
@@ -57,9 +56,7 @@ void require_name(const std::string& name, FileKind format) {
                           " a name that ends in .png, .svg or .pdf.");
     if (format == FileKind::surface && !surface_format_of(name))
         throw OptionError("Surfaces are written as " + surface_formats_advice(name) + ".");
-    std::string extension = fs::path(name).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = to_lower(fs::path(name).extension().string());
     if (format == FileKind::page && extension != ".html")
         throw OptionError("Pages are written as HTML; give " + quoted(name) + " a name that ends in .html.");
     if (format == FileKind::geotiff && extension != ".tif" && extension != ".tiff")
@@ -147,9 +144,7 @@ bool exists(const FileDestination& place) {
 }  // namespace
 
 std::optional<PictureFormat> picture_format_of(const std::string& name) {
-    std::string extension = std::filesystem::path(name).extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = to_lower(std::filesystem::path(name).extension().string());
     if (extension == ".png")
         return PictureFormat::png;
     if (extension == ".svg")

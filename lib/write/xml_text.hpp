@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,12 @@ namespace d2b {
 /// Same for text: invalid UTF-8, which XML does not permit either, becomes U+FFFD.
 [[nodiscard]] inline std::string xml_text(std::string_view text) {
     return xml_file_name(utf8_text(text));
+}
+
+/// Returns an element with text on a line of its own.
+[[nodiscard]] inline std::string xml_element(int indent, const std::string& name, std::string_view text) {
+    return std::string(static_cast<std::size_t>(indent), ' ') + "<" + name + ">" + xml_text(text) + "</" +
+           name + ">\n";
 }
 
 }  // namespace d2b

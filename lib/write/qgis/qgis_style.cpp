@@ -371,10 +371,6 @@ std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& col
 
 namespace {
 
-std::string xml_element(const std::string& name, const std::string& text) {
-    return " <" + name + ">" + xml_text(text) + "</" + name + ">\n";
-}
-
 /// Turns "D2B_NOISE_FACTOR" into "noise factor".
 std::string readable_key(std::string name) {
     if (name.starts_with("D2B_"))
@@ -399,12 +395,12 @@ std::string abstract(const LayerSpec& spec) {
 std::string qgis_metadata(const LayerSpec& spec, const Provenance& provenance) {
     std::string text =
         "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n<qgis version=\"3.16.0\">\n";
-    text += xml_element("identifier", spec.name) + xml_element("language", "ENG") +
-            xml_element("type", "dataset") + xml_element("title", spec.title) +
-            xml_element("abstract", abstract(spec));
+    text += xml_element(1, "identifier", spec.name) + xml_element(1, "language", "ENG") +
+            xml_element(1, "type", "dataset") + xml_element(1, "title", spec.title) +
+            xml_element(1, "abstract", abstract(spec));
     for (const auto& [name, value] : provenance.metadata)
         if (!value.empty())
-            text += xml_element("history", readable_key(name) + ": " + value);
+            text += xml_element(1, "history", readable_key(name) + ": " + value);
     return text + "</qgis>\n";
 }
 

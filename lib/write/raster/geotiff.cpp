@@ -284,7 +284,7 @@ std::unique_ptr<RasterSink> open_geotiff_sink(const FileTarget& target, const De
 namespace {
 
 std::string optional_element(const std::string& name, const std::string& text) {
-    return text.empty() ? "" : "  <" + name + ">" + xml_text(text) + "</" + name + ">\n";
+    return text.empty() ? "" : xml_element(2, name, text);
 }
 
 std::string crs_text(GDALDatasetH dataset) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "core/text.hpp"
 #include "write/surface/cityjson_sink.hpp"
 #include "write/surface/glb_sink.hpp"
 #include "write/surface/obj_stl_sink.hpp"
@@ -63,9 +64,7 @@ constexpr std::array surface_format_entries{
 }  // namespace
 
 std::optional<SurfaceFormat> surface_format_of(const std::string& name) {
-    std::string lower = name;
-    std::ranges::transform(lower, lower.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string lower = to_lower(name);
     for (const SurfaceFormatEntry& row : surface_format_entries)
         if (lower.ends_with(row.ending))
             return row.format;

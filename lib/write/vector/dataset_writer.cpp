@@ -93,10 +93,6 @@ std::string stamp_of_database(const std::string& path) {
     return stamp_of(error || size == 0 ? std::vector{path} : std::vector{path, log});
 }
 
-bool has(GDALDatasetH dataset, const char* capability) {
-    return GDALDatasetTestCapability(dataset, capability) != FALSE;
-}
-
 }  // namespace
 
 DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, const WriteOptions& options)
@@ -135,7 +131,7 @@ void DatasetWriter::open(const std::string& path, Mode mode) {
         call.check(dataset_ != nullptr, "opening it for writing");
     }
     mode_ = mode;
-    transactions_ = has(dataset_.get(), ODsCTransactions) && !has(dataset_.get(), ODsCEmulatedTransactions);
+    transactions_ = has_native_transactions(dataset_.get());
 }
 
 void DatasetWriter::start_transaction() {
@@ -206,7 +202,8 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
     if (mode != Mode::extend)
         describe(dataset_.get());
     // Formats such as KML write layers sequentially, so later layers wait in memory.
-    const bool one_by_one = mode == Mode::create && !has(dataset_.get(), ODsCRandomLayerWrite);
+    const bool one_by_one =
+        mode == Mode::create && GDALDatasetTestCapability(dataset_.get(), ODsCRandomLayerWrite) == FALSE;
     for (std::size_t i = 0; i < specs_.size() && (i == 0 || !one_by_one); ++i)
         open_layer(specs_[i]);
     if (mode == Mode::create) {

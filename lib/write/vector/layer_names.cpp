@@ -117,7 +117,8 @@ std::string laundered_name(const std::string& base, const std::string& suffix, c
     std::string name = base + suffix;
     // Other drivers are tried, because their rules are not known; names in a GeoPackage do not change.
     const bool is_geopackage = format.name == "GPKG" && !NameValueList(options.layer_options).has("LAUNDER");
-    if (is_plain(name) || is_geopackage || !format.multiple_layers || !supports_virtual_files(format.driver))
+    if (is_plain(name) || is_geopackage || !format.multiple_layers ||
+        !has_capability(format.driver, GDAL_DCAP_VIRTUALIO))
         return name;
     return created_layer_name(name, format, options);
 }

@@ -136,10 +136,6 @@ std::string vrt_type(FieldType type) {
     return type == FieldType::integer ? "Integer64" : type == FieldType::real ? "Real" : "String";
 }
 
-std::string vrt_element(const std::string& name, const std::string& text) {
-    return "    <" + name + ">" + xml_text(text) + "</" + name + ">\n";
-}
-
 std::string vrt_text(const LayerMosaic& mosaic) {
     const LayerSpec& spec = mosaic.spec;
     const std::string name = xml_text(spec.name);
@@ -149,17 +145,17 @@ std::string vrt_text(const LayerMosaic& mosaic) {
         text += "    <OGRVRTLayer name=\"" + number + "\"><SrcDataSource relativeToVRT=\"1\" shared=\"0\">" +
                 name + "/" + number + ".fgb</SrcDataSource><SrcLayer>" + name + "</SrcLayer></OGRVRTLayer>\n";
     }
-    text += vrt_element("GeometryType", vrt_geometry(spec));
+    text += xml_element(4, "GeometryType", vrt_geometry(spec));
     if (!mosaic.crs_wkt.empty())
-        text += vrt_element("LayerSRS", mosaic.crs_wkt);
+        text += xml_element(4, "LayerSRS", mosaic.crs_wkt);
     for (const FieldSpec& field : spec.fields)
         text += "    <Field name=\"" + xml_text(field.name) + "\" type=\"" + vrt_type(field.type) + "\"/>\n";
-    text += vrt_element("FeatureCount", std::to_string(mosaic.features));
+    text += xml_element(4, "FeatureCount", std::to_string(mosaic.features));
     if (mosaic.features > 0)
-        text += vrt_element("ExtentXMin", number_text(mosaic.least.x)) +
-                vrt_element("ExtentYMin", number_text(mosaic.least.y)) +
-                vrt_element("ExtentXMax", number_text(mosaic.most.x)) +
-                vrt_element("ExtentYMax", number_text(mosaic.most.y));
+        text += xml_element(4, "ExtentXMin", number_text(mosaic.least.x)) +
+                xml_element(4, "ExtentYMin", number_text(mosaic.least.y)) +
+                xml_element(4, "ExtentXMax", number_text(mosaic.most.x)) +
+                xml_element(4, "ExtentYMax", number_text(mosaic.most.y));
     return text + "  </OGRVRTUnionLayer>\n</OGRVRTDataSource>\n";
 }
 

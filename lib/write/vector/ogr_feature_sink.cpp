@@ -43,7 +43,7 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
           format_(std::move(format)),
           destination_(std::move(destination)),
           existing_(std::move(existing)),
-          writes_virtual_files_(supports_virtual_files(format_.driver)),
+          writes_virtual_files_(has_capability(format_.driver, GDAL_DCAP_VIRTUALIO)),
           stop_(std::move(stop)) {
         warnings_.hold();
     }

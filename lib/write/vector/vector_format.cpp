@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <sys/stat.h>
 #include <utility>
@@ -13,6 +12,7 @@
 #include <gdal.h>
 #include <ogr_api.h>
 
+#include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
@@ -79,6 +79,11 @@ bool has_capability(GDALDriverH driver, const char* capability) {
     return value != nullptr && EQUAL(value, "YES");
 }
 
+bool has_native_transactions(GDALDatasetH dataset) {
+    return GDALDatasetTestCapability(dataset, ODsCTransactions) != FALSE &&
+           GDALDatasetTestCapability(dataset, ODsCEmulatedTransactions) == FALSE;
+}
+
 namespace {
 
 bool add_layer(GDALDatasetH dataset, const char* name) {
@@ -90,8 +95,7 @@ bool add_layer(GDALDatasetH dataset, const char* name) {
 
 bool writes_two(GDALDriverH driver, const std::string& file, bool& transactions) {
     const DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    transactions = dataset && GDALDatasetTestCapability(dataset.get(), ODsCTransactions) != FALSE &&
-                   GDALDatasetTestCapability(dataset.get(), ODsCEmulatedTransactions) == FALSE;
+    transactions = dataset && has_native_transactions(dataset.get());
     return dataset && add_layer(dataset.get(), "one") &&
            GDALDatasetTestCapability(dataset.get(), ODsCCreateLayer) != FALSE &&
            add_layer(dataset.get(), "two");
@@ -145,8 +149,8 @@ std::string metadata(GDALDriverH driver, const char* item) {
 /// True if the driver creates vector layers; excludes drivers in memory, because they would lose the result.
 bool can_create(GDALDriverH driver) {
     const std::string name = GDALGetDriverShortName(driver);
-    return name != "Memory" && name != "MEM" && metadata(driver, GDAL_DCAP_VECTOR) == "YES" &&
-           metadata(driver, GDAL_DCAP_CREATE) == "YES" && metadata(driver, GDAL_DCAP_CREATE_LAYER) == "YES";
+    return name != "Memory" && name != "MEM" && has_capability(driver, GDAL_DCAP_VECTOR) &&
+           has_capability(driver, GDAL_DCAP_CREATE) && has_capability(driver, GDAL_DCAP_CREATE_LAYER);
 }
 
 /// Lists common formats only, because all of them would fill the screen.
@@ -161,20 +165,14 @@ std::string some_formats() {
     return text;
 }
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 /// True if the name ends in an extension of the driver, which may have several parts ("shp.zip").
 bool extension_fits(GDALDriverH driver, const std::string& name) {
     const CPLStringList extensions(CSLTokenizeString2(metadata(driver, GDAL_DMD_EXTENSIONS).c_str(), " ", 0));
     std::vector<std::string> known(extensions.List(), extensions.List() + extensions.Count());
     known.push_back(metadata(driver, GDAL_DMD_EXTENSION));
-    const std::string file = lower(name);
+    const std::string file = to_lower(name);
     return std::any_of(known.begin(), known.end(), [&file](const std::string& extension) {
-        return !extension.empty() && file.size() > extension.size() && file.ends_with(lower(extension)) &&
+        return !extension.empty() && file.size() > extension.size() && file.ends_with(to_lower(extension)) &&
                file[file.size() - extension.size() - 1] == '.';
     });
 }
@@ -255,11 +253,7 @@ bool is_stream(const std::string& destination) {
 
 bool is_connection(GDALDriverH driver, const std::string& destination) {
     const std::string prefix = metadata(driver, GDAL_DMD_CONNECTION_PREFIX);
-    return !prefix.empty() && lower(destination).starts_with(lower(prefix));
-}
-
-bool supports_virtual_files(GDALDriverH driver) {
-    return metadata(driver, GDAL_DCAP_VIRTUALIO) == "YES";
+    return !prefix.empty() && to_lower(destination).starts_with(to_lower(prefix));
 }
 
 bool has_layer_option(GDALDriverH driver, const std::string& name) {

@@ -56,6 +56,9 @@ bool add_trial_feature(OGRLayerH layer, const Position& place);
 /// True if the driver metadata have YES for a capability.
 [[nodiscard]] bool has_capability(GDALDriverH driver, const char* capability);
 
+/// True if the dataset has transactions of its own, not emulated by copies.
+[[nodiscard]] bool has_native_transactions(GDALDatasetH dataset);
+
 /// OGR driver that can create layers, and properties of its datasets at one destination.
 struct VectorFormat {
     GDALDriverH driver = nullptr;
@@ -81,9 +84,6 @@ DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, u
 
 /// True if the driver takes the destination for a connection to a database or service, e.g. "PG:dbname=city".
 [[nodiscard]] bool is_connection(GDALDriverH driver, const std::string& destination);
-
-/// True if the driver supports virtual file systems of GDAL.
-[[nodiscard]] bool supports_virtual_files(GDALDriverH driver);
 
 /// True if the driver has a layer creation option of this name.
 [[nodiscard]] bool has_layer_option(GDALDriverH driver, const std::string& name);
