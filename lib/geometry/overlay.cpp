@@ -15,20 +15,6 @@
 
 namespace d2b {
 
-/// Coverage of polygons, as disjoint polygons.
-struct PolygonCoverage {
-    std::vector<WorldPolygon> once;   ///< their union
-    std::vector<WorldPolygon> twice;  ///< area covered by two or more of them
-};
-
-enum class CoverageKind { once, once_and_twice };
-
-/// Computes the coverage by cascaded union: an area is covered twice if it is so in one half or lies in both.
-/// @param features each valid; may be empty @param kind `once` leaves the list `twice` empty @throws Error
-[[nodiscard]] PolygonCoverage polygon_coverage(const GeosConverter& geos,
-                                               std::span<const std::vector<WorldPolygon>> features,
-                                               CoverageKind kind);
-
 namespace {
 
 /// Polygons that do not overlap, with their bounding boxes.
@@ -63,12 +49,15 @@ class BoxedPolygons {
     std::vector<Box> boxes_;
 };
 
+enum class CoverageKind { once, once_and_twice };
+
 struct PieceCover {
     BoxedPolygons once;
     BoxedPolygons twice;
 };
 
-/// Cascaded union by recursive halving. Only pieces near the other half need an overlay operation.
+/// Cascaded union by recursive halving. Only pieces near the other half need an overlay operation. An area is
+/// covered twice if it is so in one half or lies in both.
 class CascadedUnion {
   public:
     CascadedUnion(const GeosConverter& geos, std::span<const std::vector<WorldPolygon>> features,
@@ -135,10 +124,8 @@ class CascadedUnion {
     CoverageKind kind_;
 };
 
-}  // namespace
-
-PolygonCoverage polygon_coverage(const GeosConverter& geos,
-                                 std::span<const std::vector<WorldPolygon>> features, CoverageKind kind) {
+/// @param kind `once` leaves the list `twice` empty
+Dissolved coverage(const GeosConverter& geos, std::span<const Polygons> features, CoverageKind kind) {
     std::vector<std::size_t> items;
     for (std::size_t i = 0; i < features.size(); ++i)
         if (!features[i].empty())
@@ -146,8 +133,6 @@ PolygonCoverage polygon_coverage(const GeosConverter& geos,
     const PieceCover cover = CascadedUnion(geos, features, kind).cover(items);
     return {cover.once.polygons(), cover.twice.polygons()};
 }
-
-namespace {
 
 bool finite(const Position& p) {
     return std::isfinite(p.x) && std::isfinite(p.y);
@@ -172,20 +157,13 @@ Polygons usable_parts(const Polygons& feature) {
     return result;
 }
 
-struct PreparedDeleter {
-    GEOSContextHandle_t context = nullptr;
-    void operator()(const GEOSPreparedGeometry* geometry) const {
-        GEOSPreparedGeom_destroy_r(context, geometry);
-    }
-};
-
 /// Prepared geometry, for testing many others against it.
 class Prepared {
   public:
     Prepared(const GeosConverter& geos, std::span<const WorldPolygon> polygons)
         : geos_(&geos),
           geometry_(geos.multi_polygon(polygons)),
-          prepared_(GEOSPrepare_r(geos.context(), geometry_.get()), PreparedDeleter{geos.context()}) {}
+          prepared_(GEOSPrepare_r(geos.context(), geometry_.get()), {geos.context()}) {}
     [[nodiscard]] bool intersects(const GEOSGeometry* other) const {
         return geos_->predicate(GEOSPreparedIntersects_r(geos_->context(), prepared_.get(), other));
     }
@@ -193,7 +171,7 @@ class Prepared {
   private:
     const GeosConverter* geos_;
     GeometryPtr geometry_;
-    std::unique_ptr<const GEOSPreparedGeometry, PreparedDeleter> prepared_;
+    PreparedPtr prepared_;
 };
 
 }  // namespace
@@ -216,12 +194,11 @@ Polygons Overlay::make_valid(const Polygons& feature) {
 }
 
 Dissolved Overlay::dissolve(std::span<const Polygons> features) {
-    PolygonCoverage cover = polygon_coverage(impl_->geos, features, CoverageKind::once_and_twice);
-    return {std::move(cover.once), std::move(cover.twice)};
+    return coverage(impl_->geos, features, CoverageKind::once_and_twice);
 }
 
 Polygons Overlay::union_of(std::span<const Polygons> features) {
-    return polygon_coverage(impl_->geos, features, CoverageKind::once).once;
+    return coverage(impl_->geos, features, CoverageKind::once).once;
 }
 
 Polygons Overlay::repaired_union(std::span<const WorldPolygon> polygons) {
