@@ -7,7 +7,6 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "core/crs.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/version.hpp"
 #include "dem2buildings_mesh/command_line.hpp"
@@ -43,8 +42,8 @@ int run_tool(const std::vector<std::string>& words) {
     if (command.help)
         std::cout << mesh_help();
     else if (command.version)
-        std::cout << "dem2buildings_mesh " << version << ", GDAL " << gdal_version() << ", PROJ "
-                  << proj_version() << ", CGAL " << CGAL_VERSION_STR << '\n';
+        std::cout << "dem2buildings_mesh " << version << ", " << library_versions() << ", CGAL "
+                  << CGAL_VERSION_STR << '\n';
     else if (command.man_page)
         std::cout << mesh_man_page();
     else if (command.bash_completion)

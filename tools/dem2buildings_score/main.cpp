@@ -5,13 +5,11 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "core/crs.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/version.hpp"
 #include "dem2buildings_score/command_line.hpp"
 #include "dem2buildings_score/help.hpp"
 #include "dem2buildings_score/report.hpp"
-#include "geometry/geos.hpp"
 #include "read/gdal_setup.hpp"
 
 namespace d2b {
@@ -37,8 +35,7 @@ int run_tool(const std::vector<std::string>& words) {
     if (request.help)
         std::cout << score_help();
     else if (request.version)
-        std::cout << "dem2buildings_score " << version << ", GDAL " << gdal_version() << ", GEOS "
-                  << geos_version() << ", PROJ " << proj_version() << '\n';
+        std::cout << "dem2buildings_score " << version << ", " << library_versions() << '\n';
     else if (request.man_page)
         std::cout << score_man_page();
     else

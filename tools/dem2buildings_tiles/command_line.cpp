@@ -10,7 +10,6 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/tokens.hpp"
 #include "dem2buildings_tiles/plan_file.hpp"
-#include "options/option_checks.hpp"
 #include "options/option_values.hpp"
 
 namespace d2b {
