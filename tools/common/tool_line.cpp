@@ -16,17 +16,6 @@ namespace {
 
 namespace po = boost::program_options;
 
-/// "--dem=x" to "dem".
-std::string name_of(const std::string& token) {
-    const std::size_t first = token.starts_with("--") ? 2 : 1;
-    return token.substr(first, std::min(token.find('='), token.size()) - first);
-}
-
-/// A dash followed by more, but not a negative number.
-bool looks_like_option(const std::string& token) {
-    return token.size() > 1 && token[0] == '-' && !looks_like_number(token);
-}
-
 class Parser {
   public:
     Parser(const std::vector<ToolOption>& options, std::string_view program)
@@ -50,7 +39,7 @@ class Parser {
 
 /// Boost refuses a switch with a value and an option without one.
 void Parser::refuse_syntax(const std::string& token) const {
-    const ToolOption* const option = find(name_of(token));
+    const ToolOption* const option = find(split_name(token).first);
     if (option == nullptr)
         refuse_unknown_option(token, options_, program_);
     if (option->value.empty())
@@ -63,8 +52,9 @@ std::vector<std::string> Parser::joined(const std::vector<std::string>& argument
     std::vector<std::string> result;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         const std::string& token = arguments[i];
-        const ToolOption* const option =
-            token.starts_with('-') && token.find('=') == std::string::npos ? find(name_of(token)) : nullptr;
+        const ToolOption* const option = token.starts_with('-') && token.find('=') == std::string::npos
+                                             ? find(split_name(token).first)
+                                             : nullptr;
         const std::size_t values =
             option == nullptr ? 1 : static_cast<std::size_t>(std::ranges::count(option->value, '<'));
         result.push_back(token);
@@ -140,6 +130,16 @@ ToolLine Parser::parse(const std::vector<std::string>& arguments) const {
 
 }  // namespace
 
+bool looks_like_option(const std::string& token) {
+    return token.size() > 1 && token[0] == '-' && !looks_like_number(token);
+}
+
+std::pair<std::string, std::string> split_name(const std::string& token) {
+    const std::size_t first = token.starts_with("--") ? 2 : 1;
+    const std::size_t equals = std::min(token.find('='), token.size());
+    return {token.substr(first, equals - first), token.substr(equals)};
+}
+
 ToolLine take_apart(const std::vector<std::string>& arguments, const std::vector<ToolOption>& options,
                     std::string_view program) {
     return Parser(options, program).parse(arguments);
@@ -150,7 +150,7 @@ void refuse_unknown_option(const std::string& token, const std::vector<ToolOptio
     std::vector<std::string> names{"-config", "-debug", "-formats", "-format", "-optfile", "-help-general"};
     for (const ToolOption& option : options)
         names.push_back(option.name);
-    const std::string near = nearest_name(name_of(token), names);
+    const std::string near = nearest_name(split_name(token).first, names);
     throw OptionError("There is no option " + token.substr(0, token.find('=')) +
                       (near.empty() ? "; " + std::string(program) + " --help lists all."
                                     : "; did you mean -" + near + "?"));

@@ -25,6 +25,12 @@ struct ToolLine {
     std::optional<std::string> unknown;  ///< the first option that is none
 };
 
+/// True for a dash followed by more, but not for a negative number.
+[[nodiscard]] bool looks_like_option(const std::string& token);
+
+/// Splits "--te=1" into "te" and "=1".
+[[nodiscard]] std::pair<std::string, std::string> split_name(const std::string& token);
+
 /// Takes a command line apart. Options may stand anywhere, with one dash or two, their values behind a blank
 /// or an equals sign; "--" ends the options.
 /// @param program for messages @throws OptionError: given twice, without its value, a switch with one

@@ -7,6 +7,7 @@
 #include <boost/make_shared.hpp>
 #include <boost/program_options.hpp>
 
+#include "common/tool_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "options/gdal_contour_options.hpp"
 #include "options/option_checks.hpp"
@@ -18,21 +19,9 @@ namespace {
 namespace po = boost::program_options;
 using Strings = std::vector<std::string>;
 
-/// A dash followed by more, but not a negative number.
-bool looks_like_option(const std::string& token) {
-    return token.size() > 1 && token[0] == '-' && !looks_like_number(token);
-}
-
 /// What continues the list of -fl. MIN and MAX, which gdal_contour knows, belong to it to be refused by name.
 bool looks_like_level(const std::string& token) {
     return looks_like_number(token) || token == "MIN" || token == "MAX";
-}
-
-/// "--te=1" to "te" and "=1".
-std::pair<std::string, std::string> split_name(const std::string& token) {
-    const std::size_t first = token.starts_with("--") ? 2 : 1;
-    const std::size_t equals = std::min(token.find('='), token.size());
-    return {token.substr(first, equals - first), token.substr(equals)};
 }
 
 po::options_description describe_options() {

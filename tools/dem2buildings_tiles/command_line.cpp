@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/tool_line.hpp"
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/tokens.hpp"
@@ -31,17 +32,6 @@ const TileStepName& step_of(const std::string& name) {
 
 std::string usage_of(const TileStepName& step) {
     return "usage: dem2buildings_tiles " + std::string(step.name) + " " + std::string(step.arguments);
-}
-
-/// "--tile=2" to "tile" and "=2".
-std::pair<std::string, std::string> split_name(const std::string& token) {
-    const std::size_t first = token.starts_with("--") ? 2 : 1;
-    const std::size_t equals = std::min(token.find('='), token.size());
-    return {token.substr(first, equals - first), token.substr(equals)};
-}
-
-bool looks_like_option(const std::string& token) {
-    return token.size() > 1 && token[0] == '-' && !looks_like_number(token);
 }
 
 bool takes(const TileStepName& step, const TileOption& option) {
