@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace d2b {
 namespace {
@@ -33,7 +34,6 @@ PlacedPolyline::PlacedPolyline(ChainPolyline drawn, const Chain& chain, const Ch
     for (std::size_t k = 0; k + (closed_ ? 0 : 1) < vertices_.size(); ++k)
         begins_.push_back(begins_.back() + d2b::length(vertex(k + 1) - vertex(k)));
     nodes_.resize(chain.nodes.size() - (closed_ ? 1 : 0));
-    placed_ = OrderedBitset(nodes_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         nodes_[k].step = chain.node_steps[k];
         nodes_[k].traced = samples.at(nodes_[k].step);
@@ -117,19 +117,18 @@ void PlacedPolyline::find_range(std::size_t k, double& low, double& high) const 
     const std::size_t n = nodes_.size();
     const double whole = begins_.back();
     // Nodes are in the order of their steps; those of a closed chain start anywhere.
-    std::size_t before = placed_.before(k);
-    if (before == OrderedBitset::none && closed_)
-        before = placed_.before(n);
-    if (before != OrderedBitset::none) {
+    if (placed_.empty())
+        return;
+    const auto next = placed_.upper_bound(k);
+    if (next != placed_.begin() || closed_) {
+        const std::size_t before = *std::prev(next != placed_.begin() ? next : placed_.end());
         const PlacedNode& other = nodes_[before];
         const std::size_t between = before < k ? k - before : k + n - before;
         low = other.at + (other.step > nodes_[k].step ? -whole : 0) +
               min_node_spacing * static_cast<double>(between);
     }
-    std::size_t after = placed_.from(k + 1);
-    if (after == OrderedBitset::none && closed_)
-        after = placed_.from(0);
-    if (after != OrderedBitset::none) {
+    if (next != placed_.end() || closed_) {
+        const std::size_t after = next != placed_.end() ? *next : *placed_.begin();
         const PlacedNode& other = nodes_[after];
         const std::size_t between = after > k ? after - k : after + n - k;
         high = other.at + (other.step < nodes_[k].step ? whole : 0) -

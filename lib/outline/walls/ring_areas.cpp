@@ -28,9 +28,7 @@ RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const S
       layout_(layout),
       inset_(inset),
       stop_(stop),
-      areas_(arcs.size()),
-      ring_walls_(graph.chains.size()),
-      moved_(graph.chains.size()) {
+      areas_(arcs.size()) {
     for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
         const Contour& contour = *cluster_.contours[c];
         const ArcGraph::Outline& outline = graph_.graph.outlines[c];
@@ -109,7 +107,7 @@ void RingAreas::restore_area(Ring& ring, double missing) {
     // 1 if the ring is on the left of the wall and grows if the wall moves right
     std::vector<std::pair<Wall, double>> right;
     double whole = 0;
-    ring_walls_.clear();
+    std::set<Wall> found;
     for (const ArcUse& use : *ring.uses) {
         const std::uint32_t c = graph_.chain_of[use.arc];
         // A ring must not move the walls of lower rank on which it stands.
@@ -117,7 +115,7 @@ void RingAreas::restore_area(Ring& ring, double missing) {
             continue;
         const ArcUse own = graph_.chains[c].arcs[graph_.index_in_chain[use.arc]];
         for (const Wall wall : layout_.walls_along(use.arc)) {
-            if (!ring_walls_.insert(wall))
+            if (!found.insert(wall).second)
                 continue;
             right.emplace_back(wall, own.reversed == use.reversed ? 1 : -1);
             whole += layout_.length(wall);

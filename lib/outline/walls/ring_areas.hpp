@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -11,32 +12,6 @@
 #include "outline/walls/wall_layout.hpp"
 
 namespace d2b {
-
-/// Set of visited walls that is cleared in O(1), by counting epochs.
-class VisitedSet {
-  public:
-    explicit VisitedSet(std::size_t chains) : epochs_(chains) {}
-
-    void clear() { ++epoch_; }
-    [[nodiscard]] bool contains(WallLayout::Wall wall) const {
-        const auto& of_chain = epochs_[wall.chain];
-        return wall.segment < of_chain.size() && of_chain[wall.segment] == epoch_;
-    }
-    /// @return false if it was marked already
-    bool insert(WallLayout::Wall wall) {
-        if (contains(wall))
-            return false;
-        auto& of_chain = epochs_[wall.chain];
-        if (wall.segment >= of_chain.size())
-            of_chain.resize(wall.segment + 1, 0);
-        of_chain[wall.segment] = epoch_;
-        return true;
-    }
-
-  private:
-    std::vector<std::vector<std::uint32_t>> epochs_;
-    std::uint32_t epoch_ = 1;
-};
 
 /// Preserves the areas of the rings of a cluster while their arcs are drawn.
 class RingAreas {
@@ -92,8 +67,7 @@ class RingAreas {
     std::vector<std::uint32_t> rings_of_;    // rings grouped by arc
     std::vector<std::uint32_t> first_of_arc_;
     std::vector<std::uint32_t> pending_rings_;
-    VisitedSet ring_walls_;  // walls of the ring being corrected
-    VisitedSet moved_;       // walls moved in this round
+    std::set<Wall> moved_;  // walls moved in this round
 };
 
 }  // namespace d2b
