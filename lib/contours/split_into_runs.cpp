@@ -82,12 +82,8 @@ struct Row {
 template <typename Count>
 class RunSplitter {
   public:
-    RunSplitter(const TraceFrame& frame, const PointRows<Count>& before, const PointRows<Count>& band,
-                const ColRange& summed)
-        : frame_(frame),
-          before_(before),
-          band_(band),
-          summed_{summed.begin, std::min(summed.end, band.shape().cols)} {}
+    RunSplitter(const TraceFrame& frame, const PointRows<Count>& before, const PointRows<Count>& band)
+        : frame_(frame), before_(before), band_(band) {}
 
     [[nodiscard]] std::vector<TraceLine> lines_of_cells() const;
     [[nodiscard]] std::vector<TraceLine> lines_of_points() const;
@@ -114,7 +110,6 @@ class RunSplitter {
     const TraceFrame& frame_;
     const PointRows<Count>& before_;
     const PointRows<Count>& band_;
-    ColRange summed_;
 };
 
 template <typename Count>
@@ -193,16 +188,10 @@ TraceLine RunSplitter<Count>::line_of_points(std::int32_t number, const Holders&
     if (number < band_.shape().first_row)
         line.owner = before_.elevations;
     const Holders below = holders_of(squares, points.elevations.size() - 1);
-    const auto first = static_cast<std::size_t>(summed_.begin);
-    highest.resize(static_cast<std::size_t>(summed_.end - summed_.begin));
-    pick_highest(std::span(above).subspan(above.empty() ? 0 : first), std::span(below).subspan(first),
-                 highest);
+    highest.resize(points.elevations.size());
+    pick_highest(above, below, highest);
     for_equal_runs(highest, [&](std::int32_t begin, std::int32_t end, Holder holder) {
-        add_point_run(line, {(holder & above_line) != 0,
-                             static_cast<std::uint32_t>(holder),
-                             summed_.begin + begin,
-                             summed_.begin + end,
-                             {}});
+        add_point_run(line, {(holder & above_line) != 0, static_cast<std::uint32_t>(holder), begin, end, {}});
     });
     line.squares = std::move(squares);
     return line;
@@ -237,15 +226,14 @@ std::vector<TraceLine> RunSplitter<Count>::lines_of_points() const {
 
 template <typename Count>
 std::vector<TraceLine> split_into_runs(const TraceFrame& frame, TraceMode mode,
-                                       const PointRows<Count>& before, const PointRows<Count>& band,
-                                       const ColRange& summed) {
-    const RunSplitter<Count> splitter(frame, before, band, summed);
+                                       const PointRows<Count>& before, const PointRows<Count>& band) {
+    const RunSplitter<Count> splitter(frame, before, band);
     return mode == TraceMode::points ? splitter.lines_of_points() : splitter.lines_of_cells();
 }
 
 template std::vector<TraceLine> split_into_runs(const TraceFrame&, TraceMode, const PointRows<std::uint8_t>&,
-                                                const PointRows<std::uint8_t>&, const ColRange&);
+                                                const PointRows<std::uint8_t>&);
 template std::vector<TraceLine> split_into_runs(const TraceFrame&, TraceMode, const PointRows<std::uint16_t>&,
-                                                const PointRows<std::uint16_t>&, const ColRange&);
+                                                const PointRows<std::uint16_t>&);
 
 }  // namespace d2b

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -42,15 +41,6 @@ struct PointRun {
     PointStats stats;
 };
 
-/// Statistics of points of a contour that were computed elsewhere, for a part of the window.
-struct ContourSum {
-    bool above = false;      ///< true if the square of the contour lies above the line
-    std::int32_t level = 0;  ///< level of the contour
-    std::int32_t col = 0;    ///< column of the square
-    PointStats stats;
-    ElevationSample roof;  ///< level 1 only: all points except spires
-};
-
 /// One position of the sweep line, with everything that can be computed without the lines before it.
 struct TraceLine {
     static constexpr std::int32_t none = -1;
@@ -63,13 +53,6 @@ struct TraceLine {
     std::shared_ptr<const ElevationBand> owner;  ///< owner of `elevations` unless that is the band itself
     /// Elevations of valid points below the threshold in the row below the line, +infinity elsewhere.
     std::vector<double> outside;
-    std::vector<ContourSum> sums;  ///< replaces point_runs
-};
-
-/// A range of columns.
-struct ColRange {
-    std::int32_t begin = 0;
-    std::int32_t end = std::numeric_limits<std::int32_t>::max();
 };
 
 /// Number of rows above a band needed for splitting it into runs: a line between points has a row of squares
@@ -84,18 +67,16 @@ struct ColRange {
 /// @param band its elevations must outlive the lines
 /// @return the lines that the rows of the band complete, top down, and after the last row of the window the
 /// line below it
-/// @param summed columns of the points to sum up; others are only the halo for squares
 template <typename Count>
 [[nodiscard]] std::vector<TraceLine> split_into_runs(const TraceFrame& frame, TraceMode mode,
                                                      const PointRows<Count>& before,
-                                                     const PointRows<Count>& band,
-                                                     const ColRange& summed = {});
+                                                     const PointRows<Count>& band);
 
 extern template std::vector<TraceLine> split_into_runs(const TraceFrame&, TraceMode,
                                                        const PointRows<std::uint8_t>&,
-                                                       const PointRows<std::uint8_t>&, const ColRange&);
+                                                       const PointRows<std::uint8_t>&);
 extern template std::vector<TraceLine> split_into_runs(const TraceFrame&, TraceMode,
                                                        const PointRows<std::uint16_t>&,
-                                                       const PointRows<std::uint16_t>&, const ColRange&);
+                                                       const PointRows<std::uint16_t>&);
 
 }  // namespace d2b

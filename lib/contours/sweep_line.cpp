@@ -47,9 +47,8 @@ std::vector<std::vector<Corner>> split_at_non_manifold_vertices(std::span<const 
     return rings;
 }
 
-SweepLine::SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range,
-                     Outlines outlines)
-    : traces_(outlines == Outlines::traced), first_col_(first_col), components_(range) {
+SweepLine::SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range)
+    : first_col_(first_col), components_(range) {
     previous_.levels.resize(static_cast<std::size_t>(levels));
     current_.levels.resize(static_cast<std::size_t>(levels));
 }
@@ -118,7 +117,7 @@ void SweepLine::link_level(std::size_t level, const OutsideRows& outside) {
     for (Run& run : lower) {
         if (run.component == no_index)
             start(run, level, outside);
-        if (with_outside_ && traces_)
+        if (with_outside_)
             add_side_outside(run, outside);
     }
 }
@@ -139,7 +138,7 @@ void SweepLine::link_runs(std::size_t i, std::size_t level, const OutsideRows& o
         close_gap(upper, left, upper.begin, left.end, lower.component, outside.above);
     } else {
         lower.component = components_.find(upper.component);
-        if (same_upper && traces_) {
+        if (same_upper) {
             // A gap opens below the upper run.
             Run& left = lowers[links_[i - 1].lower];
             const double beside = lowest(outside.below, left.end, lower.begin);
@@ -159,7 +158,7 @@ void SweepLine::link_runs(std::size_t i, std::size_t level, const OutsideRows& o
 
 void SweepLine::join_left_sides(Run& upper, Run& lower, const OutsideRows& outside) {
     lower.head = upper.head;
-    if (!traces_ || lower.begin == upper.begin)
+    if (lower.begin == upper.begin)
         return;
     const double beside = lower.begin < upper.begin ? lowest(outside.above, lower.begin, upper.begin)
                                                     : lowest(outside.below, upper.begin, lower.begin);
@@ -168,7 +167,7 @@ void SweepLine::join_left_sides(Run& upper, Run& lower, const OutsideRows& outsi
 
 void SweepLine::join_right_sides(Run& upper, Run& lower, const OutsideRows& outside) {
     lower.tail = upper.tail;
-    if (!traces_ || lower.end == upper.end)
+    if (lower.end == upper.end)
         return;
     const double beside = lower.end > upper.end ? lowest(outside.above, upper.end, lower.end)
                                                 : lowest(outside.below, lower.end, upper.end);
@@ -179,8 +178,6 @@ void SweepLine::start(Run& run, std::size_t level, const OutsideRows& outside) {
     const std::uint32_t below = level == 0 ? no_index : current_.levels[level - 1][run.below].component;
     run.component =
         components_.add(static_cast<std::int32_t>(level), run.label, {line_, run.begin + first_col_}, below);
-    if (!traces_)
-        return;
     const OpenChains::Pair pair =
         chains_.open(corner(run.end), corner(run.begin, lowest(outside.above, run.begin, run.end)));
     run.tail = pair.tail;
@@ -191,8 +188,6 @@ void SweepLine::start(Run& run, std::size_t level, const OutsideRows& outside) {
 /// column `to`.
 void SweepLine::close_gap(Run& head_run, Run& tail_run, std::int32_t from, std::int32_t to,
                           std::uint32_t component, std::span<const double> outside) {
-    if (!traces_)
-        return;
     const double beside = lowest(outside, std::min(from, to), std::max(from, to));
     const auto ring = chains_.join(head_run.head, corner(from), corner(to, beside), tail_run.tail);
     if (!ring.empty())

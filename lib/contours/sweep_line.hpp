@@ -41,16 +41,13 @@ struct OutsideRows {
     bool of_points = false;
 };
 
-/// Selects tracing of outlines; without them only statistics are computed.
-enum class Outlines { traced, none };
-
 /// The tracing engine. A line sweeps over the lattice between two rows of squares, and all levels are linked,
 /// traced and finished in one pass. The state consists of one row of runs, the open outlines and the open
 /// components. O(squares + length of all outlines).
 class SweepLine {
   public:
     /// @param levels including the root @param first_col first column of the window in the whole raster
-    SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range, Outlines outlines);
+    SweepLine(std::int32_t levels, std::int32_t first_col, const ElevationRange& range);
 
     /// Links the row of squares below the line (`current`) to the row above.
     /// @param line row number of the line, equal to that of the squares below it
@@ -100,7 +97,6 @@ class SweepLine {
     void list_components(OpenBand& band, RunRow& row);
     std::uint32_t add_piece(std::uint32_t tail, const std::vector<bool>& at_top, OpenBand& band) const;
 
-    bool traces_;  ///< traces outlines
     std::int32_t first_col_;
     std::int32_t line_ = 0;
     bool with_outside_ = false;  ///< level 1 is being linked

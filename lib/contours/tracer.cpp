@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/byte_stream.hpp"
-
 namespace d2b {
 
-Tracer::Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink, Outlines outlines)
+Tracer::Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink)
     : points_(mode == TraceMode::points),
       range_(frame.range),
       sink_(sink),
-      sweep_line_(frame.levels, frame.window.col, frame.range, outlines) {}
+      sweep_line_(frame.levels, frame.window.col, frame.range) {}
 
 void Tracer::push_outside(std::vector<double>&& outside) {
     std::swap(outside_[1], outside_[2]);
@@ -24,11 +22,6 @@ void Tracer::link(const TraceLine& line) {
                                         : OutsideRows{outside_[1], {}, outside_[0], false});
 }
 
-void Tracer::add(TraceLine& line) {
-    add_points(line);
-    add_sums(line);
-}
-
 void Tracer::trace(std::vector<TraceLine>&& lines) {
     for (TraceLine& line : lines) {
         push_outside(std::move(line.outside));
@@ -36,7 +29,7 @@ void Tracer::trace(std::vector<TraceLine>&& lines) {
             continue;
         sweep_line_.current() = std::move(line.squares);
         link(line);
-        add(line);
+        add_points(line);
         sweep_line_.finish_ended(sink_);
     }
 }
@@ -79,7 +72,7 @@ void Tracer::join(LinkedBand&& band, std::int64_t first_name) {
     sweep_line_.current() = std::move(last.squares);
     link(last);
     sweep_line_.join(*band.open, first_name);
-    add(last);
+    add_points(last);
     sweep_line_.finish_band(std::move(*band.open), sink_);
     for (std::vector<double>& outside : band.outside)
         push_outside(std::move(outside));
@@ -97,21 +90,6 @@ void Tracer::add_points(const TraceLine& line) {
         if (top_run.building == no_index)
             continue;
         add_roof(line, share, *component_of(1, top_run.building).sample);
-    }
-}
-
-void Tracer::add_sums(TraceLine& line) {
-    Components& components = sweep_line_.components();
-    for (ContourSum& sum : line.sums) {
-        const RunRow& row = sum.above ? sweep_line_.previous() : sweep_line_.current();
-        const std::vector<Run>& runs = row.levels[static_cast<std::size_t>(sum.level)];
-        const auto run = std::ranges::upper_bound(runs, sum.col, {}, &Run::end);
-        if (run == runs.end() || run->begin > sum.col)
-            throw CorruptRecord("a sum is of no contour");
-        Component& component = components[components.find(run->component)];
-        component.own.merge(sum.stats);
-        if (component.sample)
-            component.sample->merge(sum.roof, range_);
     }
 }
 

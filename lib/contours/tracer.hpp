@@ -31,12 +31,10 @@ struct LinkedBand {
 /// for the expensive part of the work.
 class Tracer {
   public:
-    /// @param outlines none: contours have no rings, and `outside` of lines is ignored
-    Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink, Outlines outlines = Outlines::traced);
+    Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink);
 
     /// Traces the next lines, which must be contiguous. After the last line, all contours have been handed
     /// out.
-    /// @throws CorruptRecord if a sum refers to no contour
     void trace(std::vector<TraceLine>&& lines);
 
     /// Links a band of lines independently; thread-safe.
@@ -51,9 +49,7 @@ class Tracer {
   private:
     void push_outside(std::vector<double>&& outside);
     void link(const TraceLine& line);
-    void add(TraceLine& line);
     void add_points(const TraceLine& line);
-    void add_sums(TraceLine& line);
     void add_roof(const TraceLine& line, const PointRun& share, ElevationSample& sample) const;
 
     bool points_;

@@ -11,8 +11,6 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include "core/byte_stream.hpp"
-
 namespace d2b {
 namespace {
 
@@ -213,46 +211,6 @@ void ElevationSample::merge(ElevationSample& other, const ElevationRange& range)
     if (values_.size() > largest_list)
         make_histogram(range);
     other = {};
-}
-
-void ElevationSample::save(ByteWriter& writer) const {
-    put_elevations(values_, writer);
-    writer.put_varint(static_cast<std::uint64_t>(size_) - values_.size());
-    if (histogram_.empty())
-        return;
-    writer.put(highest_);
-    std::uint64_t empty = 0;  // empty bins before the next counted one
-    for (const std::uint32_t counted : histogram_) {
-        if (counted == 0) {
-            ++empty;
-            continue;
-        }
-        writer.put_varint(std::exchange(empty, 0));
-        writer.put_varint(counted);
-    }
-}
-
-ElevationSample ElevationSample::load(ByteReader& reader) {
-    ElevationSample sample;
-    sample.values_ = take_elevations(reader);
-    const std::uint64_t counted = reader.take_varint();
-    if (sample.values_.size() > largest_list || (counted > 0 && !sample.values_.empty()))
-        throw CorruptRecord("a sample is no sample");
-    sample.size_ = static_cast<std::int64_t>(sample.values_.size() + counted);
-    if (counted == 0)
-        return sample;
-    sample.highest_ = reader.take<double>();
-    sample.histogram_.assign(ElevationRange::bins, 0);
-    std::uint64_t bin = 0;
-    for (std::uint64_t left = counted; left > 0; ++bin) {
-        bin += reader.take_varint();
-        const std::uint64_t here = reader.take_varint();
-        if (bin >= ElevationRange::bins || here > std::min<std::uint64_t>(left, UINT32_MAX))
-            throw CorruptRecord("a sample is no sample");
-        sample.histogram_[bin] = static_cast<std::uint32_t>(here);
-        left -= here;
-    }
-    return sample;
 }
 
 std::vector<double> ElevationSample::percentiles(const std::vector<double>& shares,

@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "core/byte_stream.hpp"
 #include "core/int128.hpp"
 #include "dem2buildings/records.hpp"
 
@@ -174,11 +173,6 @@ class ElevationSample {
     /// @pre size() > 0
     [[nodiscard]] std::vector<double> percentiles(const std::vector<double>& shares,
                                                   const ElevationRange& range) const;
-
-    /// Halves the size if all elevations are exact as floats.
-    void save(ByteWriter& writer) const;
-    /// @throws CorruptRecord
-    [[nodiscard]] static ElevationSample load(ByteReader& reader);
 
   private:
     void make_histogram(const ElevationRange& range);

@@ -61,10 +61,6 @@ class ElevationReader {
                                          const std::function<void(const ElevationBand&)>& done,
                                          const std::optional<Window>& of = {});
 
-    /// Replaces the first pass if no cell is judged by its neighbours.
-    /// @pre rules without spikes
-    void apply(const ValidityRules& rules) { rules_ = rules; }
-
     /// Calls use(band, prepare(band, tally)) for each band, from the first row to the last: `prepare` on any
     /// thread, `use` on the caller's.
     /// @throws InputError, and exceptions of both

@@ -53,6 +53,12 @@ Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Win
 
 namespace {
 
+struct BandTracing {
+    const TraceFrame& frame;
+    const LevelImage& image;
+    TraceMode mode;
+};
+
 LabelBand labels_of(const ElevationBand& band, const BandTracing& tracing) {
     Context none;
     const FoundBuildings* found = tracing.image.found;
@@ -84,10 +90,19 @@ PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevatio
     return rows;
 }
 
-/// Splits bands into runs on all threads. Each band repeats the rows above it that it depends on.
-/// @param work processes the lines on the same thread @param use receives its results on the calling thread
-template <typename Count, typename Work, typename Use>
-void split_bands_as(ElevationReader& reader, const BandTracing& tracing, const Work& work, const Use& use) {
+/// Band traced as far as possible without the bands above it.
+struct TracedBand {
+    ContourBatch contours;  ///< contours that lie entirely in the band
+    LinkedBand linked;
+};
+
+/// Traces all bands, of which each repeats the rows above it that it depends on. The tracer's memory is
+/// released at the end.
+template <typename Count>
+void trace_into(ContourArchive& store, ElevationReader& reader, const BandTracing& tracing,
+                Context& context) {
+    const TraceFrame& frame = tracing.frame;
+    Tracer tracer(frame, tracing.mode, store);
     reader.for_each_with_halo(
         rows_above(tracing.mode),
         [&](ElevationBand above, const ElevationBand& elevations, Tally& tally) {
@@ -100,48 +115,24 @@ void split_bands_as(ElevationReader& reader, const BandTracing& tracing, const W
                 band = point_rows<Count>(borrowed, tracing);
             }
             const StageClock clock(tally, Stage::trace);
-            return work(split_into_runs(tracing.frame, tracing.mode, before, band, tracing.summed), tally);
-        },
-        use);
-}
-
-template <typename Work, typename Use>
-void split_bands_by_count_type(ElevationReader& reader, const BandTracing& tracing, const Work& work,
-                               const Use& use) {
-    if (tracing.image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
-        split_bands_as<std::uint8_t>(reader, tracing, work, use);
-    else
-        split_bands_as<std::uint16_t>(reader, tracing, work, use);
-}
-
-/// Traces all bands. The tracer's memory is released at the end.
-void trace_into(ContourArchive& store, ElevationReader& reader, const BandTracing& tracing,
-                Context& context) {
-    const Window& window = tracing.frame.window;
-    Tracer tracer(tracing.frame, tracing.mode, store);
-    split_bands_by_count_type(
-        reader, tracing,
-        [&](std::vector<TraceLine>&& lines, Tally& tally) {
-            return trace_band(tracing.frame, tracing.mode, std::move(lines), store, tally);
+            TracedBand traced;
+            ContourWriter batch_writer = store.batch_writer(traced.contours, tally);
+            traced.linked = Tracer::link(frame, tracing.mode,
+                                         split_into_runs(frame, tracing.mode, before, band), batch_writer);
+            return traced;
         },
         [&](const ElevationBand& band, TracedBand traced) {
             {
                 const StageClock clock(context.report, Stage::trace);
-                join_band(std::move(traced), tracer, store);
+                tracer.join(std::move(traced.linked), store.add(std::move(traced.contours)));
             }
-            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - window.row) /
-                             window.rows);
+            context.progress(static_cast<double>(band.shape.first_row + band.shape.rows - frame.window.row) /
+                             frame.window.rows);
         });
 }
 
-}  // namespace
-
-void split_bands_into_runs(ElevationReader& reader, const BandTracing& tracing, const UseLines& use) {
-    split_bands_by_count_type(
-        reader, tracing, [](std::vector<TraceLine>&& lines, Tally&) { return std::move(lines); },
-        [&](const ElevationBand& band, std::vector<TraceLine> lines) { use(band.shape, std::move(lines)); });
-}
-
+/// Creates the store of finished contours. @param found null if all points bear one label @param metres per
+/// vertical unit
 ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunPlan& plan,
                              const SquareArea& area, double metres, Context& context) {
     const NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2, plan.detects_buildings()};
@@ -154,23 +145,17 @@ ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* foun
             context};
 }
 
-TracedBand trace_band(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
-                      const ContourArchive& store, Tally& tally) {
-    TracedBand band;
-    ContourWriter batch_writer = store.batch_writer(band.contours, tally);
-    band.linked = Tracer::link(frame, mode, std::move(lines), batch_writer);
-    return band;
-}
-
-void join_band(TracedBand&& band, Tracer& tracer, ContourArchive& store) {
-    tracer.join(std::move(band.linked), store.add(std::move(band.contours)));
-}
+}  // namespace
 
 std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
                                                const LevelImage& image, const RunPlan& plan,
                                                const SquareArea& area, double metres, Context& context) {
     ContourArchive store = contour_store(frame, image.found, plan, area, metres, context);
-    trace_into(store, reader, {frame, image, plan.trace}, context);
+    const BandTracing tracing{frame, image, plan.trace};
+    if (image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
+        trace_into<std::uint8_t>(store, reader, tracing, context);
+    else
+        trace_into<std::uint16_t>(store, reader, tracing, context);
     const StageClock clock(context.report, Stage::filter);
     return store.finish();
 }

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "contours/clean_tiers.hpp"
 #include "contours/contour_archive.hpp"
@@ -38,36 +36,6 @@ struct LevelImage {
     const FoundBuildings* found;  ///< buildings that the labels refer to; null if all points bear one label
     const CleanRows* clean;       ///< simplified elevations of the buildings' points; null to use their own
 };
-
-/// Parameters for splitting bands into runs.
-struct BandTracing {
-    const TraceFrame& frame;
-    const LevelImage& image;
-    TraceMode mode;
-    ColRange summed = {};  ///< see split_into_runs()
-};
-using UseLines = std::function<void(const BandShape& band, std::vector<TraceLine>&& lines)>;
-
-/// Splits all bands into runs on all threads and passes the lines to `use` in order, on the calling thread.
-/// @throws InputError, and any exception of `use`
-void split_bands_into_runs(ElevationReader& reader, const BandTracing& tracing, const UseLines& use);
-
-/// Creates the store of finished contours. @param found null if all points bear one label @param metres per
-/// vertical unit
-[[nodiscard]] ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* found,
-                                           const RunPlan& plan, const SquareArea& area, double metres,
-                                           Context& context);
-
-/// Band traced as far as possible without the bands above it.
-struct TracedBand {
-    ContourBatch contours;  ///< contours that lie entirely in the band
-    LinkedBand linked;
-};
-/// Thread-safe. @param lines of the band @param tally counts dropped contours
-[[nodiscard]] TracedBand trace_band(const TraceFrame& frame, TraceMode mode, std::vector<TraceLine>&& lines,
-                                    const ContourArchive& store, Tally& tally);
-/// Joins bands in order, from the first row to the last. @param tracer its sink is the store
-void join_band(TracedBand&& band, Tracer& tracer, ContourArchive& store);
 
 /// Traces and filters the contours of all levels in one pass over the DEM.
 /// @param metres per vertical unit

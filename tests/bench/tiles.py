@@ -80,13 +80,13 @@ def bytes_in(folder):
     return sum(file.stat().st_size for file in folder.rglob("*") if file.is_file())
 
 
-def measure(build, work, options, side, job, mosaic, whole):
+def measure(build, work, side, job, mosaic, whole):
     """The steps on tiles of so many units a side: cost by step, bytes between steps, tiles."""
     tool = build / "tools/dem2buildings_tiles"
     folder, result = work / "steps", work / "tiles.gpkg"
     shutil.rmtree(folder, ignore_errors=True)
     result.unlink(missing_ok=True)
-    costs = {"plan": run([tool, "plan", "-q", *options, "-tile", side, mosaic, result, folder])}
+    costs = {"plan": run([tool, "plan", "-q", "-tile", side, mosaic, result, folder])}
     tiles = json.loads((folder / "plan.json").read_text())["tiles"]
     costs["find"] = run_all([tool, "find", "-threads", 1, folder], tiles, job)
     costs["join"] = run([tool, "join", "-threads", 1, folder])
@@ -118,7 +118,6 @@ def main():
     parser.add_argument("--cell", type=float, default=1, help="m; default: %(default)s")
     parser.add_argument("--tile", default="1", help="units a side, with commas between; default: %(default)s")
     parser.add_argument("--job", type=int, default=1, help="tiles of a process; default: %(default)s")
-    parser.add_argument("--preset", default="buildings", help="with commas between; default: %(default)s")
     parser.add_argument("--work", type=Path, help="folder for all files; default: <build>/bench/tiles<million>_<cell>")
     given = parser.parse_args()
     build = given.build.resolve()
@@ -126,16 +125,14 @@ def main():
     work.mkdir(parents=True, exist_ok=True)
     os.environ["OGR_CURRENT_DATE"] = "2026-01-01T00:00:00.000Z"
     mosaic = make_mosaic(build, work, given.million, given.cell)
-    for preset in given.preset.split(","):
-        options = ["-preset", preset]
-        whole = work / "whole.gpkg"
-        whole.unlink(missing_ok=True)
-        plain = run([build / "tools/dem2buildings", "-q", "-threads", 2, *options, mosaic, whole])
-        for side in given.tile.split(","):
-            show(f"{preset}, -tile {side}", plain, *measure(build, work, options, side, given.job, mosaic, whole))
-        print(f"\n{given.million} million points of {given.cell:g} m: {bytes_in(work) / 1e6:.0f} MB in all, of which "
-              f"{whole.stat().st_size / 1e6:.0f} MB are the result and "
-              f"{sum(file.stat().st_size for file in work.glob('part_*.tif')) / 1e6:.0f} MB the source", flush=True)
+    whole = work / "whole.gpkg"
+    whole.unlink(missing_ok=True)
+    plain = run([build / "tools/dem2buildings", "-q", "-threads", 2, mosaic, whole])
+    for side in given.tile.split(","):
+        show(f"-tile {side}", plain, *measure(build, work, side, given.job, mosaic, whole))
+    print(f"\n{given.million} million points of {given.cell:g} m: {bytes_in(work) / 1e6:.0f} MB in all, of which "
+          f"{whole.stat().st_size / 1e6:.0f} MB are the result and "
+          f"{sum(file.stat().st_size for file in work.glob('part_*.tif')) / 1e6:.0f} MB the source", flush=True)
 
 
 if __name__ == "__main__":

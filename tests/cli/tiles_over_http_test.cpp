@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fstream>
 
 #include "cli/cli_test_case.hpp"
 
@@ -44,30 +43,6 @@ TEST_F(TilesOverHttp, givesTheBytesOfOneRun) {
         "$tiles find work 0\n"
         "$tiles join work\n"
         "$tiles draw work 0\n"
-        "$tiles merge -q work\n");
-    expect_one_run(result);
-}
-
-/// A window that is just too large to be looked at whole: it has four units, at whose corner the town lies.
-/// All else of it is no data, and levels of the thesis need no ground: that keeps this to a few seconds.
-TEST_F(TilesOverHttp, givesTheBytesOfOneRunInFourUnits) {
-    std::ofstream(path("served/wide.vrt"))
-        << R"(<VRTDataset rasterXSize="8200" rasterYSize="8200"><SRS>EPSG:25833</SRS>
-<GeoTransform>387400,1,0,5824600,0,-1</GeoTransform>
-<VRTRasterBand dataType="Float32" band="1"><NoDataValue>-9999</NoDataValue>
-<SimpleSource><SourceFilename relativeToVRT="1">town.tif</SourceFilename>
-<SrcRect xOff="0" yOff="0" xSize="1000" ySize="1000"/>
-<DstRect xOff="3600" yOff="3600" xSize="1000" ySize="1000"/></SimpleSource>
-</VRTRasterBand></VRTDataset>)";
-    const ToolResult result = serve(
-        "$one -q -preset thesis $url/wide.vrt one.gpkg\n"
-        "$tiles plan -q -preset thesis $url/wide.vrt tiles.gpkg work\n"
-        "$tiles find work 3\n"
-        "$tiles find work 0 1 2\n"
-        "if $tiles find work 4 2> refusal; then exit 1; fi\n"  // there are four
-        "$tiles join work\n"
-        "$tiles draw work 2 3\n"
-        "$tiles draw work 0 1\n"
         "$tiles merge -q work\n");
     expect_one_run(result);
 }

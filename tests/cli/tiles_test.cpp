@@ -62,8 +62,7 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
         {},
         {"-write_doubtful", "-split_height", "3", "-disjoint"},
         {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"},
-        {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel"},
-        {"-preset", "thesis", "-lod", "5"}};
+        {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel"}};
     for (const Arguments& options : variants) {
         const std::string report = whole(options, "one.gpkg");
         Arguments plan{"plan"};
@@ -387,19 +386,22 @@ TEST_F(TilesTool, refusesFilesThatAreNotItsOwn) {
                    {"join", "work"});
 }
 
-TEST_F(TilesTool, expectsLessOfOneLabel) {
+TEST_F(TilesTool, saysWhatATileTakes) {
     EXPECT_EQ(
         well({"plan", sample("town.tif"), "a.gpkg", "work"}),
         "1 tile in work. With one thread a tile takes 0.4 s to find and 0.3 s to draw, about, and 0.1 GB of "
         "memory; 0.1 GB of elevations are read.\n");
-    EXPECT_EQ(
-        well({"plan", "-preset", "thesis", sample("town.tif"), "b.gpkg", "other"}),
-        "1 tile in other. With one thread a tile takes 0.1 s to find and 0.1 s to draw, about, and 0.1 GB "
-        "of memory; 0.1 GB of elevations are read.\n");
     const json plan = json::parse(read_bytes(path("work/plan.json")));
     EXPECT_EQ(plan["expected"]["memory_bytes_a_tile"], 30 * 1000 * 1000);
     EXPECT_EQ(plan["expected"]["bytes_read"], 8 * 1000 * 1000);
     EXPECT_DOUBLE_EQ(plan["expected"]["find_seconds_a_tile"], 0.36);
+}
+
+TEST_F(TilesTool, namesTheRunForThePresetThesis) {
+    expect_refused(2,
+                   "-preset thesis does not work in tiles, because a contour may fill the whole raster; run "
+                   "dem2buildings -preset thesis.",
+                   {"plan", "-preset", "thesis", sample("town.tif"), "a.gpkg", "work"});
 }
 
 TEST_F(TilesTool, refusesADestinationThatIsThere) {

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "contours/reference.hpp"
-#include "core/byte_stream.hpp"
 #include "support/random_grid.hpp"
 
 namespace d2b {
@@ -61,64 +60,6 @@ TEST_P(RandomGrid, EqualsTheReference) {
                 EXPECT_LT(ring.area(), 0);
                 expect_simple_and_compressed(ring.corners());
             }
-        }
-    }
-}
-
-/// What a tracer hands out.
-class Kept final : public ContourSink {
-  public:
-    std::int64_t take(FinishedContour&& finished) override {
-        all.push_back(std::move(finished));
-        return std::ssize(all) - 1;
-    }
-    std::vector<FinishedContour> all;
-};
-
-std::vector<FinishedContour> traced(const test::RandomGridCase& c, Outlines outlines) {
-    ElevationStatistics statistics;
-    statistics.add({{0, c.grid.rows, c.grid.cols}, c.grid.z});
-    Label labels = 1;
-    for (const Label label : c.grid.labels)
-        labels = std::max(labels, label);
-    LevelPlan plan{statistics.minimum, std::vector<std::vector<double>>(labels + 1, c.thresholds)};
-    plan.thresholds[0].clear();
-    const TraceFrame frame{
-        {0, 0, c.grid.rows, c.grid.cols}, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    Kept kept;
-    Tracer tracer(frame, c.mode, kept, outlines);
-    const auto before = test::point_rows<std::uint16_t>(c.grid, plan, {}, 0, 0);
-    const auto band = test::point_rows<std::uint16_t>(c.grid, plan, {}, 0, c.grid.rows);
-    tracer.trace(split_into_runs(frame, c.mode, before, band));
-    return std::move(kept.all);
-}
-
-bool same(const PointStats& a, const PointStats& b) {
-    return a.n == b.n && a.sum == b.sum && a.coarse_sum == b.coarse_sum &&
-           a.coarse_squares == b.coarse_squares && a.lowest == b.lowest && a.highest == b.highest;
-}
-
-std::vector<std::byte> saved(const ElevationSample& sample) {
-    ByteWriter writer;
-    sample.save(writer);
-    return {writer.bytes().begin(), writer.bytes().end()};
-}
-
-TEST_P(RandomGrid, AddsUpTheSameWithoutOutlines) {
-    for (unsigned seed = GetParam() * 20; seed < GetParam() * 20 + 20; ++seed) {
-        SCOPED_TRACE(seed);
-        const test::RandomGridCase c = test::random_grid(seed);
-        const std::vector<FinishedContour> with = traced(c, Outlines::traced);
-        const std::vector<FinishedContour> without = traced(c, Outlines::none);
-        ASSERT_EQ(without.size(), with.size());
-        for (std::size_t i = 0; i < with.size(); ++i) {
-            EXPECT_EQ(without[i].contour.key, with[i].contour.key);
-            EXPECT_TRUE(same(without[i].contour.own, with[i].contour.own));
-            EXPECT_TRUE(same(without[i].contour.above, with[i].contour.above));
-            EXPECT_EQ(saved(without[i].sample), saved(with[i].sample));
-            EXPECT_GT(with[i].contour.exterior.points(), 3);
-            EXPECT_EQ(without[i].contour.exterior.points(), 0);
-            EXPECT_TRUE(without[i].contour.interiors.empty());
         }
     }
 }

@@ -6,17 +6,9 @@
 #include "fuzz/bytes.hpp"
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/found_tile.hpp"
-#include "pipeline/tiles/traced_tile.hpp"
 
 namespace d2b::test {
 namespace {
-
-TraceFrame tile_frame() {
-    TraceFrame frame;
-    frame.window = tile_window;
-    frame.levels = 4;
-    return frame;
-}
 
 /// What a file begins with that has nothing to tell.
 template <typename Begin>
@@ -113,36 +105,6 @@ std::size_t read_contour(std::span<const std::byte> bytes) {
     return reader.left();
 }
 
-std::size_t read_lines(std::span<const std::byte> bytes) {
-    const TraceFrame frame = tile_frame();
-    ByteReader reader({bytes.begin(), bytes.end()});
-    TraceLine line;
-    LineJoiner joiner(frame, line);
-    joiner.add(reader);
-    joiner.add(reader);
-    joiner.finish();
-    for (const ContourSum& sum : line.sums)
-        demand(sum.level >= 0 && sum.level < frame.levels && sum.col < tile_window.cols,
-               "a sum is of a level and a column");
-    demand(line.outside.size() == static_cast<std::size_t>(tile_window.cols),
-           "a line is as wide as the window");
-    for (const std::vector<Run>& runs : line.squares.levels)
-        for (std::size_t i = 0; i < runs.size(); ++i) {
-            demand(runs[i].begin < runs[i].end && runs[i].end <= tile_window.cols,
-                   "a run lies in the window");
-            demand(i == 0 || runs[i - 1].end < runs[i].begin, "runs of a level are apart");
-        }
-    return reader.left();
-}
-
-std::size_t read_traced(std::span<const std::byte> bytes) {
-    ByteReader reader = after([](ByteWriter& writer) { writer.put(Tally()); }, bytes);
-    const TracedTile tile = load_traced_tile(reader);
-    demand((tile.lines + TracedTile::lines_per_block - 1) / TracedTile::lines_per_block == tile.blocks.size(),
-           "there are as many blocks as lines need");
-    return reader.left();
-}
-
 }  // namespace
 
 FoundFacts empty_facts() {
@@ -162,10 +124,6 @@ std::size_t read_tile_file(std::span<const std::byte> file) {
             return read_numbered(bytes);
         case TileFile::numbered_whole:
             return read_numbered_whole(bytes);
-        case TileFile::lines:
-            return read_lines(bytes);
-        case TileFile::traced:
-            return read_traced(bytes);
         case TileFile::contour:
             break;
     }

@@ -10,8 +10,8 @@
 namespace d2b::test {
 
 /// What is read between two steps of a run in tiles; the first byte of a seed.
-enum class TileFile : std::uint8_t { found, joined, drawn, numbered, numbered_whole, lines, traced, contour };
-constexpr std::uint8_t tile_files = 8;
+enum class TileFile : std::uint8_t { found, joined, drawn, numbered, numbered_whole, contour };
+constexpr std::uint8_t tile_files = 6;
 
 /// The window of the plan, which has three units, and of the one that a file speaks of.
 constexpr Window tile_window{10, 20, 8, 9};

@@ -1,7 +1,6 @@
 // Seeds of tiles_fuzz: what the steps of a run in tiles write, of little.
 //   tile_seeds <folder>           writes them
 //   tile_seeds --check <folder>   fails where one is not read to its end: the format has changed since
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -11,7 +10,6 @@
 #include "fuzz/tile_files.hpp"
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/found_tile.hpp"
-#include "pipeline/tiles/traced_tile.hpp"
 
 namespace d2b::test {
 namespace {
@@ -92,20 +90,6 @@ NumberedWhole numbered_whole() {
     return whole;
 }
 
-/// What two tiles side by side know of a line.
-ByteWriter lines() {
-    constexpr std::array beside{1.5, 1.25};
-    PackedLine left(tile_window.row);
-    left.set({{0, 2, 2}, {2, 4, 3}}, {{4, beside}});
-    left.add({false, 1, 2, {}, {}});
-    PackedLine right(tile_window.row);
-    right.set({{4, 7, 2}}, {});
-    ByteWriter both;
-    left.save(both);
-    right.save(both);
-    return both;
-}
-
 DrawnContour contour() {
     DrawnContour drawn;
     drawn.key = {1, {3, 4}};
@@ -144,9 +128,6 @@ void write_all(const fs::path& folder) {
           }));
     write(folder, "numbered", TileFile::numbered, after(numbered(), nothing));
     write(folder, "numbered_whole", TileFile::numbered_whole, after(numbered_whole(), nothing));
-    write(folder, "lines", TileFile::lines, lines());
-    const TracedTile traced{{}, TracedTile::lines_per_block + 1, {{300, 17}, {20, 18}}};
-    write(folder, "traced", TileFile::traced, after(traced, [](ByteWriter& writer) { writer.put(Tally()); }));
     write(folder, "contour", TileFile::contour, after(contour(), nothing));
 }
 

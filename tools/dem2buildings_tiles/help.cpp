@@ -24,7 +24,7 @@ constexpr std::string_view place_text =
     "Relative names of files are of the folder in which plan was run, on every machine.";
 constexpr std::string_view refused_text =
     "plan refuses what the steps cannot do exactly: -flow_ready, -min_gap, -min_wall, -surface, -page, "
-    "-preview and -sweep; with -preset buildings also -simplify and -write_rejected. -write_ground, "
+    "-preview, -sweep, -simplify, -write_rejected and -preset thesis. -write_ground, "
     "-write_height and -write_canopy name a VRT: find writes a GeoTIFF a tile, and join what shows them as "
     "one "
     "raster.";

@@ -25,34 +25,26 @@
 namespace d2b {
 namespace {
 
-/// What was measured on a dense town (docs/scaling.md).
-struct Rates {
-    double find = 0;    ///< core seconds a million points that a tile sees
-    double draw = 0;    ///< core seconds a million points of its own
-    double memory = 0;  ///< bytes a point that it sees
-};
-constexpr Rates of_buildings{0.36, 0.23, 30};
-/// Where all points bear one label a tile looks at its own alone, and merge traces.
-constexpr Rates of_one_label{0.06, 0.1, 20};
+// Measured on a dense town (docs/scaling.md).
+constexpr double find_seconds = 0.36e-6;   // per point that a tile sees, on one core
+constexpr double draw_seconds = 0.23e-6;   // per point of its own
+constexpr std::int64_t memory_bytes = 30;  // per point that it sees
 /// A float a point, as most rasters have it.
 constexpr std::int64_t point_bytes = 4;
 
-TileCost cost_of(const TileGrid& tiles, bool detects) {
-    const Rates& rates = detects ? of_buildings : of_one_label;
+TileCost cost_of(const TileGrid& tiles) {
     TileCost cost;
     std::int64_t seen = 0;
     std::int64_t own = 0;
     for (std::int64_t tile = 0; tile < tiles.count(); ++tile) {
         const Unit whole = tiles.whole(tile);
-        const std::int64_t looked_at = (detects ? whole.seen : whole.own).points();
-        seen += looked_at;
+        seen += whole.seen.points();
         own += whole.own.points();
-        cost.memory_bytes = std::max(
-            cost.memory_bytes, static_cast<std::int64_t>(rates.memory * static_cast<double>(looked_at)));
+        cost.memory_bytes = std::max(cost.memory_bytes, memory_bytes * whole.seen.points());
     }
     const auto count = static_cast<double>(tiles.count());
-    cost.find_seconds = rates.find * 1e-6 * static_cast<double>(seen) / count;
-    cost.draw_seconds = rates.draw * 1e-6 * static_cast<double>(own) / count;
+    cost.find_seconds = find_seconds * static_cast<double>(seen) / count;
+    cost.draw_seconds = draw_seconds * static_cast<double>(own) / count;
     cost.bytes_read = point_bytes * (seen + own);
     return cost;
 }
@@ -90,7 +82,7 @@ void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
 void plan(const TileCommand& command, const Callbacks& callbacks) {
     const Options& options = command.request.options;
     require_tileable(options);
-    const bool parts = detects_buildings(options) && writes_parts(options.write);
+    const bool parts = writes_parts(options.write);
     if (parts && (options.write.append || options.write.overwrite))
         throw OptionError(
             "A folder to which each tile adds its files is a new one; give another name, or delete "
@@ -113,7 +105,7 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
                         run.window(),
                         files_behind(options),
                         run.undeclared()};
-    const TileCost cost = cost_of(run.tiles(), run.setup().plan.detects_buildings());
+    const TileCost cost = cost_of(run.tiles());
     require_no_other(work, plan);
     if (!std::filesystem::exists(work / "plan.json"))
         write_plan(work, plan, cost);

@@ -6,7 +6,7 @@ freeze_outputs.py [-j N] <folder of programs> <file of sums> <raster or folder>.
 Without the file of sums, it is written. Where it exists, the outputs are made again and compared with it; the status
 is 1 where one differs. Folders stand for the rasters below them; a folder with an `ndsm_lod1.tif` or `dsm.tif` stands
 for that one. Each raster is run with both presets on 1 and on 4 threads, which must agree. The first raster is also run
-with surfaces, a page, rasters and in tiles.
+with surfaces, a page, rasters and, with the default preset, in tiles.
 """
 
 import argparse
@@ -66,13 +66,13 @@ def run(programs, raster, options, destination, threads):
         return {"status": str(done.returncode), "said": hashlib.sha256(said).hexdigest()} | sums_of_folder(folder)
 
 
-def run_tiles(programs, raster, options):
+def run_tiles(programs, raster):
     tiles = programs / "dem2buildings_tiles"
     with tempfile.TemporaryDirectory() as folder:
         def step(*words):
             subprocess.run([tiles, *words], cwd=folder, env=ENVIRONMENT, check=True, capture_output=True)
 
-        step("plan", "-q", *options, raster, "out.gpkg", "work")
+        step("plan", "-q", raster, "out.gpkg", "work")
         count = json.loads(pathlib.Path(folder, "work/plan.json").read_text())["tiles"]
         everywhere = [str(tile) for tile in range(count)]
         step("find", "work", *everywhere)
@@ -89,8 +89,7 @@ def jobs_of(programs, rasters):
             for threads in (1, 4):
                 yield f"{raster} {name} {threads}", lambda r=raster, o=options, d=destination, t=threads: run(programs, r, o, d, t)
         if number == 0:
-            for name in EACH:
-                yield f"{raster} {name} tiles", lambda r=raster, o=EACH[name][0]: run_tiles(programs, r, o)
+            yield f"{raster} default tiles", lambda r=raster: run_tiles(programs, r)
 
 
 def differences(kept, made):

@@ -18,7 +18,6 @@
 #include "pipeline/tiles/found_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
-#include "pipeline/tiles/trace_tile.hpp"
 #include "pipeline/trace_contours.hpp"
 
 namespace d2b {
@@ -332,8 +331,6 @@ DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
 }  // namespace
 
 void draw_tile(TileRun& run, std::int64_t tile) {
-    if (!run.setup().plan.detects_buildings())
-        return trace_tile(run, tile);
     const auto path = run.file(TileStep::draw, tile);
     const CheckpointId seal = run.seal(TileStep::draw, tile);
     if (checkpoint_exists(path, seal))

@@ -52,15 +52,6 @@ void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, Elevatio
         facts.terrain_outside = run.sources().terrain->cells_outside_range();
 }
 
-/// Collects elevation statistics of the tile's own cells; there is no detection in this mode.
-void survey_tile(TileRun& run, std::int64_t tile, FoundTile& found) {
-    const Window own = run.tiles().whole(tile).own;
-    SubwindowSource part(run.sources().dem, own);
-    ElevationReader reader(part, run.context(), {.keep_bytes = 0});  // read only once
-    found.facts.survey = survey(reader, run, own, run.context());
-    found.units.resize(run.tiles().units_of(tile).size());
-}
-
 }  // namespace
 
 void find_tile(TileRun& run, std::int64_t tile) {
@@ -70,15 +61,11 @@ void find_tile(TileRun& run, std::int64_t tile) {
         return;
     Context& context = run.context();
     FoundTile found{run.empty_facts(), {}};
-    if (run.setup().plan.detects_buildings()) {
-        const Unit whole = run.tiles().whole(tile);
-        SubwindowSource part(run.sources().dem, expanded(whole.seen, 1, 1, run.window()));
-        ElevationReader reader(part, context);
-        found.facts.survey = survey(reader, run, whole.own, context);
-        find_units(run, tile, part, reader, found);
-    } else {
-        survey_tile(run, tile, found);
-    }
+    const Unit whole = run.tiles().whole(tile);
+    SubwindowSource part(run.sources().dem, expanded(whole.seen, 1, 1, run.window()));
+    ElevationReader reader(part, context);
+    found.facts.survey = survey(reader, run, whole.own, context);
+    find_units(run, tile, part, reader, found);
     found.facts.tally.merge(context.report);
     found.facts.warnings = run.take_warnings();
     ByteWriter writer;

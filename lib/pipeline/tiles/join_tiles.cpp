@@ -280,10 +280,8 @@ void join_tiles(TileRun& run) {
         return;
     TileJoiner join(run);
     join.load();
-    if (run.setup().plan.detects_buildings()) {
-        join.join();
-        join.write_tiles();
-    }
+    join.join();
+    join.write_tiles();
     publish_rasters(run);
     join.write_frame();
     run.remove_leftovers(TileStep::find);

@@ -14,6 +14,7 @@
 #include "contours/level_plan.hpp"
 #include "core/lattice.hpp"
 #include "dem2buildings/spool.hpp"
+#include "features/suspicious_values.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/feature_writer.hpp"
 #include "features/record_builder.hpp"
@@ -25,7 +26,6 @@
 #include "pipeline/tiles/tile_numbers.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
-#include "pipeline/tiles/trace_tile.hpp"
 
 namespace d2b {
 
@@ -291,6 +291,18 @@ void check_terrain_range(TileRun& run, const FoundFacts& facts, FeatureSink& fea
     pass_warnings(run.sources(), {features}, context);
 }
 
+/// Loads the results of join and issues the same warnings as an untiled run. @throws InputError
+FoundFacts load_and_report_frame(TileRun& run, FeatureSink& features) {
+    Context& context = run.context();
+    FoundFacts facts = run.load_frame();
+    report_suspicious_values(facts.survey.suspicious, facts.survey.statistics.moments.n, run.undeclared(),
+                             run.setup().dem, run.setup().plan.asked.read, context);
+    for (const std::string& text : facts.warnings)
+        context.warn(text);
+    pass_warnings(run.sources(), {features}, context);
+    return facts;
+}
+
 /// @throws Error
 void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, CommitList& commit) {
     Context& context = run.context();
@@ -338,10 +350,7 @@ RunReport merge(TileRun& run, FeatureSink& features, IdCollectorSink* parts,
     const auto warn = [&] { pass_warnings(run.sources(), {features}, run.context()); };
     CommitList commit;
     try {
-        if (run.setup().plan.detects_buildings())
-            merge_drawn(run, features, parts, commit);
-        else
-            merge_traced(run, features, commit);
+        merge_drawn(run, features, parts, commit);
     } catch (...) {
         warn();  // may explain the error
         throw;

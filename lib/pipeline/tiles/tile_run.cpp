@@ -114,8 +114,7 @@ TileRun::TileRun(const TileRunParameters& work, const Options& options, const So
 }
 
 ValidityRules TileRun::validity_rules() const {
-    ValidityRules rules =
-        d2b::validity_rules(setup_.plan.asked.read, setup_.plan.detects_buildings(), setup_.dem, metres());
+    ValidityRules rules = d2b::validity_rules(setup_.plan.asked.read, true, setup_.dem, metres());
     rules.undeclared = undeclared().values();
     return rules;
 }
@@ -168,6 +167,10 @@ void require_tileable(const Options& options) {
             throw OptionError(option + " does not work in tiles: " + what +
                               "; leave it out, or run dem2buildings.");
     };
+    if (!detects_buildings(options))
+        throw OptionError(
+            "-preset thesis does not work in tiles, because a contour may fill the whole raster; run "
+            "dem2buildings -preset thesis.");
     const WriteOptions& write = options.write;
     refuse(!write.preview.empty(), "-preview", "a picture is drawn of the whole");
     refuse(!write.surfaces.empty(), "-surface", "a surface is made of the whole");
@@ -176,11 +179,8 @@ void require_tileable(const Options& options) {
     refuse(options.outline.flow_ready > 0, "-flow_ready", flow);
     refuse(options.outline.min_gap.has_value(), "-min_gap", flow);
     refuse(options.outline.min_wall.has_value(), "-min_wall", flow);
-    // With -preset thesis the merge step has all contours.
-    const bool found = detects_buildings(options);
-    refuse(found && options.outline.simplify > 0, "-simplify",
-           "borders are simplified that the whole shares");
-    refuse(found && write.rejected, "-write_rejected", "what is dropped is kept in one run alone");
+    refuse(options.outline.simplify > 0, "-simplify", "borders are simplified that the whole shares");
+    refuse(write.rejected, "-write_rejected", "what is dropped is kept in one run alone");
 }
 
 namespace {
