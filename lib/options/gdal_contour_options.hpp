@@ -19,8 +19,7 @@ struct GdalContourOption {
     std::string_view name;      ///< without dash
     std::string_view synopsis;  ///< synopsis in the documentation of gdal_contour
     OptionSupport fate = OptionSupport::same;
-    std::string_view
-        note;  ///< completes a sentence that begins with the name; advice if the option is refused
+    std::string_view note;  ///< reason for the treatment, as a clause; "" if it is the same
 };
 
 [[nodiscard]] std::span<const GdalContourOption> gdal_contour_options();

@@ -10,12 +10,10 @@ OptionRow preset() {
     return choice_row(
         "preset", presets, [](auto& r) -> auto& { return r.options.preset; },
         {.title = "Method",
-         .help = "Method: a set of defaults, which the other options refine.",
-         .details = "buildings finds the ground and the buildings, draws straight walls, and "
-                    "divides each building by height. thesis follows Chittineni (2003): thresholds "
-                    "from the mean and the standard deviation of all elevations, and contours "
-                    "through grid points (collapsed contouring). It takes everything above the "
-                    "lowest threshold for a building, trees too.",
+         .help = "Method: a set of defaults that other options refine.",
+         .details = "buildings finds the ground and the buildings, draws straight walls, and divides each "
+                    "building by height. thesis follows Chittineni (2003): everything above the lowest "
+                    "threshold is a building, trees too, and contours run through grid points.",
          .item = "PRESET"});
 }
 
@@ -27,10 +25,9 @@ OptionRow ground() {
                  {.title = "How the ground is found",
                   .section = DialogSection::ground,
                   .help = "The ground below the buildings.",
-                  .details = "auto: the program estimates it from the input. none: the input holds heights "
-                             "above ground. A terrain model is any raster that GDAL reads; the program "
-                             "converts it to the cells, CRS and unit of the input. A file called auto or "
-                             "none needs its path: ./auto.",
+                  .details = "auto: estimated from the input. none: the input holds heights above ground. A "
+                             "terrain model is any raster that GDAL reads, in any CRS and unit. A file "
+                             "called auto or none needs its path: ./auto.",
                   .scope = detection_scope("none"),
                   .item = "GROUND"});
     row.choices = words_of(modes);
@@ -49,36 +46,32 @@ OptionRow ground() {
 
 std::vector<OptionRow> parcels() {
     std::vector<OptionRow> rows;
-    rows.push_back(text_row(
-        "split_by", OptionKind::polygons, "<polygons or lines>",
-        [](auto& r) -> auto& { return r.options.detect.split_by; },
-        {.title = "Parcels that cut blocks into houses",
-         .section = DialogSection::detail,
-         .help = "Cut buildings by parcels: polygons, or lines that cross them.",
-         .details = "Any dataset that GDAL reads, in any CRS. Each part is a building of its own, and "
-                    "parts share their wall exactly. The field parcel holds the identifier of the "
-                    "polygon. -split_height divides the parts further.",
-         .scope = detection_scope(),
-         .item = "SPLIT_BY"}));
+    rows.push_back(text_row("split_by", OptionKind::polygons, "<polygons or lines>",
+                            [](auto& r) -> auto& { return r.options.detect.split_by; },
+                            {.title = "Parcels that cut blocks into houses",
+                             .section = DialogSection::detail,
+                             .help = "Cut buildings by parcels: polygons, or lines that cross them.",
+                             .details = "In any CRS. Each part is a building, parts share their walls "
+                                        "exactly, and the field parcel identifies the polygon.",
+                             .scope = detection_scope(),
+                             .item = "SPLIT_BY"}));
     rows.push_back(text_row("split_layer", OptionKind::text, "<layer>",
                             [](auto& r) -> auto& { return r.options.detect.split_layer; },
                             {.title = "Layer of the parcels",
-                             .help = "Layer of -split_by; by default the first that has geometries.",
+                             .help = "Layer of -split_by; by default the first with geometries.",
                              .scope = detection_scope()}));
     rows.push_back(
         text_row("split_field", OptionKind::text, "<field>",
                  [](auto& r) -> auto& { return r.options.detect.split_field; },
                  {.title = "Field that identifies a parcel",
-                  .help = "Field of -split_by that identifies a parcel; by default the id of the feature.",
+                  .help = "Field of -split_by that identifies a parcel; by default the feature id.",
                   .scope = detection_scope()}));
     rows.push_back(number_row(
         "split_width", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.split_width; },
         {.title = "Narrowest part that parcels cut off",
-         .help =
-             "Width of the narrowest part that -split_by cuts off; a cut that runs nearer to a wall is that "
-             "wall.",
-         .details = "Parcels and walls never agree exactly. What is narrower stays with what lies beside it, "
-                    "and a part smaller than -min_area with the neighbour it shares most with.",
+         .help = "Narrowest part that -split_by cuts off; a cut closer to a wall follows the wall.",
+         .details = "Narrower parts stay with their neighbour. Parts smaller than -min_area join the "
+                    "neighbour with the longest shared wall.",
          .unit = "m",
          .scope = detection_scope(),
          .item = "SPLIT_WIDTH_M"}));
@@ -90,11 +83,10 @@ std::vector<OptionRow> evidence() {
     rows.push_back(
         number_row("min_confidence", "<0 to 1>", {.lowest = 0, .highest = 1},
                    [](auto& r) -> auto& { return r.options.detect.min_confidence; },
-                   {.title = "Least confidence",
+                   {.title = "Minimum confidence",
                     .section = DialogSection::trees,
-                    .help = "Least confidence of a building; less certain objects are left out.",
-                    .details = "The confidence tells buildings from trees by smoothness, the step along the "
-                               "border, and the tilt and size of the smooth pieces.",
+                    .help = "Minimum confidence of a building; less certain objects are left out.",
+                    .details = "Confidence separates buildings from trees by smoothness, edges and shape.",
                     .scope = detection_scope(),
                     .item = "MIN_CONFIDENCE"}));
     rows.push_back(
@@ -103,15 +95,14 @@ std::vector<OptionRow> evidence() {
                  {.title = "Where buildings may stand (mask)",
                   .section = DialogSection::trees,
                   .help = "Look for buildings only where this raster is not 0, or in these polygons.",
-                  .details = "Any dataset that GDAL reads, in any CRS. The ground is estimated everywhere.",
+                  .details = "In any CRS. The ground is estimated everywhere.",
                   .scope = detection_scope(),
                   .item = "MASK"}));
-    rows.push_back(
-        text_row("mask_layer", OptionKind::text, "<layer>",
-                 [](auto& r) -> auto& { return r.options.detect.mask_layer; },
-                 {.title = "Layer of the mask",
-                  .help = "Layer of the polygons of -mask; by default the first that has geometries.",
-                  .scope = detection_scope()}));
+    rows.push_back(text_row("mask_layer", OptionKind::text, "<layer>",
+                            [](auto& r) -> auto& { return r.options.detect.mask_layer; },
+                            {.title = "Layer of the mask",
+                             .help = "Layer of -mask; by default the first with geometries.",
+                             .scope = detection_scope()}));
     rows.push_back(text_row("ndvi", OptionKind::raster, "<raster>",
                             [](auto& r) -> auto& { return r.options.detect.ndvi; },
                             {.title = "Vegetation index (NDVI)",
@@ -122,13 +113,11 @@ std::vector<OptionRow> evidence() {
                              .item = "NDVI"}));
     rows.push_back(number_row(
         "split_height", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.split_height; },
-        {.title = "Step of the height that divides a building",
+        {.title = "Height step that divides a building",
          .section = DialogSection::detail,
-         .help = "Divide buildings where the height steps by more; 0 divides none. Houses of "
-                 "equal height that share walls stay one block.",
-         .details = "Parcels divide such a block, see -split_by. The parts share their wall exactly. Parts "
-                    "smaller than -min_area stay with "
-                    "their neighbour.",
+         .help = "Divide buildings at height steps larger than this; 0 divides none.",
+         .details = "The parts share their walls exactly; parts smaller than -min_area stay with their "
+                    "neighbour. Houses of equal height stay one block; -split_by divides them.",
          .unit = "m",
          .scope = detection_scope("0"),
          .item = "SPLIT_HEIGHT_M"}));
@@ -143,39 +132,36 @@ std::vector<OptionRow> buildings() {
     std::vector<OptionRow> rows;
     rows.push_back(preset());
     rows.push_back(ground());
-    rows.push_back(
-        number_row("max_building_width", "<m>", {.lowest = 0, .highest = 100000, .above_lowest = true},
-                   [](auto& r) -> auto& { return r.options.ground.max_building_width; },
-                   {.title = "Widest building",
-                    .section = DialogSection::ground,
-                    .help = "Width of the widest building; the program looks for ground within this "
-                            "distance.",
-                    .details = "For -ground auto. A larger width takes more time and follows hills less "
-                               "closely.",
-                    .unit = "m",
-                    .scope = detection_scope(),
-                    .item = "MAX_BUILDING_WIDTH_M"}));
+    rows.push_back(number_row(
+        "max_building_width", "<m>", {.lowest = 0, .highest = 100000, .above_lowest = true},
+        [](auto& r) -> auto& { return r.options.ground.max_building_width; },
+        {.title = "Widest building",
+         .section = DialogSection::ground,
+         .help = "Width of the widest building; ground is searched within this distance.",
+         .details = "For -ground auto. A larger width takes longer and follows hills less closely.",
+         .unit = "m",
+         .scope = detection_scope(),
+         .item = "MAX_BUILDING_WIDTH_M"}));
     rows.push_back(number_row(
         "min_height", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.min_height; },
-        {.title = "Height above the ground where a building begins",
+        {.title = "Height above ground at which a building begins",
          .section = DialogSection::ground,
          .help = "Lowest height above ground that belongs to a building.",
-         .details = "Lower parts of buildings are cut off. To keep only high buildings use "
-                    "-min_building_height.",
+         .details =
+             "Lower parts of buildings are cut off; to keep only tall buildings use -min_building_height.",
          .unit = "m",
          .scope = detection_scope(),
          .item = "MIN_HEIGHT_M"}));
-    rows.push_back(
-        number_row("min_building_height", "<m>", {.lowest = 0},
-                   [](auto& r) -> auto& { return r.options.detect.min_building_height; },
-                   {.title = "Lowest building to keep",
-                    .section = DialogSection::basic,
-                    .help = "Lowest building to keep, by its p90; 0 keeps all.",
-                    .details = "p90 is the height above ground that 90 % of its points do not exceed. A "
-                               "building is kept whole, with its contours.",
-                    .unit = "m",
-                    .scope = detection_scope("0"),
-                    .item = "MIN_BUILDING_HEIGHT_M"}));
+    rows.push_back(number_row("min_building_height", "<m>", {.lowest = 0},
+                              [](auto& r) -> auto& { return r.options.detect.min_building_height; },
+                              {.title = "Lowest building to keep",
+                               .section = DialogSection::basic,
+                               .help = "Lowest building to keep, by its p90; 0 keeps all.",
+                               .details = "p90 is the height above ground that 90 % of its points do not "
+                                          "exceed. Buildings are kept whole.",
+                               .unit = "m",
+                               .scope = detection_scope("0"),
+                               .item = "MIN_BUILDING_HEIGHT_M"}));
     for (OptionRow& row : evidence())
         rows.push_back(std::move(row));
     return rows;

@@ -6,13 +6,12 @@ namespace {
 
 /// Takes all numbers that follow: "-fl 10 12.5 15".
 OptionRow fixed_levels() {
-    OptionRow row =
-        make_row("fl", OptionKind::numbers, "<level> [<level>...]",
-                 {.title = "Levels at these elevations",
-                  .help = "Thresholds at these elevations, in place of those of -lod.",
-                  .details = "Every number that follows is a threshold. The option may be given again and "
-                             "then adds more. A file whose name is a number needs its path: ./12.",
-                  .unit = "vertical unit of the input"});
+    OptionRow row = make_row(
+        "fl", OptionKind::numbers, "<level> [<level>...]",
+        {.title = "Levels at these elevations",
+         .help = "Thresholds at these elevations, instead of those of -lod.",
+         .details = "Takes all numbers that follow. A file whose name is a number needs its path: ./12.",
+         .unit = "vertical unit of the input"});
     row.arity = Arity::list;
     row.repeatable = true;
     row.range = "numbers";
@@ -37,23 +36,22 @@ OptionRow fixed_levels() {
 
 std::vector<OptionRow> noise() {
     std::vector<OptionRow> rows;
-    rows.push_back(integer_row(
-        "nf", "<points>", {.lowest = 0, .highest = 1000000000},
-        [](auto& r) -> auto& { return r.options.filter.noise_factor; },
-        {.title = "Shortest outline of a part",
-         .help = "Noise factor: drop contours whose outline passes fewer grid points.",
-         .details = "All that stands on such a contour goes with it. Holes are filled by the same "
-                    "rule, unless a contour that is kept stands in them. 0 keeps everything.",
-         .unit = "grid points",
-         .item = "NOISE_FACTOR"}));
+    rows.push_back(
+        integer_row("nf", "<points>", {.lowest = 0, .highest = 1000000000},
+                    [](auto& r) -> auto& { return r.options.filter.noise_factor; },
+                    {.title = "Shortest outline of a part",
+                     .help = "Noise factor: drop contours whose outline passes fewer grid points.",
+                     .details = "Contours on top of them are dropped too. Holes are filled by the same rule, "
+                                "unless a kept contour stands in them. 0 keeps everything.",
+                     .unit = "grid points",
+                     .item = "NOISE_FACTOR"}));
     rows.push_back(number_row(
         "min_area", "<m2>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.filter.min_area_m2; },
         {.title = "Smallest building to keep",
          .section = DialogSection::basic,
          .help = "Smallest area of a building; by default " + number_text(default_min_building_m2) + " m2.",
-         .details = "With -preset thesis it drops contours of a smaller area and fills such holes, "
-                    "as -nf does with short ones; this also removes long thin rows of trees. There "
-                    "it has no default.",
+         .details =
+             "With -preset thesis, which has no default, it drops smaller contours and fills smaller holes.",
          .unit = "m2",
          .item = "MIN_AREA_M2"}));
     return rows;
@@ -67,23 +65,22 @@ std::vector<OptionRow> flow() {
         "flow_ready", "<m>", {.lowest = 0, .highest = most},
         [](auto& r) -> auto& { return r.options.outline.flow_ready; },
         {.title = "Outlines for flow solvers",
-         .help = "Close gaps and courtyards that are narrower than this, merge walls that are shorter, and "
-                 "widen parts of buildings that are narrower.",
-         .details =
-             "Corners below 20.7 degrees and corners that touch go as well. What would change a block by "
-             "more than 1 % in all is left; -write_problems shows it. 0 changes nothing.",
+         .help = "Close gaps and courtyards narrower than this, merge shorter walls, and widen narrower "
+                 "parts of buildings.",
+         .details = "Corners below 20.7 degrees and corners that touch are removed, too. Places whose change "
+                    "would be too large are left; -write_problems shows them. 0 changes nothing.",
          .unit = "m"}));
     rows.push_back(number_row("min_gap", "<m>", {.lowest = 0, .highest = most},
                               [](auto& r) -> auto& { return r.options.outline.min_gap; },
                               {.title = "Narrowest gap",
-                               .help = "The same of gaps and courtyards alone; by default as -flow_ready.",
+                               .help = "The limit for gaps and courtyards; by default that of -flow_ready.",
                                .unit = "m"}));
     rows.push_back(number_row(
         "min_wall", "<m>", {.lowest = 0, .highest = most},
         [](auto& r) -> auto& { return r.options.outline.min_wall; },
         {.title = "Shortest wall",
-         .help = "The same of walls and of narrow parts of buildings alone; by default as -flow_ready.",
-         .details = "Corners that touch are taken apart by up to this length.",
+         .help = "The limit for walls and narrow parts of buildings; by default that of -flow_ready.",
+         .details = "Corners that touch are moved apart by up to this length.",
          .unit = "m"}));
     return rows;
 }
@@ -96,13 +93,11 @@ OptionRow walls() {
         "regularize", choices, [](auto& r) -> auto& { return r.options.outline.walls; },
         {.title = "Straight walls",
          .section = DialogSection::detail,
-         .help = "Straight walls in place of the staircase that cells make.",
-         .details = "auto: walls along the main directions of a building and at right angles where "
-                    "the data support it, other walls as they run, circles and arcs where they "
-                    "fit. right: right angles alone. free: straight walls of any direction. off: "
-                    "the outline as it was traced. Where a wall does not fit within the tolerance, "
-                    "the outline follows its trace more closely. By default auto; off with "
-                    "-simplify or -preset thesis.",
+         .help = "Straight walls instead of the staircase of the cells.",
+         .details =
+             "auto: along the main directions of a building and at right angles where the data support it, "
+             "otherwise in any direction; circles and arcs where they fit. right: only right angles. free: "
+             "any direction. off: outlines as traced. By default auto; off with -simplify or -preset thesis.",
          .item = "REGULARIZE"});
 }
 
@@ -117,11 +112,10 @@ std::vector<OptionRow> levels() {
         choice_row("levels", sources, [](auto& r) -> auto& { return r.options.levels.source; },
                    {.title = "How levels are chosen",
                     .help = "How -lod chooses thresholds.",
-                    .details = "natural: for each building between its roofs (the natural breaks of its "
-                               "elevations), and only as many as are worth the borders that they make. "
-                               "building: for each building in equal slices. Both keep thresholds at least "
-                               "half a metre apart. global: one set for the whole input, as -preset thesis "
-                               "does. By default natural, with -preset thesis global.",
+                    .details = "natural: per building, between its roofs (natural breaks of its elevations), "
+                               "as many as are worth their borders. building: per building, in equal slices. "
+                               "In both, thresholds are at least half a metre apart. global: one set for the "
+                               "whole input. By default natural, with -preset thesis global.",
                     .scope = detection_scope("global"),
                     .item = "LEVELS"}));
     rows.push_back(integer_row(
@@ -129,33 +123,33 @@ std::vector<OptionRow> levels() {
         {.title = "Number of levels in a building",
          .section = DialogSection::detail,
          .help = "Level of detail: the number of thresholds.",
-         .details = "With -levels natural it is the largest number in a building. Otherwise the "
-                    "thresholds divide the range from one standard deviation below the mean "
-                    "elevation to one above it into n + 1 equal slices.",
+         .details =
+             "With -levels natural the maximum per building. Otherwise the thresholds divide the range from "
+             "one standard deviation below the mean elevation to one above it into n + 1 equal slices.",
          .item = "LOD"}));
-    rows.push_back(number_row(
-        "detail", "<height>", {.lowest = 0, .highest = 1000},
-        [](auto& r) -> auto& { return r.options.levels.detail; },
-        {.title = "Smallest step of a roof",
-         .section = DialogSection::detail,
-         .help = "Smallest step of a roof: a strip one metre wide (a cell, where cells are larger) that "
-                 "stands out by less joins the roof beside it.",
-         .details = "So do parts narrower than two cells: chimneys, dormers, edges that a wall smears. Wider "
-                    "strips may stand out by less, narrower ones must by more. A larger height gives fewer "
-                    "contours with fewer vertices; 0 keeps every cell's own elevation. By default " +
-                    number_text(default_detail_m) + ", with -preset thesis 0.",
-         .unit = "m",
-         .scope = detection_scope("0"),
-         .item = "DETAIL_M"}));
+    rows.push_back(
+        number_row("detail", "<height>", {.lowest = 0, .highest = 1000},
+                   [](auto& r) -> auto& { return r.options.levels.detail; },
+                   {.title = "Smallest step of a roof",
+                    .section = DialogSection::detail,
+                    .help = "Smallest step of a roof: a strip one metre wide (or one cell, if larger) that "
+                            "stands out by less joins the roof next to it.",
+                    .details = "Wider strips may stand out less, narrower ones must stand out more. Parts "
+                               "narrower than two cells, such as chimneys and dormers, join too. A larger "
+                               "height gives fewer contours and vertices; 0 keeps all. By default " +
+                               number_text(default_detail_m) + ", with -preset thesis 0.",
+                    .unit = "m",
+                    .scope = detection_scope("0"),
+                    .item = "DETAIL_M"}));
     rows.push_back(fixed_levels());
     rows.push_back(number_row("i", "<interval>", {.lowest = 0, .above_lowest = true},
                               [](auto& r) -> auto& { return r.options.levels.interval; },
                               {.title = "Interval between levels",
-                               .help = "Interval between thresholds, in place of those of -lod.",
+                               .help = "Interval between thresholds, instead of those of -lod.",
                                .unit = "vertical unit of the input"}));
     rows.push_back(number_row("off", "<base>", {}, [](auto& r) -> auto& { return r.options.levels.offset; },
-                              {.title = "Elevation that the intervals count from",
-                               .help = "Elevation that the intervals of -i count from.",
+                              {.title = "Base elevation of the interval",
+                               .help = "Elevation from which the intervals of -i count.",
                                .unit = "vertical unit of the input"}));
     return rows;
 }
@@ -167,18 +161,17 @@ std::vector<OptionRow> contours() {
         "trace", modes, [](auto& r) -> auto& { return r.options.trace.mode; },
         {.title = "Path of the outlines",
          .help = "Path of the outlines: through grid points, or along the borders of cells.",
-         .details = "By default cells, with -preset thesis points. points: through the outermost "
-                    "grid points above the threshold, so that a building loses half a cell on each "
-                    "side. cells: along the borders of the cells around these points, so that "
-                    "areas are unbiased.",
+         .details = "points: through the outermost grid points above the threshold; a building loses half a "
+                    "cell on each side. cells: along the borders of the cells of these points; areas are "
+                    "unbiased. By default cells, with -preset thesis points.",
          .item = "TRACE"}));
     for (OptionRow& row : noise())
         rows.push_back(std::move(row));
     rows.push_back(walls());
     rows.push_back(switch_row("arcs", [](auto& r) -> auto& { return r.options.outline.arcs; },
                               {.title = "Round walls as arcs",
-                               .help = "Write round walls as circular arcs where the format has them.",
-                               .details = "Otherwise they are short straight pieces.",
+                               .help = "Write round walls as circular arcs if the format has them.",
+                               .details = "By default they are short straight lines.",
                                .python = Python::extract_file}));
     for (OptionRow& row : flow())
         rows.push_back(std::move(row));
@@ -195,19 +188,17 @@ std::vector<OptionRow> contours() {
         [](auto& r) -> auto& { return r.options.outline.wall_inset; },
         {.title = "Straight walls inward by",
          .help = "Move straight walls inward, for rasters whose cells hold the highest of several points.",
-         .details =
-             "There a cell is a roof's as soon as one point on the roof falls into it, so outlines are "
-             "too wide: by about 1/2 - 1/(n+1) of a cell for n points a cell, and by the radius of a "
-             "pulse. Walls move as far as -regularize_tolerance lets them.",
+         .details = "In such rasters outlines are too wide by up to half a cell, and by the radius of a "
+                    "pulse. Walls move as far as -regularize_tolerance lets them.",
          .unit = "cells"}));
-    rows.push_back(number_row(
-        "simplify", "<tolerance>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.outline.simplify; },
-        {.title = "Tolerance of simplified outlines",
-         .help = "Simplify outlines; 0 keeps every corner.",
-         .details = "Polygons stay nested, disjoint and valid, since shared borders move together. "
-                    "A contour that would break keeps its traced outline and is flagged.",
-         .unit = "units of the input's CRS, degrees in a geographic one",
-         .item = "SIMPLIFY"}));
+    rows.push_back(number_row("simplify", "<tolerance>", {.lowest = 0},
+                              [](auto& r) -> auto& { return r.options.outline.simplify; },
+                              {.title = "Tolerance of simplified outlines",
+                               .help = "Simplify outlines; 0 keeps every corner.",
+                               .details = "Polygons stay nested, disjoint and valid. A contour that would "
+                                          "break keeps its traced outline and is flagged.",
+                               .unit = "units of the input's CRS, degrees in a geographic one",
+                               .item = "SIMPLIFY"}));
     rows.push_back(switch_row("disjoint", [](auto& r) -> auto& { return r.options.outline.disjoint; },
                               {.title = "Parts that do not overlap",
                                .section = DialogSection::output,

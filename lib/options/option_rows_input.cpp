@@ -12,15 +12,13 @@ namespace {
 OptionRow vertical_unit() {
     const NumberRange metres{.lowest = 0, .above_lowest = true};
     const Texts units{"m", "ft", "us-ft"};
-    OptionRow row =
-        make_row("zunit", OptionKind::text, joined(units, "|") + "|<metres>",
-                 {.title = "Unit of the elevations",
-                  .help = "Unit of the elevations.",
-                  .details = "By default the program takes the first of these that is known, and the report "
-                             "says which: the unit of the band, of the vertical CRS, of the horizontal CRS. "
-                             "A band whose unit is no length is refused without this option. ft is the "
-                             "international foot, us-ft the US survey foot; a number gives the metres in "
-                             "one unit."});
+    OptionRow row = make_row(
+        "zunit", OptionKind::text, joined(units, "|") + "|<metres>",
+        {.title = "Unit of the elevations",
+         .help = "Unit of the elevations.",
+         .details =
+             "ft is the international foot, us-ft the US survey foot; a number is the length of the unit in "
+             "metres. By default the first known unit of the band, the vertical and the horizontal CRS."});
     row.choices = units;
     Texts all = units;
     all.push_back(metres.text("a number") + " (metres in one unit)");
@@ -45,10 +43,8 @@ OptionRow elevation_range() {
         [](const Two& range) { return range[0] < range[1]; },
         [](auto& r) -> auto& { return r.options.read.elevation_range; },
         {.title = "Range of valid elevations",
-         .help = "Range of the elevations; values outside it are not used.",
-         .details = "By default from -500 to 9000 m, whatever the unit: no land lies lower or "
-                    "higher. Cells outside count as no data, also those of a terrain model; the "
-                    "report counts them, and a warning names a value.",
+         .help = "Range of valid elevations; values outside count as no data.",
+         .details = "Also applies to -ground. By default -500 to 9000 m, because no land is lower or higher.",
          .unit = "vertical unit of the input"});
 }
 
@@ -94,21 +90,20 @@ std::vector<OptionRow> windows() {
             return w[0] < w[2] && w[1] < w[3];
         },
         [](auto& r) -> auto& { return r.options.read.extent; },
-        {.title = "Extent to look at",
+        {.title = "Extent to use",
          .section = DialogSection::basic,
          .help = "Part of the input to use: the points within this rectangle.",
          .unit = "units of the input's CRS"}));
-    rows.push_back(
-        text_row("cutline", OptionKind::polygons, "<polygons>",
-                 [](auto& r) -> auto& { return r.options.read.cutline; },
-                 {.title = "Area of interest (polygons)",
-                  .section = DialogSection::basic,
-                  .help = "Vector dataset whose polygons bound the area of interest.",
-                  .details = "Any dataset that GDAL reads. Points outside the polygons are not used."}));
+    rows.push_back(text_row("cutline", OptionKind::polygons, "<polygons>",
+                            [](auto& r) -> auto& { return r.options.read.cutline; },
+                            {.title = "Area of interest (polygons)",
+                             .section = DialogSection::basic,
+                             .help = "Polygons that bound the area of interest.",
+                             .details = "Points outside are not used."}));
     rows.push_back(text_row("cutline_layer", OptionKind::text, "<layer>",
                             [](auto& r) -> auto& { return r.options.read.cutline_layer; },
                             {.title = "Layer of the area of interest",
-                             .help = "Layer of the cutline; by default the first that has geometries."}));
+                             .help = "Layer of -cutline; by default the first with geometries."}));
     return rows;
 }
 
@@ -122,34 +117,30 @@ std::vector<OptionRow> input() {
     rows.push_back(list_row(
         "oo", "<NAME>=<VALUE>", "NAME=VALUE", [](auto& r) -> auto& { return r.options.read.open_options; },
         {.title = "Open options of the raster's format", .help = "Open option of the input's format."}));
-    rows.push_back(list_row(
-        "if", "<format>", "", [](auto& r) -> auto& { return r.options.read.drivers; },
-        {.title = "Format of the raster",
-         .help = "Format to try on the input.",
-         .details =
-             "A short name of GDAL's, as --formats lists them. Without this option every format is tried.",
-         .python_name = "input_format"}));
+    rows.push_back(list_row("if", "<format>", "", [](auto& r) -> auto& { return r.options.read.drivers; },
+                            {.title = "Format of the raster",
+                             .help = "Format to try on the input.",
+                             .details = "A short name of GDAL's, see --formats; by default all are tried.",
+                             .python_name = "input_format"}));
     rows.push_back(text_row("a_srs", OptionKind::crs, "<crs>",
                             [](auto& r) -> auto& { return r.options.read.crs; },
                             {.title = "Coordinate system of the raster",
-                             .help = "CRS of the input, in place of its own.",
-                             .details = "An authority code such as EPSG:25832, with a vertical CRS "
-                                        "EPSG:25832+7837, or WKT, PROJJSON or a "
-                                        "PROJ string. Nothing is reprojected.",
+                             .help = "CRS of the input, instead of its own.",
+                             .details = "A code such as EPSG:25832, or EPSG:25832+7837 with a vertical CRS; "
+                                        "WKT, PROJJSON or a PROJ string. Nothing is reprojected.",
                              .python_name = "crs"}));
     rows.push_back(number_row(
         "snodata", "<value>", {}, [](auto& r) -> auto& { return r.options.read.nodata; },
         {.title = "Value that stands for no data",
-         .help = "Value that stands for no data, in place of the input's own.",
+         .help = "Value that stands for no data, instead of the input's own.",
          .details =
-             "It is compared with the values as stored, before the band's scale and offset. NaN and infinite "
-             "elevations are never valid, with or without this option.",
+             "Compared with the stored values, before scale and offset. NaN and infinity are never valid.",
          .python_name = "nodata"}));
     rows.push_back(switch_row("inodata", [](auto& r) -> auto& { return r.options.read.ignore_nodata; },
                               {.title = "Treat the NoData value as an elevation",
                                .help = "Treat the input's NoData value as an elevation.",
-                               .details = "So are values that seem to be NoData without being declared: many "
-                                          "cells along the edge share them, a step from all else."}));
+                               .details = "Values that look like undeclared NoData are kept too: values that "
+                                          "many cells along the edge share, far from all others."}));
     for (OptionRow& row : windows())
         rows.push_back(std::move(row));
     rows.push_back(vertical_unit());

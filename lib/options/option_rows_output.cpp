@@ -8,13 +8,13 @@ namespace {
 
 std::vector<OptionRow> dataset() {
     std::vector<OptionRow> rows;
-    rows.push_back(text_row(
-        "f", OptionKind::text, "<format>", [](auto& r) -> auto& { return r.options.write.format; },
-        {.title = "Format of the result",
-         .help = "Format of the output; by default the one of the file name's extension.",
-         .details = "A short name of GDAL's, as --formats lists them, such as GPKG or \"ESRI Shapefile\".",
-         .aliases = {"of", "output_format"},
-         .python = Python::extract_file}));
+    rows.push_back(
+        text_row("f", OptionKind::text, "<format>", [](auto& r) -> auto& { return r.options.write.format; },
+                 {.title = "Format of the result",
+                  .help = "Format of the output; by default from the extension of the file name.",
+                  .details = "A short name of GDAL's, see --formats, such as GPKG or \"ESRI Shapefile\".",
+                  .aliases = {"of", "output_format"},
+                  .python = Python::extract_file}));
     rows.push_back(list_row("dsco", "<NAME>=<VALUE>", "NAME=VALUE",
                             [](auto& r) -> auto& { return r.options.write.dataset_options; },
                             {.title = "Creation options of the file",
@@ -30,19 +30,15 @@ std::vector<OptionRow> dataset() {
         "nln", OptionKind::text, "<name>", [](auto& r) -> auto& { return r.options.write.layer_name; },
         {.title = "Name of the layers",
          .help = "Name of the output's layer.",
-         .details = "If both layers are written, it names the buildings, and the contours go to "
-                    "<name>_contours. By default the layers are buildings and contours, or have "
-                    "the name of the file where the format holds one layer per file.",
+         .details = "With both layers it names the buildings, and the contours go to <name>_contours.",
          .python = Python::extract_file}));
-    rows.push_back(
-        switch_row("overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
-                   {.title = "Replace layers of the same names",
-                    .help = "Replace layers of the same names in an existing output.",
-                    .details = "Other layers of a GeoPackage or SQLite file stay, also the one of ours that "
-                               "-layers leaves out. A file of another format is refused if it holds other "
-                               "layers. An existing output is refused without -overwrite or -append.",
-                    .python = Python::extract_file,
-                    .repeats = false}));
+    rows.push_back(switch_row("overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
+                              {.title = "Replace layers of the same names",
+                               .help = "Replace layers of the same names in an existing output.",
+                               .details = "Other layers of a GeoPackage or SQLite file stay. Files of other "
+                                          "formats are refused if they hold other layers.",
+                               .python = Python::extract_file,
+                               .repeats = false}));
     rows.push_back(switch_row("append", [](auto& r) -> auto& { return r.options.write.append; },
                               {.title = "Add to layers of the same names",
                                .help = "Add to layers of the same names in an existing output.",
@@ -66,53 +62,49 @@ std::vector<OptionRow> surface() {
         {.title = "Surface of the buildings",
          .section = DialogSection::output,
          .help = "Also write the buildings as closed surfaces.",
-         .details = "The name ends in .city.json, .obj, .stl or .glb. A CityJSON has a solid for each "
-                    "building, in the CRS. In the others, touching buildings are one block without "
-                    "walls between them, in metres from a local origin: an OBJ has an object for each "
-                    "building with the groups roof, wall and ground, whose colours are in a .mtl "
-                    "beside it, an STL a solid for each, and a glTF (.glb) is one mesh.",
+         .details =
+             "The extension is .city.json, .obj, .stl or .glb. CityJSON has one solid per building, in the "
+             "CRS. The others have blocks of touching buildings, in metres from a local origin.",
          .python = Python::extract_file,
          .repeats = false});
     files.kind = OptionKind::surface;
     rows.push_back(std::move(files));
-    rows.push_back(choice_row(
-        "surface_of", of, [](auto& r) -> auto& { return r.options.write.surface_of; },
-        {.title = "What the surface is made of",
-         .section = DialogSection::output,
-         .help = "What the surface is made of.",
-         .details = "buildings: a block with a flat roof each; contours: the tiers of each building's stack. "
-                    "By default buildings, and contours with -preset thesis.",
-         .python = Python::extract_file,
-         .repeats = false}));
-    rows.push_back(choice_row(
-        "surface_roof", roofs, [](auto& r) -> auto& { return r.options.write.surface_roof; },
-        {.title = "Height of the flat roofs",
-         .section = DialogSection::output,
-         .help = "Height of the flat roofs of -surface_of buildings.",
-         .details = "mean is the mean height of a building's points, so that its block encloses volume_m3; "
-                    "p70 is the height that 70 % of them do not exceed.",
-         .python = Python::extract_file,
-         .repeats = false}));
+    rows.push_back(
+        choice_row("surface_of", of, [](auto& r) -> auto& { return r.options.write.surface_of; },
+                   {.title = "Model of the surface",
+                    .section = DialogSection::output,
+                    .help = "Model of the surface.",
+                    .details = "buildings: one block with a flat roof per building. contours: the tiers of "
+                               "each building's stack. By default buildings, with -preset thesis contours.",
+                    .python = Python::extract_file,
+                    .repeats = false}));
+    rows.push_back(
+        choice_row("surface_roof", roofs, [](auto& r) -> auto& { return r.options.write.surface_roof; },
+                   {.title = "Height of the flat roofs",
+                    .section = DialogSection::output,
+                    .help = "Height of the flat roofs of -surface_of buildings.",
+                    .details = "mean is the mean height of a building's points, so that its block encloses "
+                               "volume_m3; p70 is the height that 70 % of them do not exceed.",
+                    .python = Python::extract_file,
+                    .repeats = false}));
     const Choices<SurfaceSolids> solids{{"one", SurfaceSolids::one}, {"each", SurfaceSolids::each}};
     rows.push_back(choice_row(
         "surface_solids", solids, [](auto& r) -> auto& { return r.options.write.surface_solids; },
         {.title = "Objects of an OBJ, solids of an STL",
          .section = DialogSection::output,
-         .help = "Whether an OBJ has one object and an STL one solid, or one for each building.",
-         .details = "one suits programs that read the first solid alone, or slow down with many objects.",
+         .help = "Objects of an OBJ and solids of an STL: one in all, or one per building.",
+         .details = "one suits programs that read only the first solid, or slow down with many objects.",
          .python = Python::extract_file,
          .repeats = false}));
-    rows.push_back(several_row<3>(
-        "surface_origin", OptionKind::numbers, "<x> <y> <z>", "three whole numbers", whole,
-        [](auto& r) -> auto& { return r.options.write.surface_origin; },
-        {.title = "Origin of the surface",
-         .help = "Where the local coordinates of the surface begin, in metres.",
-         .details =
-             "By default the middle of the window, below the lowest elevation. Coordinates in feet are "
-             "metres before it is taken off.",
-         .unit = "m",
-         .python = Python::extract_file,
-         .repeats = false}));
+    rows.push_back(
+        several_row<3>("surface_origin", OptionKind::numbers, "<x> <y> <z>", "three whole numbers", whole,
+                       [](auto& r) -> auto& { return r.options.write.surface_origin; },
+                       {.title = "Origin of the surface",
+                        .help = "Origin of the local coordinates of the surface, in metres.",
+                        .details = "By default the middle of the window, below the lowest elevation.",
+                        .unit = "m",
+                        .python = Python::extract_file,
+                        .repeats = false}));
     return rows;
 }
 
@@ -123,32 +115,29 @@ std::vector<OptionRow> also_written() {
                                     {"city4cfd", FieldNames::city4cfd},
                                     {"osm", FieldNames::osm}};
     std::vector<OptionRow> rows;
-    rows.push_back(
-        choice_row("fields", names, [](auto& r) -> auto& { return r.options.write.fields; },
-                   {.title = "Names of the fields",
-                    .section = DialogSection::output,
-                    .help = "Names of the fields of buildings, as another program reads them.",
-                    .details = "urock and city4cfd are wind models, osm is OpenStreetMap. Some names are "
-                               "longer than a Shapefile can hold; the run is then refused."}));
+    rows.push_back(choice_row("fields", names, [](auto& r) -> auto& { return r.options.write.fields; },
+                              {.title = "Names of the fields",
+                               .section = DialogSection::output,
+                               .help = "Names of the fields of buildings, as another program expects them.",
+                               .details = "urock and city4cfd are wind models, osm is OpenStreetMap. Names "
+                                          "that are too long for a Shapefile are refused."}));
     rows.push_back(switch_row(
         "write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
         {.title = "Also write uncertain objects",
          .section = DialogSection::trees,
          .help = "Also write a layer of objects that may be buildings, with the reason for the doubt.",
-         .details = "Its name is doubtful, or that of -nln with _doubtful after it.",
+         .details = "It is called doubtful, or <name>_doubtful with -nln.",
          .scope = detection_scope()}));
     rows.push_back(switch_row("write_rejected", [](auto& r) -> auto& { return r.options.write.rejected; },
                               {.title = "Also write dropped and changed contours",
                                .help = "Also write a layer of contours and holes that were dropped, filled "
                                        "or kept as traced, with the reason.",
-                               .details = "Its name is rejected, or that of -nln with _rejected after it."}));
-    rows.push_back(switch_row(
-        "write_problems", [](auto& r) -> auto& { return r.options.write.problems; },
-        {.title = "Also write the problems of the surface",
-         .help = "Also write a layer of points where outlines stood in the way of a surface.",
-         .details =
-             "Each has its kind, its buildings, its size before and after, and whether it was changed or "
-             "left. Its name is problems, or that of -nln with _problems after it."}));
+                               .details = "It is called rejected, or <name>_rejected with -nln."}));
+    rows.push_back(
+        switch_row("write_problems", [](auto& r) -> auto& { return r.options.write.problems; },
+                   {.title = "Also write the problems of the surface",
+                    .help = "Also write a layer of points where outlines were unfit for a surface.",
+                    .details = "It is called problems, or <name>_problems with -nln."}));
     rows.push_back(text_row("write_ground", OptionKind::geotiff, "<file.tif>",
                             [](auto& r) -> auto& { return r.options.write.ground; },
                             {.title = "Terrain as a GeoTIFF",
@@ -165,52 +154,46 @@ std::vector<OptionRow> also_written() {
                              .scope = detection_scope(),
                              .python = Python::extract_file,
                              .repeats = false}));
-    rows.push_back(
-        text_row("write_canopy", OptionKind::geotiff, "<file.tif>",
-                 [](auto& r) -> auto& { return r.options.write.canopy; },
-                 {.title = "Heights of trees as a GeoTIFF",
-                  .section = DialogSection::trees,
-                  .help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
-                  .details = "Trees are everything that rises above -min_height and is no building. Wind "
-                             "models use this raster.",
-                  .scope = detection_scope(),
-                  .python = Python::extract_file,
-                  .repeats = false}));
+    rows.push_back(text_row(
+        "write_canopy", OptionKind::geotiff, "<file.tif>",
+        [](auto& r) -> auto& { return r.options.write.canopy; },
+        {.title = "Heights of trees as a GeoTIFF",
+         .section = DialogSection::trees,
+         .help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
+         .details =
+             "Trees are everything above -min_height that is not a building. Wind models use this raster.",
+         .scope = detection_scope(),
+         .python = Python::extract_file,
+         .repeats = false}));
     for (OptionRow& row : surface())
         rows.push_back(std::move(row));
-    rows.push_back(text_row(
-        "page", OptionKind::page, "<file.html>", [](auto& r) -> auto& { return r.options.write.page; },
-        {.title = "Page of the buildings in 3D",
-         .section = DialogSection::output,
-         .help = "Also write a page that shows the buildings in 3D in a browser.",
-         .details = "One file that needs no network: the stack on the shaded terrain, turned with mouse, "
-                    "touch or keys, with a slider through its levels, what is known of a building that is "
-                    "clicked, and a flat map to print.",
-         .python = Python::extract_file,
-         .repeats = false}));
-    rows.push_back(text_row(
-        "preview", OptionKind::picture, "<file>", [](auto& r) -> auto& { return r.options.write.preview; },
-        {.title = "Picture of the result",
-         .section = DialogSection::output,
-         .help = "Also write a picture of the result over the shaded relief.",
-         .details = "The name ends in .png, .svg or .pdf. The map shows buildings in the colours "
-                    "of their heights above the ground, their parts as lines, a legend, a scale "
-                    "bar and a north arrow. It states the number of buildings and points and the "
-                    "distance of the stack to the input, so that you can judge -lod and -nf at a "
-                    "glance.",
-         .python = Python::extract_file,
-         .repeats = false}));
-    rows.push_back(
-        integer_row("preview_size", "<pixels>", {.lowest = 300, .highest = 10000},
-                    [](auto& r) -> auto& { return r.options.write.preview_size; },
-                    {.title = "Longer side of the picture",
-                     .section = DialogSection::output,
-                     .help = "Longer side of the picture of -preview.",
-                     .details = "In SVG and PDF a pixel is a 96th of an inch, and lines and letters "
-                                "stay sharp at any size.",
-                     .unit = "pixels",
-                     .python = Python::extract_file,
-                     .repeats = false}));
+    rows.push_back(text_row("page", OptionKind::page, "<file.html>",
+                            [](auto& r) -> auto& { return r.options.write.page; },
+                            {.title = "Page of the buildings in 3D",
+                             .section = DialogSection::output,
+                             .help = "Also write a page that shows the buildings in 3D in a browser.",
+                             .details = "One file that works without a network, with a slider through the "
+                                        "levels and a flat map to print.",
+                             .python = Python::extract_file,
+                             .repeats = false}));
+    rows.push_back(text_row("preview", OptionKind::picture, "<file>",
+                            [](auto& r) -> auto& { return r.options.write.preview; },
+                            {.title = "Picture of the result",
+                             .section = DialogSection::output,
+                             .help = "Also write a picture of the result over the shaded relief.",
+                             .details = "The name ends in .png, .svg or .pdf. The picture states the counts "
+                                        "and the distance of the stack to the input, to judge -lod and -nf.",
+                             .python = Python::extract_file,
+                             .repeats = false}));
+    rows.push_back(integer_row("preview_size", "<pixels>", {.lowest = 300, .highest = 10000},
+                               [](auto& r) -> auto& { return r.options.write.preview_size; },
+                               {.title = "Longer side of the picture",
+                                .section = DialogSection::output,
+                                .help = "Longer side of the picture of -preview.",
+                                .details = "In SVG and PDF a pixel is 1/96 inch.",
+                                .unit = "pixels",
+                                .python = Python::extract_file,
+                                .repeats = false}));
     return rows;
 }
 
@@ -231,22 +214,20 @@ std::vector<OptionRow> output() {
     const Choices<Layers> layers{
         {"buildings", Layers::buildings}, {"contours", Layers::contours}, {"both", Layers::both}};
     std::vector<OptionRow> rows;
-    rows.push_back(
-        choice_row("layers", layers, [](auto& r) -> auto& { return r.options.write.layers; },
-                   {.title = "Layers to write",
-                    .section = DialogSection::output,
-                    .help = "Layers to write.",
-                    .details = "buildings: one polygon per building. contours: the stacked polygons of all "
-                               "levels. By default both, or the buildings alone where the format holds one "
-                               "layer per file."}));
+    rows.push_back(choice_row(
+        "layers", layers, [](auto& r) -> auto& { return r.options.write.layers; },
+        {.title = "Layers to write",
+         .section = DialogSection::output,
+         .help = "Layers to write.",
+         .details = "buildings: one polygon per building. contours: the stacked polygons of all levels. By "
+                    "default both, or only buildings if the format holds one layer per file."}));
     rows.push_back(text_row(
         "t_srs", OptionKind::crs, "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
         {.title = "Coordinate system of the result",
          .section = DialogSection::output,
          .help = "CRS of the output; by default the input's.",
-         .details = "Written as for -a_srs. Features that it tears apart (across 180 degrees, over "
-                    "a pole) are left out with a warning. If it tears the whole area apart, the "
-                    "run is refused."}));
+         .details = "Given as for -a_srs. Features that it splits (across 180 degrees, over a pole) are left "
+                    "out with a warning; if it splits the whole area, the run is refused."}));
     rows.push_back(switch_row("3d", [](auto& r) -> auto& { return r.options.write.with_z; },
                               {.title = "Elevations in the vertices",
                                .help = "Write the threshold as the Z of every vertex.",
@@ -262,18 +243,14 @@ std::vector<OptionRow> output() {
 namespace {
 
 OptionRow sweep() {
-    OptionRow row =
-        make_row("sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
-                 {.title = "Trials",
-                  .help = "Try every level of detail with every noise factor and every -detail, and "
-                          "print a table; nothing else is written.",
-                  .details = "Leave the destination out. The table has for each trial: buildings, contours, "
-                             "points of these, the distance of the stack to the input (root mean square), "
-                             "seconds. With -preview the program also draws a contact sheet, of as many "
-                             "trials as can be read on it. Of more than six values it tries six, spread "
-                             "evenly; a third number is the step: nf=5..60..5, detail=0..2..0.5. An option "
-                             "that is not named here keeps its value. The program reads the input once and "
-                             "keeps it in memory."});
+    OptionRow row = make_row(
+        "sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
+        {.title = "Trials",
+         .help = "Try every combination of these values, and print a table; nothing else is written.",
+         .details = "Leave the destination out. The table has the buildings, the contours and their points, "
+                    "the distance of the stack to the input (root mean square), and the seconds. With "
+                    "-preview the program also draws a contact sheet. Of more than six values it tries six; "
+                    "a third number is the step: nf=5..60..5."});
     row.apply = [](Request& request, OptionValues texts) {
         request.tool.sweep_plan = parse_sweep(texts[0]);
         request.tool.sweep = texts[0];
@@ -293,7 +270,7 @@ std::vector<OptionRow> report() {
                                [](auto& r) -> auto& { return r.options.run.threads; },
                                {.title = "Threads",
                                 .help = "Number of threads; 0 takes one per core.",
-                                .details = "It does not change the result."}));
+                                .details = "The result does not depend on it."}));
     rows.push_back(
         switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
                    {.title = "No progress", .help = "No progress and no summary.", .aliases = {"quiet"}}));
@@ -301,9 +278,9 @@ std::vector<OptionRow> report() {
         "json", [](auto& r) -> auto& { return r.tool.json; },
         {.title = "Report as JSON",
          .help = "Print a report of the run to stdout as JSON; implies -q.",
-         .details = "It holds the input, CRS and units with what decided them, thresholds, counts "
-                    "per level, everything that was dropped with the reason, warnings, and seconds "
-                    "(of all threads together) and peak memory per stage."}));
+         .details =
+             "It holds the input, the CRS, the units, thresholds, counts, everything that was dropped with "
+             "the reason, warnings, and seconds (of all threads together) and peak memory per stage."}));
     rows.push_back(switch_row("help", [](auto& r) -> auto& { return r.tool.help; },
                               {.title = "Help", .help = "Print this help and exit.", .aliases = {"h"}}));
     rows.push_back(switch_row("version", [](auto& r) -> auto& { return r.tool.version; },

@@ -126,23 +126,21 @@ TEST(OptionsMarkdown, holdsEveryOption) {
 
 TEST(OptionsMarkdown, givesTheFateOfEveryOptionOfGdalContour) {
     const std::string text = options_markdown();
-    EXPECT_NE(
-        text.find("| `-a <field>` | refused | elevations are always in the fields threshold, base and top |"),
-        std::string::npos);
-    EXPECT_NE(text.find("| `-p` | accepted | polygons are always written |"), std::string::npos);
-    EXPECT_NE(text.find("| `-gt <n>\\|unlimited` | refused |"), std::string::npos);
+    EXPECT_NE(text.find("\n- `-a <field>`: refused, because elevations are always in the fields threshold"),
+              std::string::npos);
+    EXPECT_NE(text.find("\n- `-p`: accepted, because polygons are always written.\n"), std::string::npos);
+    EXPECT_NE(text.find("\n- `-gt <n>|unlimited`: refused, because "), std::string::npos);
     for (const GdalContourOption& option : gdal_contour_options())
         EXPECT_TRUE(holds(without_backslashes(text), std::string(option.synopsis))) << option.name;
 }
 
 TEST(OptionFacts, giveRangeUnitAndDefault) {
     EXPECT_EQ(option_facts(*find_option("lod")), "A whole number from 1 to 10000. Default: 4.");
-    EXPECT_EQ(option_facts(*find_option("min_area")), "A number of at least 0. Unit: m2.");
+    EXPECT_EQ(option_facts(*find_option("min_area")), "At least 0.");
     EXPECT_EQ(option_facts(*find_option("oo")), "May be repeated.");
-    EXPECT_EQ(option_facts(*find_option("min_height")),
-              "A number of at least 0. Unit: m. Default: 2. Not with -preset thesis.");
-    EXPECT_EQ(option_facts(*find_option("ground")), "Not with -preset thesis, but for none.");
-    EXPECT_EQ(option_facts(*find_option("min_height"), true), "A number of at least 0. Unit: m. Default: 2.");
+    EXPECT_EQ(option_facts(*find_option("min_height")), "At least 0. Default: 2. Not with -preset thesis.");
+    EXPECT_EQ(option_facts(*find_option("ground")), "Not with -preset thesis, except none.");
+    EXPECT_EQ(option_facts(*find_option("min_height"), true), "At least 0. Default: 2.");
     EXPECT_EQ(option_facts(*find_option("preset")), "Default: buildings.");
     EXPECT_EQ(option_facts(*find_option("trace")), "");
     EXPECT_EQ(option_facts(*find_option("q")), "");

@@ -1,6 +1,7 @@
 #include "dem2buildings/help.hpp"
 
 #include <cctype>
+#include <string_view>
 
 namespace d2b {
 
@@ -14,12 +15,17 @@ std::string option_heading(const OptionRow& row) {
 std::string option_facts(const OptionRow& row, bool brief) {
     std::string text;
     const auto add = [&text](const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; };
-    const bool in_synopsis = !row.choices.empty() || row.repeatable || row.values == row.range;
-    const bool left_out = in_synopsis || row.range == "a number" || (brief && row.arity == Arity::several);
-    if (!row.range.empty() && !left_out)
-        add(std::string(1, static_cast<char>(std::toupper(static_cast<unsigned char>(row.range[0])))) +
-            row.range.substr(1) + ".");
-    if (!row.unit.empty())
+    const bool in_synopsis = !row.choices.empty() || row.repeatable || row.values == row.range ||
+                             row.arity == Arity::several || row.range == "a number";
+    if (!row.range.empty() && !in_synopsis) {
+        std::string range = row.range;
+        for (const std::string_view noun : {"a number of ", "a number "})
+            if (range.starts_with(noun))
+                range.erase(0, noun.size());
+        range[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(range[0])));
+        add(range + ".");
+    }
+    if (!row.unit.empty() && row.values != "<" + row.unit + ">")
         add("Unit: " + row.unit + ".");
     if (!row.standard.empty())
         add("Default: " + row.standard + ".");
@@ -29,7 +35,7 @@ std::string option_facts(const OptionRow& row, bool brief) {
         for (const Preset preset : every_preset)
             if (!row.has_meaning(preset))
                 add("Not with -preset " + std::string(preset_name(preset)) +
-                    (row.scope.elsewhere.empty() ? "." : ", but for " + row.scope.elsewhere + "."));
+                    (row.scope.elsewhere.empty() ? "." : ", except " + row.scope.elsewhere + "."));
     return text;
 }
 

@@ -27,9 +27,9 @@ namespace d2b {
 /// A script that completes command lines in Bash.
 [[nodiscard]] std::string bash_completion();
 
-/// Range, unit, default, whether it may be repeated and what presets take it, as sentences; "" where there is
-/// nothing to say.
-/// @param brief without the range of several values, which takes a line, and the presets
+/// Returns range, unit, default, whether an option may be repeated, and the presets that refuse it, as
+/// sentences, without those that repeat the synopsis.
+/// @param brief without the presets
 [[nodiscard]] std::string option_facts(const OptionRow& row, bool brief = false);
 
 /// The option and its aliases: "-f, -of <format>".

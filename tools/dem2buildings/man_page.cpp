@@ -30,7 +30,8 @@ std::string contour_table() {
         roff_paragraph("Command lines of gdal_contour(1) work where the option is the same or accepted.");
     for (const GdalContourOption& option : gdal_contour_options()) {
         const auto fate = std::string(option_support_names[static_cast<std::size_t>(option.fate)]);
-        text += roff_item(option.synopsis, fate + ": " + std::string(option.note) + ".");
+        text += roff_item(option.synopsis,
+                          fate + (option.note.empty() ? "" : ": ") + std::string(option.note) + ".");
     }
     return text;
 }

@@ -42,7 +42,7 @@ def help_of(option, spoken):
     """What the dialog says of an option, without the sentences on how it is typed on a command line."""
     text = " ".join(part for part in (option["help"], option["details"]) if part)
     sentences = re.split(r"(?<=\.) (?=[A-Z])", text)
-    typing = re.compile(r"needs its path|may be given again|number that follows|^Written as for")
+    typing = re.compile(r"needs its path|numbers that follow|^Given as for")
     return spoken(" ".join(sentence for sentence in sentences if not typing.search(sentence)))
 
 
@@ -142,7 +142,7 @@ def _plain(value):
 def _file_of(layer, name):
     """What GDAL opens of a layer."""
     if layer is None:
-        raise QgsProcessingException(f"There is no such layer as {name} names.")
+        raise QgsProcessingException(f"There is no layer that {name} names.")
     return layer.source().split("|")[0]
 
 
