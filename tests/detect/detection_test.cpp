@@ -1,24 +1,21 @@
 #include "detect/detection.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <memory>
+#include <random>
 
 #include <gtest/gtest.h>
 
 #include "detect_case.hpp"
+#include "options/run_plan.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
 
-using test::building_mask;
-using test::detect;
-using test::drawing;
-using test::raised;
-using test::Town;
-using test::unknown;
-using test::without_corners;
-
-constexpr test::Block house_block{10, 12, 24, 32};
+constexpr Block house_block{10, 12, 24, 32};
 
 float slope(std::int32_t r, std::int32_t c) {
     return 100 + 0.12F * static_cast<float>(r) - 0.08F * static_cast<float>(c);
@@ -30,8 +27,8 @@ bool in_house(std::int32_t r, std::int32_t c) {
 
 /// A house, and its corners if it has some.
 struct House {
-    test::Shape shape;
-    std::vector<test::Block> blocks;
+    Shape shape;
+    std::vector<Block> blocks;
 };
 
 /// Level, gabled and round houses. The round one is an octagon of cells, its border's steps go up by a cell
@@ -72,7 +69,7 @@ Town mixed_town() {
 }
 
 TEST(Detection, HousesAreFoundCellByCellButForTheirCorners) {
-    for (const test::Shape& ground : {test::Shape(), test::Shape(slope)})
+    for (const Shape& ground : {Shape(), Shape(slope)})
         for (const House& house : houses()) {
             Town town(36, 44, {}, ground);
             town.build(house.shape);
@@ -166,7 +163,7 @@ TEST(Detection, LooksOnlyWhereItIsAllowedTo) {
         for (std::size_t i = 0; i < expected.size(); ++i)
             if (allowed.values[i] == 0)
                 expected.values[i] = 0;
-        test::Block part = house_block;
+        Block part = house_block;
         part.right = 20;
         expected = without_corners(std::move(expected), {part});
         EXPECT_EQ(drawing(building_mask(detect_buildings(scene, {}, default_min_building_m2, context))),
@@ -265,10 +262,10 @@ TEST(Detection, DoesNotDependOnTheOrientation) {
         other.terrain = turn(town.terrain);
         return detect(other);
     };
-    const auto flip = [](const auto& grid) { return test::flipped(grid); };
-    const auto transpose = [](const auto& grid) { return test::transposed(grid); };
-    EXPECT_EQ(drawing(building_mask(turned(flip))), drawing(test::flipped(building_mask(found))));
-    EXPECT_EQ(drawing(building_mask(turned(transpose))), drawing(test::transposed(building_mask(found))));
+    const auto flip = [](const auto& grid) { return flipped(grid); };
+    const auto transpose = [](const auto& grid) { return transposed(grid); };
+    EXPECT_EQ(drawing(building_mask(turned(flip))), drawing(flipped(building_mask(found))));
+    EXPECT_EQ(drawing(building_mask(turned(transpose))), drawing(transposed(building_mask(found))));
 }
 
 TEST(Detection, ObjectsCountTheirCells) {
@@ -283,17 +280,74 @@ TEST(Detection, ObjectsCountTheirCells) {
 TEST(Scene, ElevatedCellsRiseAboveTheHeight) {
     Town town(1, 5);
     town.surface.values = {102, 102.5F, unknown, 99, 104};
-    EXPECT_EQ(elevated_cells(town.scene(), 2, test::threads()).values,
-              (std::vector<std::uint8_t>{0, 1, 0, 0, 1}));
-    const Mask allowed = test::drawn({"#.###"});
+    EXPECT_EQ(elevated_cells(town.scene(), 2, threads()).values, (std::vector<std::uint8_t>{0, 1, 0, 0, 1}));
+    const Mask allowed = drawn({"#.###"});
     Scene scene = town.scene();
     scene.allowed = &allowed;
-    EXPECT_EQ(elevated_cells(scene, 2, test::threads()).values, (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
+    EXPECT_EQ(elevated_cells(scene, 2, threads()).values, (std::vector<std::uint8_t>{0, 0, 0, 0, 1}));
     scene.cell = {0.5, 2};
     EXPECT_EQ(scene.side(), 1);
     EXPECT_EQ(scene.cell_area(), 1);
     EXPECT_EQ(scene.height(1), 2.5F);
 }
 
+/// Houses with gables and steps, and trees, on level ground; some points are missing.
+MetreGrid city(std::int32_t rows, std::int32_t cols) {
+    std::mt19937 random(23);
+    const auto below = [&](std::int32_t limit) {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(limit));
+    };
+    MetreGrid surface(rows, cols, 50.0F);
+    for (int house = 0; house < rows * cols / 1500; ++house) {
+        const std::int32_t row = below(rows), col = below(cols), depth = 6 + below(20),
+                           length = 6 + below(60);
+        const auto height = static_cast<float>(50 + 3 + below(12));
+        for (std::int32_t i = row; i < std::min(rows, row + depth); ++i)
+            for (std::int32_t j = col; j < std::min(cols, col + length); ++j)
+                surface.at(i, j) = height + 0.4F * static_cast<float>(std::min(i - row, row + depth - i));
+    }
+    for (float& z : surface.values) {
+        z += static_cast<float>(below(100)) / 800;
+        if (below(12) == 0)
+            z += static_cast<float>(below(9));
+        if (below(90) == 0)
+            z = std::nanf("");
+    }
+    return surface;
+}
+
+struct Case {
+    double cell;
+    double split_height;
+};
+
+TEST(DetectionThreads, TheirNumberDoesNotShow) {
+    const MetreGrid surface = city(1100, 1700);
+    const MetreGrid terrain(1100, 1700, 50.0F);
+    MetreGrid ndvi(1100, 1700, 0.1F);
+    for (std::size_t i = 0; i < ndvi.size(); i += 7)
+        ndvi.values[i] = 0.5F;
+    for (const Case& now : {Case{1, 0}, Case{0.5, 2}, Case{2.5, 0}}) {
+        const Scene scene{surface, terrain, {now.cell, now.cell}, nullptr, &ndvi};
+        DetectOptions options;
+        options.split_height = now.split_height;
+        Context one;
+        const Detection expected = detect_buildings(scene, options, default_min_building_m2, one);
+        EXPECT_GT(expected.buildings, 100U);
+        for (const int count : {2, 5}) {
+            Context context;
+            context.threads = std::make_unique<Executor>(count);
+            const Detection found = detect_buildings(scene, options, default_min_building_m2, context);
+            EXPECT_TRUE(found.labels.values == expected.labels.values) << count;
+            EXPECT_EQ(found.buildings, expected.buildings);
+            EXPECT_TRUE(std::equal(
+                found.objects.begin(), found.objects.end(), expected.objects.begin(), expected.objects.end(),
+                [](const DetectedObject& a, const DetectedObject& b) {
+                    return a.confidence == b.confidence && a.doubt == b.doubt && a.cells == b.cells;
+                }));
+        }
+    }
+}
+
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

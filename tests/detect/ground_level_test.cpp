@@ -10,7 +10,7 @@
 
 #include "support/test_threads.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -38,7 +38,7 @@ struct LabelledTerrain {
 TEST(GroundLevel, IsTheTenthPercentileAlongTheBorder) {
     const LabelledTerrain scene;
     // Both sides of 20 edges: 1 to 20, and 100 twenty times. A tenth of 40 values lies below the fifth.
-    const std::vector<double> ground = ground_levels(scene.terrain, scene.labels, 1, test::threads());
+    const std::vector<double> ground = ground_levels(scene.terrain, scene.labels, 1, threads());
     ASSERT_EQ(ground.size(), 2U);
     EXPECT_EQ(ground[1], 5);
 }
@@ -46,9 +46,9 @@ TEST(GroundLevel, IsTheTenthPercentileAlongTheBorder) {
 TEST(GroundLevel, LeavesOutWhatIsNotKnown) {
     LabelledTerrain scene;
     scene.terrain.at(0, 1) = nan;  // that of 1: of 39 values the fourth is 5
-    EXPECT_EQ(ground_levels(scene.terrain, scene.labels, 1, test::threads())[1], 5);
+    EXPECT_EQ(ground_levels(scene.terrain, scene.labels, 1, threads())[1], 5);
     scene.terrain = MetreGrid(7, 7, nan);
-    EXPECT_TRUE(std::isnan(ground_levels(scene.terrain, scene.labels, 1, test::threads())[1]));
+    EXPECT_TRUE(std::isnan(ground_levels(scene.terrain, scene.labels, 1, threads())[1]));
 }
 
 TEST(GroundLevel, EachLabelHasItsOwn) {
@@ -57,7 +57,7 @@ TEST(GroundLevel, EachLabelHasItsOwn) {
     terrain.values = {4, 3, 8, 9};
     Grid<Label> labels(1, 4);
     labels.values = {0, 1, 2, 2};
-    const std::vector<double> ground = ground_levels(terrain, labels, 3, test::threads());
+    const std::vector<double> ground = ground_levels(terrain, labels, 3, threads());
     EXPECT_EQ(ground[1], 3);
     EXPECT_EQ(ground[2], 3);                // its neighbour's foot is beside it
     EXPECT_TRUE(std::isnan(ground[3]));     // no such cell
@@ -69,7 +69,7 @@ TEST(GroundLevel, OfWhatFillsTheRasterCountsAllOfIt) {
     for (std::size_t i = 0; i < 20; ++i)
         terrain.values[i] = 20 - static_cast<float>(i);
     const Grid<Label> labels(2, 10, 1);
-    EXPECT_EQ(ground_levels(terrain, labels, 1, test::threads())[1], 3);  // of 1 to 20 the third
+    EXPECT_EQ(ground_levels(terrain, labels, 1, threads())[1], 3);  // of 1 to 20 the third
 }
 
 TEST(GroundLevel, BandsAndThreadsDoNotShow) {
@@ -109,8 +109,8 @@ TEST(GroundLevel, BandsAndThreadsDoNotShow) {
 }
 
 TEST(GroundLevel, OfNothingIsNothing) {
-    EXPECT_EQ(ground_levels(MetreGrid(), Grid<Label>(), 0, test::threads()).size(), 1U);
+    EXPECT_EQ(ground_levels(MetreGrid(), Grid<Label>(), 0, threads()).size(), 1U);
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

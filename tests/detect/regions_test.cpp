@@ -3,6 +3,7 @@
 #include <atomic>
 #include <numeric>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -12,46 +13,53 @@
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::drawing;
-using test::drawn;
 
 std::vector<Label> labels_of(const Regions& regions) {
     std::vector<Label> itself(regions.cells.size());
     std::iota(itself.begin(), itself.end(), Label{0});
-    const Grid<Label> labels = label_grid(regions, itself, test::threads());
+    const Grid<Label> labels = label_grid(regions, itself, threads());
     return {labels.values.begin(), labels.values.end()};
 }
 
-/// Floods one region after the other, in scan order of their first cells.
+/// Floods one region after the other, in scan order of their first cells. Those with fewer cells have no
+/// label.
 template <typename Joined>
-std::vector<Label> flooded(const Mask& in, std::uint8_t value, const Joined& joined) {
+std::vector<Label> flooded(const Mask& in, std::uint8_t value, const Joined& joined, std::size_t least = 0) {
     std::vector<Label> labels(in.size(), 0);
+    std::vector<bool> seen(in.size(), false);
     Label last = 0;
     for (std::size_t first = 0; first < in.size(); ++first) {
-        if (in.values[first] != value || labels[first] != 0)
+        if (in.values[first] != value || seen[first])
             continue;
-        std::vector<std::size_t> open{first};
-        labels[first] = ++last;
-        while (!open.empty()) {
-            const std::size_t i = open.back();
-            open.pop_back();
+        std::vector<std::size_t> region{first};
+        seen[first] = true;
+        for (std::size_t k = 0; k < region.size(); ++k) {
+            const std::size_t i = region[k];
             const auto r = static_cast<std::int32_t>(i / static_cast<std::size_t>(in.cols));
             const auto c = static_cast<std::int32_t>(i % static_cast<std::size_t>(in.cols));
             for (const auto& [y, x] : {std::pair{r - 1, c}, {r + 1, c}, {r, c - 1}, {r, c + 1}}) {
                 if (!in.holds(y, x))
                     continue;
                 const std::size_t j = in.index(y, x);
-                if (in.values[j] == value && labels[j] == 0 && joined(std::min(i, j), std::max(i, j))) {
-                    labels[j] = last;
-                    open.push_back(j);
+                if (in.values[j] == value && !seen[j] && joined(std::min(i, j), std::max(i, j))) {
+                    seen[j] = true;
+                    region.push_back(j);
                 }
             }
         }
+        if (region.size() < least)
+            continue;
+        ++last;
+        for (const std::size_t i : region)
+            labels[i] = last;
     }
     return labels;
+}
+
+bool always(std::size_t, std::size_t) {
+    return true;
 }
 
 void expect_counts(const Regions& regions, const std::vector<Label>& labels) {
@@ -66,17 +74,15 @@ TEST(Regions, ConnectedLikeAFlood) {
     for (unsigned i = 0; i < 400; ++i) {
         const auto rows = static_cast<std::int32_t>(1 + random() % 30);
         const auto cols = static_cast<std::int32_t>(1 + random() % 70);
-        const Mask mask = i % 2 == 0 ? test::random_mask(rows, cols, 30 + i % 70, random)
-                                     : test::random_blocks(rows, cols, 30, random);
+        const Mask mask =
+            i % 2 == 0 ? random_mask(rows, cols, 30 + i % 70, random) : random_blocks(rows, cols, 30, random);
         for (const std::uint8_t value : {std::uint8_t{1}, std::uint8_t{0}}) {
-            const Regions regions = connected_regions(mask, value, 0, test::threads());
-            const auto expected = flooded(mask, value, [](auto, auto) { return true; });
+            const Regions regions = connected_regions(mask, value, 0, threads());
+            const auto expected = flooded(mask, value, always);
             ASSERT_EQ(labels_of(regions), expected) << i;
             expect_counts(regions, expected);
         }
-        ASSERT_EQ(drawing(mask_of(connected_regions(mask, 1, 0, test::threads()), test::threads())),
-                  drawing(mask))
-            << i;
+        ASSERT_EQ(drawing(mask_of(connected_regions(mask, 1, 0, threads()), threads())), drawing(mask)) << i;
     }
 }
 
@@ -85,12 +91,12 @@ TEST(Regions, JoinedLikeAFlood) {
     for (unsigned i = 0; i < 400; ++i) {
         const auto rows = static_cast<std::int32_t>(1 + random() % 20);
         const auto cols = static_cast<std::int32_t>(1 + random() % 50);
-        const Mask mask = test::random_mask(rows, cols, 50 + i % 51, random);
+        const Mask mask = random_mask(rows, cols, 50 + i % 51, random);
         std::vector<int> height(mask.size());
         for (int& h : height)
             h = static_cast<int>(random() % (2 + i % 5));
         const auto joined = [&](std::size_t a, std::size_t b) { return std::abs(height[a] - height[b]) < 2; };
-        const Regions regions = joined_regions(mask, joined, test::threads());
+        const Regions regions = joined_regions(mask, joined, threads());
         const auto expected = flooded(mask, 1, joined);
         ASSERT_EQ(labels_of(regions), expected) << i;
         expect_counts(regions, expected);
@@ -98,7 +104,7 @@ TEST(Regions, JoinedLikeAFlood) {
 }
 
 TEST(Regions, RunsLieInScanOrderAndDoNotTouchWithinARegion) {
-    const Regions regions = connected_regions(drawn({"##.#", "....", "####"}), 1, 0, test::threads());
+    const Regions regions = connected_regions(drawn({"##.#", "....", "####"}), 1, 0, threads());
     ASSERT_EQ(regions.count(), 3U);
     ASSERT_EQ(regions.row(0).size(), 2U);
     EXPECT_EQ(regions.row(0)[1].begin, 3);
@@ -106,51 +112,7 @@ TEST(Regions, RunsLieInScanOrderAndDoNotTouchWithinARegion) {
     EXPECT_EQ(regions.row(0)[1].label, 2U);
     EXPECT_TRUE(regions.row(1).empty());
     EXPECT_EQ(regions.row(2)[0].end, 4);
-    EXPECT_EQ(connected_regions(Mask(), 1, 0, test::threads()).count(), 0U);
-}
-
-TEST(Regions, SmallOnesAreLeftOutAndTheOthersKeepTheirOrder) {
-    const Mask mask = drawn({"##.###", "......", "#.####", "#....."});
-    const Regions regions = connected_regions(mask, 1, 3, test::threads());
-    EXPECT_EQ(labels_of(regions),
-              (std::vector<Label>{0, 0, 0, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 2, 2, 2, 2, 0, 0, 0, 0, 0, 0}));
-    EXPECT_EQ(regions.cells, (std::vector<std::int64_t>{0, 3, 4}));
-    const Regions none = connected_regions(mask, 1, 5, test::threads());
-    EXPECT_EQ(none.count(), 0U);
-    EXPECT_TRUE(none.runs.empty());
-}
-
-/// Regions of ones by filling them cell by cell, in scan order.
-std::vector<Label> filled_one_by_one(const Mask& mask, std::int64_t least) {
-    std::vector<Label> labels(mask.size(), 0);
-    std::vector<bool> seen(mask.size(), false);
-    Label next = 0;
-    for (std::size_t first = 0; first < mask.size(); ++first) {
-        if (mask.values[first] == 0 || seen[first])
-            continue;
-        std::vector<std::size_t> cells{first};
-        seen[first] = true;
-        const auto cols = static_cast<std::size_t>(mask.cols);
-        for (std::size_t k = 0; k < cells.size(); ++k) {
-            const std::size_t i = cells[k];
-            const auto visit = [&](bool inside, std::size_t j) {
-                if (inside && mask.values[j] != 0 && !seen[j]) {
-                    seen[j] = true;
-                    cells.push_back(j);
-                }
-            };
-            visit(i % cols > 0, i - 1);
-            visit(i % cols + 1 < cols, i + 1);
-            visit(i >= cols, i - cols);
-            visit(i + cols < mask.size(), i + cols);
-        }
-        if (static_cast<std::int64_t>(cells.size()) < least)
-            continue;
-        ++next;
-        for (const std::size_t i : cells)
-            labels[i] = next;
-    }
-    return labels;
+    EXPECT_EQ(connected_regions(Mask(), 1, 0, threads()).count(), 0U);
 }
 
 TEST(Regions, BandsAndThreadsDoNotShow) {
@@ -159,15 +121,12 @@ TEST(Regions, BandsAndThreadsDoNotShow) {
     for (std::size_t i = 0; i < mask.size(); ++i)
         mask.values[i] = random() % 100 < (i % 20000 < 9000 ? 57 : 62) ? 1 : 0;
     for (const std::int64_t least : {0, 40}) {
-        const std::vector<Label> expected = filled_one_by_one(mask, least);
+        const auto expected = flooded(mask, 1, always, static_cast<std::size_t>(least));
         for (const int count : {1, 2, 5}) {
             Executor threads(count);
             const Regions regions = connected_regions(mask, 1, least, threads);
             ASSERT_TRUE(labels_of(regions) == expected) << count << " threads, at least " << least;
-            std::vector<std::int64_t> cells(regions.cells.size(), 0);
-            for (const Label label : expected)
-                cells[label] += label != 0 ? 1 : 0;
-            EXPECT_EQ(regions.cells, cells);
+            expect_counts(regions, expected);
         }
     }
 }
@@ -177,11 +136,11 @@ TEST(Regions, RunsOfALabelComeInScanOrder) {
     Mask mask(60, 30000);
     for (std::uint8_t& value : mask.values)
         value = random() % 10 < 6 ? 1 : 0;
-    const Regions regions = connected_regions(mask, 1, 0, test::threads());
+    const Regions regions = connected_regions(mask, 1, 0, threads());
     std::vector<std::pair<std::int32_t, std::int32_t>> last(regions.cells.size(), {-1, -1});
     std::vector<std::int64_t> cells(regions.cells.size(), 0);
     std::atomic<bool> ordered = true;
-    for_runs_by_label(test::threads(), regions, [&](std::int32_t row, const RegionRun& run) {
+    for_runs_by_label(threads(), regions, [&](std::int32_t row, const RegionRun& run) {
         const std::pair<std::int32_t, std::int32_t> here{row, run.begin};
         if (!(last[run.label] < here))
             ordered = false;
@@ -193,8 +152,8 @@ TEST(Regions, RunsOfALabelComeInScanOrder) {
 }
 
 TEST(Regions, LabelGridWritesTheNumbersGiven) {
-    const Regions regions = connected_regions(drawn({"#.#"}), 1, 0, test::threads());
-    EXPECT_EQ(label_grid(regions, std::vector<Label>{0, 7, 0}, test::threads()).values,
+    const Regions regions = connected_regions(drawn({"#.#"}), 1, 0, threads());
+    EXPECT_EQ(label_grid(regions, std::vector<Label>{0, 7, 0}, threads()).values,
               (std::vector<Label>{7, 0, 0}));
 }
 
@@ -214,13 +173,13 @@ TEST(Holes, SmallOnesAreFilled) {
                        "#.##..###",  //
                        "####.####",  //
                        "#########"});
-    fill_small_holes(mask, 3, test::threads());
+    fill_small_holes(mask, 3, threads());
     EXPECT_EQ(drawing(mask), drawing(drawn({"#########",  //
                                             "####..###",  //
                                             "####.####",  //
                                             "#########"})))
         << "three cells are not fewer than three";
-    fill_small_holes(mask, 4, test::threads());
+    fill_small_holes(mask, 4, threads());
     EXPECT_EQ(drawing(mask), drawing(Mask(4, 9, 1)));
 }
 
@@ -231,7 +190,7 @@ TEST(Holes, ThoseAtTheBorderStay) {
                              "#####",  //
                              "##.##"});
     Mask filled = mask;
-    fill_small_holes(filled, 100, test::threads());
+    fill_small_holes(filled, 100, threads());
     EXPECT_EQ(drawing(filled), drawing(mask));
 }
 
@@ -241,9 +200,79 @@ TEST(Holes, DiagonalIsNoWayOut) {
                        "###.#",  //
                        "#.###",  //
                        "#####"});
-    fill_small_holes(mask, 3, test::threads());
+    fill_small_holes(mask, 3, threads());
     EXPECT_EQ(drawing(mask), drawing(drawn({"..###", "..###", "#####", "#####", "#####"})));
 }
 
+Regions regions_of(const std::vector<std::string>& rows) {
+    return connected_regions(drawn(rows), 1, 0, threads());
+}
+
+TEST(RegionOverlaps, CountsTheCellsOfEachPair) {
+    const Regions one = regions_of({"##..###", "##..###", ".......", "####..."});
+    const Regions other = regions_of({".######", "..#...#", "#......", "#.##..."});
+    using Overlaps = std::vector<RegionOverlap>;
+    EXPECT_EQ(region_overlaps(one, other), (Overlaps{{1, 1, 1}, {2, 1, 4}, {3, 2, 1}, {3, 3, 2}}));
+    EXPECT_EQ(region_overlaps(other, one), (Overlaps{{1, 1, 1}, {1, 2, 4}, {2, 3, 1}, {3, 3, 2}}));
+}
+
+TEST(RegionOverlaps, HolderIsTheOneWithMostCells) {
+    const Regions one = regions_of({"#####", ".....", "####.", ".....", "#...."});
+    const Regions other = regions_of({"##.##", "...#.", "##.##", ".....", "....#"});
+    // Of two with as many cells the first; the last region is in none.
+    EXPECT_EQ(containing_regions(one, other), (std::vector<Label>{0, 1, 3, 0}));
+}
+
+TEST(RegionOverlaps, OfNothingThereAreNone) {
+    const Regions none = regions_of({"...", "..."});
+    const Regions some = regions_of({"##.", "..."});
+    EXPECT_TRUE(region_overlaps(none, some).empty());
+    EXPECT_EQ(containing_regions(some, none), (std::vector<Label>{0, 0}));
+}
+
+using Runs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+Runs runs_of(const std::vector<std::uint8_t>& row, std::uint8_t value) {
+    Runs runs;
+    for_mask_runs(row, value, [&](std::int32_t begin, std::int32_t end) { runs.emplace_back(begin, end); });
+    return runs;
+}
+
+Runs runs_by_cell(const std::vector<std::uint8_t>& row, std::uint8_t value) {
+    Runs runs;
+    for (std::int32_t c = 0; c < static_cast<std::int32_t>(row.size()); ++c) {
+        if (row[static_cast<std::size_t>(c)] != value)
+            continue;
+        if (runs.empty() || runs.back().second != c)
+            runs.emplace_back(c, c);
+        runs.back().second = c + 1;
+    }
+    return runs;
+}
+
+TEST(MaskRuns, EndWithTheRow) {
+    EXPECT_EQ(runs_of({}, 1), Runs());
+    EXPECT_EQ(runs_of({1}, 1), (Runs{{0, 1}}));
+    EXPECT_EQ(runs_of({1}, 0), Runs());
+    for (const std::int32_t cols : {63, 64, 65, 128, 200}) {
+        const std::vector<std::uint8_t> row(static_cast<std::size_t>(cols), 1);
+        EXPECT_EQ(runs_of(row, 1), (Runs{{0, cols}}));
+        EXPECT_EQ(runs_of(row, 0), Runs());
+    }
+}
+
+TEST(MaskRuns, AreThoseOfCellAfterCell) {
+    std::mt19937 random(11);  // NOLINT: the same rows in every run
+    for (const std::size_t cols : {1U, 7U, 8U, 9U, 63U, 64U, 65U, 127U, 128U, 129U, 1000U})
+        for (const double share : {0.02, 0.5, 0.98}) {
+            std::bernoulli_distribution is(share);
+            std::vector<std::uint8_t> row(cols);
+            for (std::uint8_t& cell : row)
+                cell = is(random) ? 1 : 0;
+            for (const std::uint8_t value : {std::uint8_t{0}, std::uint8_t{1}})
+                EXPECT_EQ(runs_of(row, value), runs_by_cell(row, value)) << cols << " " << share;
+        }
+}
+
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

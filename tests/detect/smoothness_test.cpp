@@ -8,14 +8,12 @@
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
 
 Grid<std::uint8_t> flags_of(const MetreGrid& surface, double side, double noise = 0) {
-    return smoothness(surface, smoothness_thresholds(side, {.noise = noise}), test::threads());
+    return smoothness(surface, smoothness_thresholds(side, {.noise = noise}), threads());
 }
-
-using test::unknown;
 
 constexpr int along_row = smooth_along_row;
 constexpr int along_column = smooth_along_column;
@@ -23,7 +21,7 @@ constexpr int any = smooth_any_way;
 constexpr int enough = smooth_enough;
 constexpr int all = along_row | along_column | any | enough;
 
-MetreGrid surface_of(std::int32_t rows, std::int32_t cols, const test::Shape& z) {
+MetreGrid surface_of(std::int32_t rows, std::int32_t cols, const Shape& z) {
     MetreGrid grid(rows, cols);
     for (std::int32_t r = 0; r < rows; ++r)
         for (std::int32_t c = 0; c < cols; ++c)
@@ -71,66 +69,35 @@ TEST(Smoothness, RidgesAreSmoothAlong) {
     }
 }
 
-TEST(Smoothness, ThresholdsGrowWithNoise) {
-    const auto bump = [](float h, double noise) {
-        return int{
-            flags_of(surface_of(5, 5, [&](auto r, auto c) { return r == 2 && c == 2 ? h : 0.0F; }), 1, noise)
-                .at(2, 2)};
-    };
-    // 7 cm are in the thresholds; 17 cm add 15 cm to the 0.12, 0.18 and 0.25 m of cells of 1 m.
-    EXPECT_EQ(bump(0.061F, 0.07), any | enough);
-    EXPECT_EQ(bump(0.134F, 0.17), all);
-    EXPECT_EQ(bump(0.136F, 0.17), any | enough);
-    EXPECT_EQ(bump(0.199F, 0.17), any | enough);
-    EXPECT_EQ(bump(0.201F, 0.17), any);
-    EXPECT_EQ(bump(0.246F, 0.17), any);
-    EXPECT_EQ(bump(0.249F, 0.17), 0);
+TEST(Smoothness, BumpsAreSmoothUpToTheThresholds) {
+    // A bump of h bends by 2 h every way, and 2/3 of that counts along diagonals.
+    for (const double side : {0.5, 1.0, 2.5})
+        for (const double noise : {0.0, 0.17}) {
+            const SmoothnessThresholds limits = smoothness_thresholds(side, {.noise = noise});
+            for (float h = 0.01F; h < 0.5F; h += 0.003F) {
+                const auto bump = [&](auto r, auto c) { return r == 2 && c == 2 ? h : 0.0F; };
+                const int expected = (2 * h <= limits.line ? along_row | along_column : 0) |
+                                     (4 * h / 3 <= limits.any ? any : 0) |
+                                     (2 * h <= limits.enough ? enough : 0);
+                EXPECT_EQ(flags_of(surface_of(5, 5, bump), side, noise).at(2, 2), expected) << h;
+            }
+        }
 }
 
-TEST(Smoothness, ThresholdsGrowWhereCellsWereFilled) {
-    const auto limits = [](double side, double filled) {
-        return smoothness_thresholds(side, {.filled = filled});
+TEST(Smoothness, ThresholdsGrowWithCellsNoiseAndFilledCells) {
+    const auto grows = [](const SmoothnessThresholds& less, const SmoothnessThresholds& more) {
+        return less.line < more.line && less.any < more.any && less.enough < more.enough;
     };
-    // At 2 m: 0.18, 0.26 and 0.37 m. 0.17 x 2 m x sqrt(0.27 - 0.02) = 0.17 m more.
-    EXPECT_NEAR(limits(2, 0.27).line, 0.35, 1e-6);
-    EXPECT_NEAR(limits(2, 0.27).any, 0.43, 1e-6);
-    EXPECT_NEAR(limits(2, 0.27).enough, 0.54, 1e-6);
-    EXPECT_EQ(limits(2, 0.02).line, limits(2, 0).line) << "some are filled in any survey";
-    EXPECT_NEAR(smoothness_thresholds(2, {.filled = 0.27, .threshold_scale = 0.5, .margin_scale = 3}).line,
-                0.09 + 3 * 0.17, 1e-6);
-    // At 0.5 m: 0.09 m and 0.17 x 0.5 m x 0.5.
-    EXPECT_NEAR(limits(0.5, 0.27).line, 0.1325, 1e-6);
-}
-
-TEST(Smoothness, StricterLimitsKeepTheirRoomForNoise) {
-    // At 1 m: 0.12, 0.18 and 0.25 m. 17 cm of noise add 15 cm.
-    const SmoothnessThresholds limits = smoothness_thresholds(1, {.noise = 0.17, .threshold_scale = 0.5});
-    EXPECT_NEAR(limits.line, 0.06 + 0.15, 1e-6);
-    EXPECT_NEAR(limits.any, 0.09 + 0.15, 1e-6);
-    EXPECT_NEAR(limits.enough, 0.125 + 0.15, 1e-6);
-}
-
-TEST(Smoothness, ThresholdsGrowWithTheCell) {
-    // A bump of h bends by 2 h every way; 2/3 of that counts along diagonals.
-    const auto bump = [](float h, double side) {
-        return int{
-            flags_of(surface_of(5, 5, [&](auto r, auto c) { return r == 2 && c == 2 ? h : 0.0F; }), side)
-                .at(2, 2)};
+    const auto limits = [](double side, const SurfaceQuality& quality) {
+        return smoothness_thresholds(side, quality);
     };
-    // At 1 m: 0.12 m along a line, 0.18 m any way, 0.25 m for enough.
-    EXPECT_EQ(bump(0.059F, 1), all);
-    EXPECT_EQ(bump(0.061F, 1), any | enough);
-    EXPECT_EQ(bump(0.124F, 1), any | enough);
-    EXPECT_EQ(bump(0.126F, 1), any);
-    EXPECT_EQ(bump(0.134F, 1), any);
-    EXPECT_EQ(bump(0.136F, 1), 0);
-    // At 0.5 m: 0.09, 0.14 and 0.19 m.
-    EXPECT_EQ(bump(0.044F, 0.5), all);
-    EXPECT_EQ(bump(0.046F, 0.5), any | enough);
-    EXPECT_EQ(bump(0.094F, 0.5), any | enough);
-    EXPECT_EQ(bump(0.096F, 0.5), any);
-    EXPECT_EQ(bump(0.104F, 0.5), any);
-    EXPECT_EQ(bump(0.106F, 0.5), 0);
+    EXPECT_TRUE(grows(limits(0.5, {}), limits(1, {})));
+    EXPECT_TRUE(grows(limits(1, {}), limits(1, {.noise = 0.17})));
+    EXPECT_TRUE(grows(limits(1, {}), limits(1, {.filled = 0.27})));
+    EXPECT_TRUE(grows(limits(1, {.threshold_scale = 0.5}), limits(1, {})));
+    EXPECT_TRUE(grows(limits(1, {.filled = 0.27}), limits(1, {.filled = 0.27, .margin_scale = 3})));
+    EXPECT_EQ(limits(1, {.noise = 0.07}).line, limits(1, {}).line) << "the thresholds have room for it";
+    EXPECT_EQ(limits(2, {.filled = 0.02}).line, limits(2, {}).line) << "some are filled in any survey";
 }
 
 TEST(Smoothness, UnknownCellsBendWhateverMeetsThem) {
@@ -152,9 +119,96 @@ TEST(Smoothness, OneCellOneRowOneColumnNone) {
                                            all};
     EXPECT_EQ(flags_of(step, 1).values, across);
     const std::vector<std::uint8_t> down{all, along_row | any | enough, along_row | any | enough, all, all};
-    EXPECT_EQ(flags_of(test::transposed(step), 1).values, down);
+    EXPECT_EQ(flags_of(transposed(step), 1).values, down);
     EXPECT_EQ(flags_of(MetreGrid(), 1).size(), 0U);
 }
 
+/// Pieces of a level surface with the flags given, or the same flags everywhere.
+SmoothSegments pieces_of(const Mask& elevated, const Grid<std::uint8_t>& flags, const CellSize& cell) {
+    const MetreGrid level(elevated.rows, elevated.cols, 8);
+    const MetreGrid ground(elevated.rows, elevated.cols, 0);
+    return smooth_segments({level, ground, cell}, elevated, flags, threads());
+}
+SmoothSegments pieces_of(const Mask& elevated, std::uint8_t flag, const CellSize& cell) {
+    return pieces_of(elevated, Grid<std::uint8_t>(elevated.rows, elevated.cols, flag), cell);
+}
+
+TEST(Segments, TiltIsThatOfThePlane) {
+    const CellSize cell{0.5, 0.8};
+    for (const auto& [dx, dy] : {std::pair{0.0, 0.0}, {0.25, 0.0}, {0.0, -0.5}, {0.3, 0.4}}) {
+        Town town(20, 30, cell);
+        town.build([&, x = dx, y = dy](auto r, auto c) {
+            return r >= 5 && r < 15 && c >= 8 && c < 24
+                       ? static_cast<float>(120 + x * c * cell.across + y * r * cell.down)
+                       : unknown;
+        });
+        const SmoothSegments segments = smooth_segments(
+            town.scene(), raised(town),
+            smoothness(town.surface, smoothness_thresholds(town.scene().side(), {}), threads()), threads());
+        ASSERT_EQ(segments.pieces.size(), 1U);
+        EXPECT_EQ(segments.pieces[0].cells, 160);
+        EXPECT_EQ(drawing(mask_of(segments.regions, threads())), drawing(raised(town)));
+        EXPECT_NEAR(segments.pieces[0].tilt, std::hypot(dx, dy), 1e-5);
+    }
+}
+
+TEST(Segments, GableIsOnePieceSinceItsRidgeIsStraight) {
+    Town town(20, 20);
+    town.build([](auto r, auto c) {
+        return r >= 3 && r < 17 && c >= 3 && c < 17 ? 112 - 0.5F * std::abs(static_cast<float>(c) - 9.5F)
+                                                    : unknown;
+    });
+    const SmoothSegments segments =
+        smooth_segments(town.scene(), raised(town),
+                        smoothness(town.surface, smoothness_thresholds(1, {}), threads()), threads());
+    ASSERT_EQ(segments.pieces.size(), 1U);
+    EXPECT_EQ(segments.pieces[0].cells, 196);
+    EXPECT_NEAR(segments.pieces[0].tilt, 0, 1e-6) << "the best plane through both sides";
+}
+
+TEST(Segments, JoinedWhereOneIsStraightAlongOrBothAreSomeWay) {
+    // Two blocks of 3 by 4 cells; what joins them are the flags at their common edge.
+    const Mask across(3, 8, 1);
+    const auto count = [&](bool beside, std::uint8_t left, std::uint8_t right) {
+        Grid<std::uint8_t> flags(3, 8, smooth_along_row | smooth_along_column);
+        for (std::int32_t r = 0; r < 3; ++r) {
+            flags.at(r, 3) = left;
+            flags.at(r, 4) = right;
+        }
+        // Within its column each of the two hangs on its neighbour outside, whatever its own flags.
+        return (beside ? pieces_of(across, flags, {1, 1})
+                       : pieces_of(transposed(across), transposed(flags), {1, 1}))
+            .pieces.size();
+    };
+    for (const bool beside : {true, false}) {
+        const std::uint8_t line = beside ? smooth_along_row : smooth_along_column;
+        const std::uint8_t other = beside ? smooth_along_column : smooth_along_row;
+        EXPECT_EQ(count(beside, 0, 0), 2U);
+        EXPECT_EQ(count(beside, line, 0), 1U);
+        EXPECT_EQ(count(beside, 0, line), 1U);
+        EXPECT_EQ(count(beside, other, other), 2U);
+        EXPECT_EQ(count(beside, smooth_any_way, other), 2U);
+        EXPECT_EQ(count(beside, smooth_any_way, smooth_any_way), 1U);
+        EXPECT_EQ(count(beside, smooth_enough, smooth_enough), 2U);
+    }
+}
+
+TEST(Segments, SmallPiecesAreDropped) {
+    constexpr std::uint8_t smooth = smooth_along_row | smooth_along_column;
+    // 12 m²: eleven cells of 1 m² are too few, twelve are not.
+    const Mask blocks = drawn({"###########.", "............", "############"});
+    const SmoothSegments fine = pieces_of(blocks, smooth, {1, 1});
+    ASSERT_EQ(fine.pieces.size(), 1U);
+    EXPECT_EQ(drawing(mask_of(fine.regions, threads())),
+              drawing(drawn({"............", "............", "############"})));
+    // Six cells at least, however large they are.
+    const SmoothSegments coarse = pieces_of(drawn({"#####.", "......", "######"}), smooth, {10, 10});
+    ASSERT_EQ(coarse.pieces.size(), 1U);
+    EXPECT_EQ(coarse.pieces[0].cells, 6);
+    EXPECT_NEAR(coarse.pieces[0].tilt, 0, 1e-12) << "in one line";
+    EXPECT_TRUE(pieces_of(Mask(4, 4), smooth, {1, 1}).pieces.empty());
+    EXPECT_TRUE(pieces_of(Mask(), smooth, {1, 1}).pieces.empty());
+}
+
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

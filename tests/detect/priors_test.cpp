@@ -1,13 +1,17 @@
+#include "detect/priors.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "detect/priors.hpp"
+#include "detect_case.hpp"
+#include "support/test_threads.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
 
 constexpr double usual = 0.62;
@@ -74,23 +78,7 @@ bool is_changed(std::vector<DetectedObject> objects) {
     return objects.back().confidence != before;
 }
 
-TEST(CorrectForPlace, AHundredCandidatesAndAFifthBeyondDoubt) {
-    EXPECT_TRUE(is_changed(place(20, 20, 60)));
-    EXPECT_FALSE(is_changed(place(20, 20, 59)));
-    EXPECT_TRUE(is_changed(place(20, 80, 60)));
-    EXPECT_FALSE(is_changed(place(20, 81, 60))) << "roofs do not look here as elsewhere";
-    EXPECT_TRUE(is_changed(place(0, 0, 100))) << "a wood";
-}
-
-TEST(CorrectForPlace, NotWherePointsAreThin) {
-    for (const double filled : {0.1, 0.11}) {
-        std::vector<DetectedObject> objects = place(40, 40, 920);
-        apply_scene_prior(filled, objects);
-        EXPECT_EQ(objects.back().confidence != 0.15, filled == 0.1) << filled;
-    }
-}
-
-TEST(CorrectForPlace, AmongWoodsLessIsABuilding) {
+TEST(ScenePrior, AmongWoodsLessIsABuilding) {
     std::vector<DetectedObject> objects = place(40, 40, 920);
     apply_scene_prior(0, objects);
     EXPECT_LT(objects[40].confidence, 0.3);
@@ -98,11 +86,11 @@ TEST(CorrectForPlace, AmongWoodsLessIsABuilding) {
     EXPECT_LT(objects.back().confidence, 0.05);
 }
 
-TEST(CorrectForPlace, NothingIsMoreCertainThanElsewhere) {
+TEST(ScenePrior, NothingIsMoreCertainThanElsewhere) {
     EXPECT_FALSE(is_changed(place(400, 40, 20)));
 }
 
-TEST(CorrectForPlace, EvenOddsStayEvenAtTheUsualShare) {
+TEST(ScenePrior, EvenOddsStayEvenAtTheUsualShare) {
     // All but one candidate are as good as certain; a hair fewer of them than usual are buildings.
     std::vector<DetectedObject> objects = place(6190, 0, 3810);
     for (DetectedObject& object : objects)
@@ -113,7 +101,7 @@ TEST(CorrectForPlace, EvenOddsStayEvenAtTheUsualShare) {
     EXPECT_NEAR(objects.back().confidence, 0.5, 2e-3);
 }
 
-TEST(CorrectForPlace, SaysWhatShareConfidencesSupposeThen) {
+TEST(ScenePrior, SaysWhatShareConfidencesSupposeThen) {
     std::vector<DetectedObject> woods = place(40, 40, 920);
     const PriorShare corrected = apply_scene_prior(0, woods);
     EXPECT_EQ(corrected.least, corrected.most);
@@ -134,29 +122,13 @@ TEST(CorrectForPlace, SaysWhatShareConfidencesSupposeThen) {
     EXPECT_EQ(apply_scene_prior(0, few).least, usual);
 }
 
-TEST(CorrectForPlace, SaysWhetherBuildingsLookedAsElsewhereBefore) {
-    std::vector<DetectedObject> woods = place(40, 40, 920);
-    EXPECT_TRUE(apply_scene_prior(0, woods).usual_appearance);
-    std::vector<DetectedObject> few = place(1, 4, 0);
-    EXPECT_TRUE(apply_scene_prior(0, few).usual_appearance);
-    few = place(1, 5, 0);
-    EXPECT_FALSE(apply_scene_prior(0, few).usual_appearance);
-}
-
-TEST(LooksAsElsewhere, AFifthOfTheLikelyAreBeyondDoubt) {
+TEST(UsualAppearance, AFifthOfTheLikelyAreBeyondDoubt) {
     EXPECT_TRUE(has_usual_appearance({}));
     EXPECT_TRUE(has_usual_appearance(place(1, 4, 50)));
     EXPECT_FALSE(has_usual_appearance(place(1, 5, 0)));
 }
 
-TEST(HardlyAnyIsSure, LessThanATenthOfTheLikelyButForOne) {
-    EXPECT_TRUE(lacks_certain_buildings({}));
-    EXPECT_TRUE(lacks_certain_buildings(place(1, 0, 50))) << "one may be so by chance";
-    EXPECT_FALSE(lacks_certain_buildings(place(2, 8, 50)));
-    EXPECT_TRUE(lacks_certain_buildings(place(2, 9, 50)));
-}
-
-TEST(CorrectForPlace, SingleTreesOfFieldsAreNoHouses) {
+TEST(ScenePrior, SingleTreesOfFieldsAreNoHouses) {
     // Thirty trees, five of which look like small houses. The likelihood ratios of 0.55 and 0.15 are 0.8117
     // and 0.05404. One candidate with the usual share is added.
     std::vector<DetectedObject> trees = place(0, 5, 25);
@@ -176,7 +148,7 @@ TEST(CorrectForPlace, SingleTreesOfFieldsAreNoHouses) {
     EXPECT_EQ(others[2].confidence, 1);
 }
 
-TEST(CorrectForPlace, AFewDoubtsAreNoFields) {
+TEST(ScenePrior, AFewDoubtsAreNoFields) {
     for (std::vector<DetectedObject> objects : {place(0, 1, 0), place(0, 2, 1), place(2, 3, 25)}) {
         const std::vector<DetectedObject> before = objects;
         apply_scene_prior(0.2, objects);
@@ -185,7 +157,7 @@ TEST(CorrectForPlace, AFewDoubtsAreNoFields) {
     }
 }
 
-TEST(CorrectForPlace, KeepsTheOrderAndWhatIsCertain) {
+TEST(ScenePrior, KeepsTheOrderAndWhatIsCertain) {
     std::vector<double> confidences{0, 1};
     for (int i = 1; i < 200; ++i)
         confidences.push_back(i / 200.0);
@@ -207,5 +179,119 @@ TEST(CorrectForPlace, KeepsTheOrderAndWhatIsCertain) {
     EXPECT_TRUE(none.empty());
 }
 
+constexpr PriorShare half{0.5, 0.5};
+
+/// Objects of one cell of a metre each, and what is thought of them.
+struct Place {
+    Place(std::int32_t rows, std::int32_t cols) : cells(rows, cols) {}
+
+    /// In scan order.
+    void add(std::int32_t r, std::int32_t c, double confidence) {
+        cells.at(r, c) = 1;
+        objects.push_back({confidence, CounterEvidence::rough, 1});
+    }
+    [[nodiscard]] std::vector<double> corrected(const PriorShare& prior, Executor& threads) const {
+        std::vector<DetectedObject> result = objects;
+        apply_spatial_prior(connected_regions(cells, 1, 0, threads), {1, 1}, prior, result, threads);
+        std::vector<double> confidences;
+        for (const DetectedObject& object : result)
+            confidences.push_back(object.confidence);
+        return confidences;
+    }
+    [[nodiscard]] std::vector<double> corrected(const PriorShare& prior) const {
+        return corrected(prior, threads());
+    }
+
+    Mask cells;
+    std::vector<DetectedObject> objects;
+};
+
+TEST(SpatialPrior, BayesRuleWithTheShareAround) {
+    Place place(1, 400);
+    place.add(0, 100, 0.6);
+    place.add(0, 175, 0.9);  // half of the reach away
+    place.add(0, 399, 0.1);  // beyond the reach of both
+    const double weight = 0.75 * 0.75;
+    const double share = (0.5 + weight * 0.9) / (1 + weight);
+    const double odds = 0.6 / 0.4 * share / (1 - share);
+    const std::vector<double> now = place.corrected(half);
+    EXPECT_NEAR(now[0], odds / (1 + odds), 1e-12);
+    EXPECT_NEAR(now[2], 0.1, 1e-12) << "alone";
+}
+
+TEST(SpatialPrior, HousesAmongHousesAndCrownsAmongCrowns) {
+    Place place(600, 30);
+    for (std::int32_t r = 0; r < 600; r += 20)
+        place.add(r, r % 30, r == 100 || r == 500 ? 0.5 : r < 300 ? 0.9 : 0.1);
+    const std::vector<double> now = place.corrected(half);
+    EXPECT_GT(now[5], 0.75);
+    EXPECT_LT(now[25], 0.25);
+}
+
+TEST(SpatialPrior, AShareWithinWhatIsSupposedChangesNothing) {
+    Place place(10, 100);
+    for (std::int32_t c = 0; c < 100; c += 10)
+        place.add(5, c, 0.3);
+    EXPECT_EQ(place.corrected({0.2, 0.6}), std::vector<double>(10, 0.3));
+    EXPECT_LT(place.corrected({0.4, 0.6})[4], 0.3);
+    EXPECT_GT(place.corrected({0.1, 0.2})[4], 0.3);
+}
+
+TEST(SpatialPrior, WhatIsCertainStaysAndIsNoNeighbour) {
+    Place place(1, 5);
+    place.add(0, 0, 0);
+    place.add(0, 2, 0.5);
+    place.add(0, 4, 1);
+    EXPECT_EQ(place.corrected(half), (std::vector<double>{0, 0.5, 1}));
+}
+
+TEST(SpatialPrior, WhereNothingStands) {
+    EXPECT_TRUE(Place(3, 3).corrected(half).empty());
+}
+
+TEST(ReferencePrior, BayesRuleWithTheShareOfOthersAlone) {
+    Candidates reference_objects;
+    reference_objects.regions = connected_regions(drawn({"#...#"}), 1, 0, threads());
+    reference_objects.objects = {{0.9, CounterEvidence::rough, 1},
+                                 {1, CounterEvidence::rough, 1}};  // what is certain is no witness
+    Candidates judged;
+    judged.regions = connected_regions(drawn({"..#.#"}), 1, 0, threads());
+    judged.objects = {{0.6, CounterEvidence::rough, 1}, {0, CounterEvidence::rough, 1}};
+    const CellSize cell{37.5, 37.5};
+    apply_reference_prior(reference_objects, cell, half, judged, threads());
+    const double weight = 0.75 * 0.75;  // half of the reach away
+    const double share = (0.5 + weight * 0.9) / (1 + weight);
+    const double odds = 0.6 / 0.4 * share / (1 - share);
+    EXPECT_NEAR(judged.objects[0].confidence, odds / (1 + odds), 1e-12);
+    EXPECT_EQ(judged.objects[1].confidence, 0);
+    EXPECT_EQ(reference_objects.objects[0].confidence, 0.9);
+}
+
+TEST(ReferencePrior, WhereThereIsNone) {
+    Candidates reference_objects;
+    reference_objects.regions = connected_regions(drawn({"..."}), 1, 0, threads());
+    Candidates judged;
+    judged.regions = connected_regions(drawn({"#.#"}), 1, 0, threads());
+    judged.objects = {{0.6, CounterEvidence::rough, 1}, {0.8, CounterEvidence::rough, 1}};
+    apply_reference_prior(reference_objects, {1, 1}, half, judged, threads());
+    EXPECT_NEAR(judged.objects[0].confidence, 0.6, 1e-12);
+    EXPECT_NEAR(judged.objects[1].confidence, 0.8, 1e-12);
+}
+
+TEST(SpatialPrior, TheSameOnAnyNumberOfThreads) {
+    std::mt19937 random(7);
+    Place place(700, 300);
+    for (std::int32_t r = 0; r < 700; r += 2)
+        for (std::int32_t c = 0; c < 300; c += 2)
+            if (random() % 60 == 0)
+                place.add(r, c, static_cast<double>(1 + random() % 98) / 100);
+    Executor alone(1);
+    const std::vector<double> one = place.corrected({0.3, 0.4}, alone);
+    for (const int count : {2, 7}) {
+        Executor several(count);
+        EXPECT_EQ(place.corrected({0.3, 0.4}, several), one) << count;
+    }
+}
+
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

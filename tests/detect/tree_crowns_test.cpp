@@ -1,3 +1,5 @@
+#include "detect/tree_crowns.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -5,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "detect/smoothness.hpp"
-#include "detect/tree_crowns.hpp"
 #include "detect_case.hpp"
 
 namespace d2b::test {
@@ -85,7 +86,7 @@ std::int64_t cells_beside_roofs(const Leaning& place, const Mask& mask) {
     return more;
 }
 
-TEST(AttachedCrowns, AreCutOffAtTheLineOfAStraightWall) {
+TEST(TreeCrowns, AreCutOffAtTheLineOfAStraightWall) {
     Leaning place(50, 80);
     place.roof(Block{10, 10, 30, 70});
     place.crown(32, 40, 6.5);
@@ -100,7 +101,7 @@ TEST(AttachedCrowns, AreCutOffAtTheLineOfAStraightWall) {
     EXPECT_EQ(place.objects[0].confidence, 0.25);
 }
 
-TEST(AttachedCrowns, AreCutOffASlantedWallWithinACell) {
+TEST(TreeCrowns, AreCutOffASlantedWallWithinACell) {
     const auto depth = [](std::int32_t r, std::int32_t c) { return 0.5 * c + 20 - r; };  // rows
     const Truth inside = [&](std::int32_t r, std::int32_t c) {
         return depth(r, c) > 0 && depth(r, c) < 20 && c > 5 && c < 75;
@@ -120,7 +121,7 @@ TEST(AttachedCrowns, AreCutOffASlantedWallWithinACell) {
         }
 }
 
-TEST(AttachedCrowns, AreCutOffAtBothWallsOfACorner) {
+TEST(TreeCrowns, AreCutOffAtBothWallsOfACorner) {
     Leaning place(50, 80);
     place.roof(Block{10, 10, 30, 60});
     place.crown(31, 61, 6.5);
@@ -136,25 +137,25 @@ Leaning at_the_end_of_a_wall(CellSize cell = {}) {
     return place;
 }
 
-TEST(AttachedCrowns, AreCutOffWhereTheyHideTheEndOfAWall) {
+TEST(TreeCrowns, AreCutOffWhereTheyHideTheEndOfAWall) {
     Leaning place = at_the_end_of_a_wall();
     EXPECT_LE(cells_beside_roofs(place, place.cut()), 2 * leaves_like_a_roof);
     EXPECT_EQ(place.crowns.size(), 1U);
 }
 
-TEST(AttachedCrowns, StayAtTheEndOfAWallThatIsFewCellsLong) {
+TEST(TreeCrowns, StayAtTheEndOfAWallThatIsFewCellsLong) {
     Leaning place = at_the_end_of_a_wall({2, 2});
     EXPECT_EQ(drawing(place.cut()), drawing(raised(place.town)));
 }
 
-TEST(AttachedCrowns, AWingAtTheEndOfAWallStays) {
+TEST(TreeCrowns, AWingAtTheEndOfAWallStays) {
     Leaning place(50, 80);
     place.roof(Block{10, 10, 30, 60});
     place.roof(Block{30, 52, 35, 60}, 105);
     EXPECT_EQ(drawing(place.cut()), drawing(place.roofs));
 }
 
-TEST(AttachedCrowns, NothingIsCutWhereNoWallGoesOnFromTheCorner) {
+TEST(TreeCrowns, NothingIsCutWhereNoWallGoesOnFromTheCorner) {
     Leaning place(50, 80);
     place.roof(Block{10, 10, 30, 60});
     place.crown(31, 61, 6.5);
@@ -164,7 +165,7 @@ TEST(AttachedCrowns, NothingIsCutWhereNoWallGoesOnFromTheCorner) {
     EXPECT_EQ(cut.at(32, 63), before.at(32, 63));
 }
 
-TEST(AttachedCrowns, ATreeBetweenTwoBuildingsStays) {
+TEST(TreeCrowns, ATreeBetweenTwoBuildingsStays) {
     Leaning place(60, 80);
     place.roof(Block{5, 10, 24, 70});
     place.roof(Block{33, 10, 52, 70});
@@ -172,7 +173,7 @@ TEST(AttachedCrowns, ATreeBetweenTwoBuildingsStays) {
     EXPECT_EQ(drawing(place.cut()), drawing(raised(place.town)));
 }
 
-TEST(AttachedCrowns, TowersAndBaysOfAWallStay) {
+TEST(TreeCrowns, TowersAndBaysOfAWallStay) {
     Leaning place(50, 90);
     place.roof(Block{10, 10, 30, 80});
     place.roof([](auto r, auto c) { return (r - 31) * (r - 31) + (c - 30) * (c - 30) < 20; }, 112);
@@ -180,7 +181,7 @@ TEST(AttachedCrowns, TowersAndBaysOfAWallStay) {
     EXPECT_EQ(drawing(place.cut()), drawing(place.roofs));
 }
 
-TEST(AttachedCrowns, ARoundTowerStaysRound) {
+TEST(TreeCrowns, ARoundTowerStaysRound) {
     Leaning place(50, 50);
     place.roof([](auto r, auto c) { return (r - 24) * (r - 24) + (c - 24) * (c - 24) < 150; });
     EXPECT_EQ(drawing(place.cut()), drawing(place.roofs));
@@ -188,7 +189,7 @@ TEST(AttachedCrowns, ARoundTowerStaysRound) {
     EXPECT_LE(cells_beside_roofs(place, place.cut()), 80);  // the whole crown
 }
 
-TEST(AttachedCrowns, WhatIsLeftKeepsItsConfidenceAndWhatStandsInACrownGoesWithIt) {
+TEST(TreeCrowns, WhatIsLeftKeepsItsConfidenceAndWhatStandsInACrownGoesWithIt) {
     Leaning place(60, 90);
     place.roof(Block{2, 2, 9, 9});  // the first object: others have other confidences
     place.roof(Block{20, 10, 40, 80});
@@ -202,7 +203,7 @@ TEST(AttachedCrowns, WhatIsLeftKeepsItsConfidenceAndWhatStandsInACrownGoesWithIt
     EXPECT_EQ(cut.at(49, 40), 0);
 }
 
-TEST(AttachedCrowns, AreTheSameOnAnyNumberOfThreadsAndTurned) {
+TEST(TreeCrowns, AreTheSameOnAnyNumberOfThreadsAndTurned) {
     Leaning place(90, 80);
     place.roof(Block{10, 10, 30, 70});
     place.crown(32, 30, 6.5);
@@ -215,3 +216,52 @@ TEST(AttachedCrowns, AreTheSameOnAnyNumberOfThreadsAndTurned) {
 
 }  // namespace
 }  // namespace d2b::test
+
+namespace d2b {
+namespace {
+
+constexpr CellSize half_metre{0.5, 0.5};
+
+/// The seam of a part that lies below row 20 and to the right of column 30 of a roof with its corner there.
+SharedBoundary around_a_corner(std::int32_t below, std::int32_t beside) {
+    SharedBoundary seam;
+    for (std::int32_t c = 30 - below; c < 30; ++c)
+        seam.add(20, c, -1, 0, half_metre);
+    for (std::int32_t r = 20 - beside; r < 20; ++r)
+        seam.add(r, 30, 0, -1, half_metre);
+    return seam;
+}
+
+bool is_near(const MetricPoint& one, const MetricPoint& other) {
+    return std::hypot(one.x - other.x, one.y - other.y) < 1e-9;
+}
+
+TEST(SharedBoundary, HasTwoLinesAroundACorner) {
+    const SharedBoundary seam = around_a_corner(8, 6);
+    EXPECT_FALSE(seam.straight_line(half_metre).has_value());
+    const CornerBoundary corner = seam.corner(half_metre).value();
+    const bool turned = std::abs(corner.one.along.y) > 0.5;
+    const BoundaryLine& below = turned ? corner.other : corner.one;
+    const BoundaryLine& beside = turned ? corner.one : corner.other;
+    // Of columns 22 to 29, and of rows 14 to 19.
+    EXPECT_TRUE(is_near(below.middle, {26 * 0.5, 20 * 0.5}));
+    EXPECT_TRUE(is_near(below.inward, {0, -1}));
+    EXPECT_NEAR(below.last - below.first, 7 * 0.5, 1e-9);
+    EXPECT_TRUE(is_near(beside.middle, {30 * 0.5, 17 * 0.5}));
+    EXPECT_TRUE(is_near(beside.inward, {-1, 0}));
+}
+
+TEST(SharedBoundary, AShortPieceIsNoWall) {
+    EXPECT_TRUE(around_a_corner(20, 4).corner(half_metre).has_value());
+    EXPECT_FALSE(around_a_corner(20, 3).corner(half_metre).has_value());
+}
+
+TEST(SharedBoundary, AStraightSeamHasNoCorner) {
+    const SharedBoundary seam = around_a_corner(20, 0);
+    EXPECT_TRUE(seam.straight_line(half_metre).has_value());
+    EXPECT_FALSE(seam.corner(half_metre).has_value());
+    EXPECT_FALSE(SharedBoundary().corner(half_metre).has_value());
+}
+
+}  // namespace
+}  // namespace d2b

@@ -1,17 +1,16 @@
+#include "detect/threshold_scale.hpp"
+
 #include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "detect/morphology.hpp"
-#include "detect/threshold_scale.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::Town;
 
 /// Houses of 28 by 28 m, 22 m apart, whose flat roofs are rough: each cell lies up to so much higher or
 /// lower.
@@ -21,19 +20,18 @@ Town town_with(float rough, std::int32_t houses) {
     std::uniform_real_distribution<float> relief(-rough, rough);
     town.build([&](std::int32_t r, std::int32_t c) {
         return r >= 20 && c >= 20 && (r - 20) % 50 < 28 && (c - 20) % 50 < 28 ? 110 + relief(random)
-                                                                              : test::unknown;
+                                                                              : unknown;
     });
     return town;
 }
 
 std::optional<double> strictness_of(const Town& town) {
-    SceneCells cells = scene_cells(town.scene(), {}, test::threads());
-    const Candidates first =
-        find_candidates(town.scene(), cells, default_min_building_m2, {}, test::threads());
-    return estimate_threshold_scale(town.scene(), {}, default_min_building_m2, {}, first, test::threads());
+    SceneCells cells = scene_cells(town.scene(), {}, threads());
+    const Candidates first = find_candidates(town.scene(), cells, default_min_building_m2, {}, threads());
+    return estimate_threshold_scale(town.scene(), {}, default_min_building_m2, {}, first, threads());
 }
 
-TEST(RoofStrictness, AsStrictAsTheRoofsAllow) {
+TEST(ThresholdScale, AsStrictAsTheRoofsAllow) {
     EXPECT_EQ(strictness_of(town_with(0, 3)), 0.6);
     double before = 0.6;
     for (const float rough : {0.1F, 0.2F, 0.25F, 0.3F, 0.35F}) {
@@ -44,7 +42,7 @@ TEST(RoofStrictness, AsStrictAsTheRoofsAllow) {
     EXPECT_GE(before, 0.9) << "hardly smoother than the usual limits allow";
 }
 
-TEST(RoofStrictness, NothingWhereRoofsAreFew) {
+TEST(ThresholdScale, NothingWhereRoofsAreFew) {
     // 22 x 22 = 484 cells are 3 m inside a house: four of them have 1936 and five 2420.
     Town four = town_with(0, 2);
     EXPECT_EQ(strictness_of(four), std::nullopt);
@@ -53,7 +51,7 @@ TEST(RoofStrictness, NothingWhereRoofsAreFew) {
     EXPECT_EQ(strictness_of(Town(0, 0)), std::nullopt);
 }
 
-TEST(RoofStrictness, NothingWhereWallsAreSmeared) {
+TEST(ThresholdScale, NothingWhereWallsAreSmeared) {
     Town town = town_with(0, 3);
     const MetreGrid sharp = town.surface;
     for (std::int32_t r = 2; r < sharp.rows - 2; ++r)
@@ -67,15 +65,15 @@ TEST(RoofStrictness, NothingWhereWallsAreSmeared) {
     EXPECT_EQ(strictness_of(town), std::nullopt);
 }
 
-TEST(RoofStrictness, IsFoundFromTheSceneItself) {
+TEST(ThresholdScale, IsFoundFromTheSceneItself) {
     // Rough roofs are found by limits of their own, and not by those of another place.
     const Town rough = town_with(0.35F, 3);
-    EXPECT_EQ(test::detect(rough).buildings, 9U);
+    EXPECT_EQ(detect(rough).buildings, 9U);
     SurfaceQuality other;
     other.threshold_scale = 0.1;
-    SceneCells cells = scene_cells(rough.scene(), {}, test::threads());
+    SceneCells cells = scene_cells(rough.scene(), {}, threads());
     const Candidates judged =
-        find_candidates(rough.scene(), cells, default_min_building_m2, other, test::threads());
+        find_candidates(rough.scene(), cells, default_min_building_m2, other, threads());
     EXPECT_TRUE(std::ranges::none_of(judged.objects, [](const DetectedObject& object) {
         return object.confidence >= DetectOptions{}.min_confidence;
     }));
@@ -96,7 +94,7 @@ TEST(RoofSamples, AreTheSquaresWithTheMostRoofs) {
     fill(5, 1500, 30);     // the first row of squares, the second of its three
     fill(1030, 0, 50);     // the second, the first
     fill(2099, 2990, 10);  // the last
-    const std::vector<RoofSample> samples = roof_samples({surface, terrain, {2, 3}}, roofs, test::threads());
+    const std::vector<RoofSample> samples = roof_samples({surface, terrain, {2, 3}}, roofs, threads());
     ASSERT_EQ(samples.size(), 3U);
     EXPECT_EQ(samples[0].surface.at(0, 0), surface.at(1024, 0));
     EXPECT_EQ(samples[1].surface.at(0, 0), surface.at(0, 1024));
@@ -109,15 +107,49 @@ TEST(RoofSamples, AreTheSquaresWithTheMostRoofs) {
     EXPECT_EQ(samples[0].scene().allowed, nullptr);
     fill(3, 0, 5);
     fill(3, 2500, 5);
-    EXPECT_EQ(roof_samples({surface, terrain, {}, &roofs, &surface}, roofs, test::threads()).size(), 4U)
+    EXPECT_EQ(roof_samples({surface, terrain, {}, &roofs, &surface}, roofs, threads()).size(), 4U)
         << "four at most";
     const std::vector<RoofSample> cut =
-        roof_samples({surface, terrain, {}, &roofs, &surface}, roofs, test::threads());
+        roof_samples({surface, terrain, {}, &roofs, &surface}, roofs, threads());
     EXPECT_EQ(cut[3].surface.at(0, 0), surface.at(0, 0)) << "of equal ones the first";
     EXPECT_EQ(cut[1].scene().allowed->values, cut[1].roofs.values);
     EXPECT_EQ(cut[1].scene().greenness->values, cut[1].surface.values);
-    EXPECT_TRUE(roof_samples({surface, terrain, {}}, Mask(2100, 3000), test::threads()).empty());
+    EXPECT_TRUE(roof_samples({surface, terrain, {}}, Mask(2100, 3000), threads()).empty());
+}
+
+/// Ground, and from column 10 on a roof 6 m above it, over a ramp of so many cells.
+MetreGrid wall(std::int32_t ramp) {
+    MetreGrid surface(20, 30, 100.0F);
+    for (std::int32_t r = 0; r < 20; ++r)
+        for (std::int32_t c = 10 - ramp; c < 30; ++c)
+            surface.at(r, c) =
+                100 + 6 * std::min(1.0F, static_cast<float>(c - (9 - ramp)) / static_cast<float>(ramp + 1));
+    return surface;
+}
+
+double sharpness_of(const MetreGrid& surface) {
+    Mask roof(20, 30);
+    for (std::int32_t r = 0; r < 20; ++r)
+        std::fill(roof.row(r).begin() + 10, roof.row(r).end(), std::uint8_t{1});
+    return step_sharpness(surface, roof, threads());
+}
+
+TEST(StepSharpness, IsTheShareOfTheFirstCellInThree) {
+    EXPECT_EQ(sharpness_of(wall(0)), 1.0);
+    EXPECT_NEAR(sharpness_of(wall(1)), 1.0 / 2, 1e-3);
+    EXPECT_NEAR(sharpness_of(wall(2)), 1.0 / 3, 1e-3);
+    EXPECT_NEAR(sharpness_of(wall(5)), 1.0 / 3, 1e-3) << "farther than three cells it does not look";
+}
+
+TEST(StepSharpness, OneWhereNothingFallsOrIsKnown) {
+    EXPECT_EQ(sharpness_of(MetreGrid(20, 30, 7.0F)), 1.0);
+    EXPECT_EQ(sharpness_of(MetreGrid(20, 30, unknown)), 1.0);
+    EXPECT_EQ(step_sharpness(MetreGrid(), Mask(), threads()), 1.0);
+    MetreGrid gaps = wall(0);
+    for (std::int32_t r = 0; r < 20; ++r)
+        gaps.at(r, 9) = unknown;
+    EXPECT_EQ(sharpness_of(gaps), 0.0) << "what is not valid is no fall";
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test
