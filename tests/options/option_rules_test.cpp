@@ -1,10 +1,19 @@
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
 #include <regex>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/options.hpp"
 #include "options/option_cases.hpp"
 #include "options/option_checks.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b::test {
 namespace {
@@ -40,6 +49,24 @@ TEST(OptionRules, knowACaseOfEveryOption) {
     for (const OptionRow& row : option_table())
         if (!row.hidden && row.name != "help" && row.name != "version") {
             EXPECT_FALSE(cases_of({row.name}).empty()) << row.name;
+        }
+}
+
+/// Words of the command line reach the field that the row shows.
+TEST(OptionRules, wordsChangeWhatTheirOptionShows) {
+    std::set<std::string> changed;
+    for (const OptionCase& option : option_cases()) {
+        Texts words = option.words();
+        words.insert(words.end(), {"--", "in.tif"});
+        if (option.name != "sweep")
+            words.emplace_back("out.gpkg");
+        const OptionRow& row = *find_option(option.name);
+        if (row.show(parse_command_line(words)) != row.standard)
+            changed.insert(option.name);
+    }
+    for (const OptionRow& row : option_table())
+        if (!row.hidden && row.name != "help" && row.name != "version" && row.name != "p") {
+            EXPECT_TRUE(changed.contains(row.name)) << row.name;
         }
 }
 
@@ -153,5 +180,211 @@ TEST(OptionRules, everyPairIsTakenOrRefusedByASentence) {
     }
 }
 
+/// Options of a program that sets fields, not names.
+std::string refusal(const Options& options) {
+    return error_of([&] { check_options({options, {}}); });
+}
+
+TEST(OptionChecks, AnOffsetIsWhereIntervalsCanBeCountedFrom) {
+    Options options;
+    options.levels.interval = 1;
+    options.levels.offset = 1e300;
+    EXPECT_EQ(refusal(options),
+              "-off 1e+300 is too far away to count intervals of 1 from; give a base near the elevations.");
+    options.levels.offset = -1e13;
+    EXPECT_EQ(refusal(options),
+              "-off -10000000000000 is too far away to count intervals of 1 from; give a base near the "
+              "elevations.");
+    options.levels.offset = -8e12;
+    EXPECT_EQ(refusal(options), "(no error)");
+    options.levels.interval = 0.5;
+    EXPECT_NE(refusal(options), "(no error)");
+    options.levels.offset = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_NE(refusal(options), "(no error)");
+}
+
+TEST(OptionChecks, ThesisRefusesFieldsOfWhatLooksForBuildings) {
+    int tried = 0;
+    for (const OptionCase& option : option_cases()) {
+        const OptionRow& row = *find_option(option.name);
+        Request request;
+        for (const std::string& needed : option.with)
+            if (const OptionRow* other = needed.starts_with('-') ? find_option(needed) : nullptr)
+                apply_option(*other, request, Texts{option.with.back()});
+        apply_option(row, request, option.values);
+        if (row.has_meaning(Preset::thesis) || row.show(request) == row.standard ||
+            row.show(request) == row.scope.elsewhere)
+            continue;
+        request.options.preset = Preset::thesis;
+        request.options.given = {};
+        EXPECT_NE(
+            refusal(request.options).find(" has no effect with -preset thesis; it detects no buildings"),
+            std::string::npos)
+            << option.text();
+        ++tried;
+    }
+    EXPECT_GT(tried, 16);
+}
+
+/// The default of an option is refused like any other value of it, where it was given by name.
+TEST(OptionChecks, WhatIsGivenByNameIsKnown) {
+    const std::vector<std::string> two{"2"};
+    Request request;
+    request.options.preset = Preset::thesis;
+    request.options.detect.min_height = 2;
+    EXPECT_NO_THROW(check_options(request));
+    apply_option(*find_option("min_height"), request, two);
+    EXPECT_THROW(check_options(request), OptionError);
+    // A run sees the options alone.
+    EXPECT_NE(refusal(request.options), "(no error)");
+}
+
+TEST(OptionChecks, RulesHoldForFieldsToo) {
+    Options options;
+    options.outline.simplify = 0.5;
+    options.outline.walls = Walls::off;
+    EXPECT_EQ(refusal(options), "(no error)");
+    options.outline.walls = Walls::right;
+    EXPECT_EQ(refusal(options),
+              "-simplify 0.5 cannot be used together with -regularize right; straight walls need no "
+              "simplification.");
+    options = {};
+    options.levels.fixed = {5};
+    options.levels.interval = 5;
+    EXPECT_EQ(refusal(options), "-fl cannot be used together with -i; list the levels or give an interval.");
+    options = {};
+    options.levels.offset = 5;
+    EXPECT_EQ(refusal(options),
+              "-off needs -i <interval>; it is the elevation that the intervals count from.");
+}
+
 }  // namespace
 }  // namespace d2b::test
+
+namespace d2b {
+namespace {
+
+TEST(SetOption, TakesTheNamesAndValuesOfTheCommandLine) {
+    Options options;
+    set_option(options, "lod", {"3"});
+    set_option(options, "-min_area", {"50.5"});
+    set_option(options, "disjoint");
+    set_option(options, "srcwin", {"1", "2", "30", "40"});
+    set_option(options, "threads", {"2"});
+    EXPECT_EQ(options.levels.lod, 3);
+    EXPECT_EQ(options.filter.min_area_m2, 50.5);
+    EXPECT_TRUE(options.outline.disjoint);
+    EXPECT_EQ(options.read.source_window, (std::array<double, 4>{1, 2, 30, 40}));
+    EXPECT_EQ(options.run.threads, 2);
+}
+
+TEST(SetOption, RefusesWhatTheTableRefuses) {
+    const auto refusal = [](const std::string& name, const Texts& values) {
+        Options options;
+        return error_of([&] { set_option(options, name, values); });
+    };
+    EXPECT_EQ(refusal("nonesuch", {"1"}), "There is no option 'nonesuch'; docs/options.md lists all.");
+    EXPECT_NE(refusal("lod", {"many"}).find("-lod must be"), std::string::npos);
+    EXPECT_EQ(refusal("disjoint", {"1"}), "-disjoint takes no value.");
+    EXPECT_EQ(refusal("json", {}), "-json is of the program alone; leave it out.");
+    EXPECT_EQ(refusal("sweep", {"lod=1..3"}), "-sweep is of the program alone; leave it out.");
+}
+
+/// What was set before stays where the next is refused.
+TEST(SetOption, LeavesOptionsAsTheyWereWhereItRefuses) {
+    Options options;
+    set_option(options, "lod", {"3"});
+    EXPECT_THROW(set_option(options, "lod", {"0.5"}), OptionError);
+    EXPECT_EQ(options.levels.lod, 3);
+    EXPECT_EQ(options.given.count("lod"), 1U);
+}
+
+Options of(Preset preset) {
+    Options options;
+    options.preset = preset;
+    return options;
+}
+
+RunPlan plan_of(const Options& options, Layers layers = Layers::both) {
+    return make_run_plan(options, layers);
+}
+
+TEST(RunPlan, LeavesWhatIsGiven) {
+    Options options = of(Preset::buildings);
+    options.ground.mode = GroundMode::given;
+    options.levels.source = LevelSource::global;
+    options.trace.mode = TraceMode::points;
+    options.outline.walls = Walls::right;
+    options.filter.min_area_m2 = 12;
+    RunPlan plan = plan_of(options);
+    EXPECT_EQ(plan.ground, GroundMode::given);
+    EXPECT_EQ(plan.levels, LevelSource::global);
+    EXPECT_EQ(plan.trace, TraceMode::points);
+    EXPECT_EQ(plan.walls, Walls::right);
+    EXPECT_EQ(plan.building_m2, 12);
+    EXPECT_EQ(plan.contour_m2, 0);
+
+    options = of(Preset::thesis);
+    options.trace.mode = TraceMode::cells;
+    options.outline.walls = Walls::free;
+    options.filter.min_area_m2 = 12;
+    plan = plan_of(options);
+    EXPECT_EQ(plan.trace, TraceMode::cells);
+    EXPECT_EQ(plan.walls, Walls::free);
+    EXPECT_EQ(plan.contour_m2, 12);
+    EXPECT_EQ(plan.asked.filter.min_area_m2, 12);
+}
+
+TEST(RunPlan, SimplifiedOutlinesHaveNoStraightWalls) {
+    Options options;
+    options.outline.simplify = 0.5;
+    EXPECT_EQ(plan_of(options).walls, Walls::off);
+}
+
+/// No wall leaves its trace by more than 1.25 m unless that is asked for.
+TEST(RunPlan, WallsMayLeaveTheirTraceByCellsOrMetres) {
+    Options options;
+    EXPECT_EQ(plan_of(options).wall_tolerance(0.5), 1.5);
+    EXPECT_EQ(plan_of(options).wall_tolerance(1), 1.25);
+    EXPECT_EQ(plan_of(options).wall_tolerance(2.5), 1);  // no slanted wall lies nearer to its staircase
+    EXPECT_EQ(plan_of(options).wall_tolerance(0), 1.5);  // nobody knows how large cells are
+    options.outline.wall_tolerance = 3;
+    EXPECT_EQ(plan_of(options).wall_tolerance(2.5), 3);
+}
+
+TEST(RunPlan, DecidesWhatIsNotGiven) {
+    const Options thesis = plan_of(of(Preset::thesis), Layers::contours).resolved();
+    EXPECT_EQ(thesis.ground.mode, GroundMode::none);
+    EXPECT_EQ(thesis.levels.source, LevelSource::global);
+    EXPECT_EQ(thesis.trace.mode, TraceMode::points);
+    EXPECT_EQ(thesis.outline.walls, Walls::off);
+    EXPECT_EQ(thesis.filter.min_area_m2, 0);
+    EXPECT_EQ(thesis.write.layers, Layers::contours);
+    EXPECT_EQ(plan_of(of(Preset::buildings)).resolved().filter.min_area_m2, 30);
+}
+
+/// A format that holds one layer gets the buildings alone.
+TEST(RunPlan, RefusesWhatStandsInLayersThatAreNotWritten) {
+    const auto refusal = [](const Options& options, Layers layers) {
+        return error_of([&] { static_cast<void>(make_run_plan(options, layers)); });
+    };
+    Options options;
+    options.outline.disjoint = true;
+    for (const Layers layers : {Layers::both, Layers::contours})
+        EXPECT_EQ(refusal(options, layers), "(no error)");
+    EXPECT_EQ(
+        refusal(options, Layers::buildings),
+        "-disjoint has no effect where the buildings alone are written; use -layers contours, or a format "
+        "that holds both layers, such as GeoPackage.");
+    options = {};
+    options.write.fields = FieldNames::osm;
+    EXPECT_EQ(
+        refusal(options, Layers::contours),
+        "-fields has no effect where the contours alone are written; only fields of buildings have other "
+        "names.");
+    options.write.doubtful = true;
+    EXPECT_EQ(refusal(options, Layers::contours), "(no error)");
+}
+
+}  // namespace
+}  // namespace d2b

@@ -18,6 +18,7 @@
 #include "read/gdal_setup.hpp"
 #include "read/rasters.hpp"
 #include "support/memory_io.hpp"
+#include "support/vector_file.hpp"
 
 namespace d2b::test {
 namespace {
@@ -147,56 +148,24 @@ std::string wkt_of(const Block& block) {
            "," + at(block.row, right) + "," + at(block.row, block.col) + "))";
 }
 
-/// @param owner of its first field; "" where there is none
-void add_feature(OGRLayerH layer, std::string wkt, const std::string& owner = "") {
-    const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
-    char* cursor = wkt.data();
-    OGRGeometryH polygon = nullptr;
-    ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &polygon), OGRERR_NONE);
-    OGR_F_SetGeometryDirectly(feature, polygon);
-    if (!owner.empty())
-        OGR_F_SetFieldString(feature, 0, owner.c_str());
-    ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
-    OGR_F_Destroy(feature);
-}
-
-void add_layer(GDALDatasetH dataset, const char* name, const std::string& wkt) {
-    const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
-    ASSERT_EQ(OSRImportFromEPSG(crs, 25833), OGRERR_NONE);
-    const OGRLayerH layer = GDALDatasetCreateLayer(dataset, name, crs, wkbPolygon, nullptr);
-    OSRDestroySpatialReference(crs);
-    add_feature(layer, wkt);
-}
-
 using Areas = std::vector<std::pair<const char*, Block>>;
 
 void write_areas(const std::string& path, const Areas& areas) {
-    const GDALDatasetH dataset =
-        GDALCreate(GDALGetDriverByName("GPKG"), path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
     for (const auto& [name, block] : areas)
-        add_layer(dataset, name, wkt_of(block));
-    GDALClose(dataset);
+        write_layer(path, {name, {{wkt_of(block)}}, 25833, "", OFTReal, wkbPolygon});
 }
 
-/// Two parcels in each of two layers, which cut other blocks.
+/// Two layers of parcels, which cut other blocks.
 void write_parcels(const std::string& path) {
-    const GDALDatasetH dataset =
-        GDALCreate(GDALGetDriverByName("GPKG"), path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
-    const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
-    ASSERT_EQ(OSRImportFromEPSG(crs, 25833), OGRERR_NONE);
     using Parcels = std::vector<Block>;
     for (const auto& [name, parcels] :
          {std::pair<const char*, Parcels>{"strips", {{0, 0, 100, 24}, {0, 24, 100, 66}, {0, 90, 100, 30}}},
           {"halves", {{0, 0, 55, 120}, {55, 0, 45, 120}}}}) {
-        const OGRLayerH layer = GDALDatasetCreateLayer(dataset, name, crs, wkbPolygon, nullptr);
-        const OGRFieldDefnH field = OGR_Fld_Create("owner", OFTString);
-        OGR_L_CreateField(layer, field, TRUE);
-        OGR_Fld_Destroy(field);
+        VectorLayer layer{name, {}, 25833, "owner", OFTInteger, wkbPolygon};
         for (std::size_t i = 0; i < parcels.size(); ++i)
-            add_feature(layer, wkt_of(parcels[i]), std::string(name) + std::to_string(i));
+            layer.features.push_back({wkt_of(parcels[i]), 70.0 + static_cast<double>(i)});
+        write_layer(path, layer);
     }
-    OSRDestroySpatialReference(crs);
-    GDALClose(dataset);
 }
 
 /// Numbers of an outcome as text.

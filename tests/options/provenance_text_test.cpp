@@ -1,12 +1,15 @@
+#include "options/provenance_text.hpp"
+
 #include <algorithm>
 #include <map>
 #include <set>
 #include <string>
 
+#include <gtest/gtest.h>
+
 #include "dem2buildings/command_line.hpp"
 #include "options/option_scene.hpp"
 #include "options/option_table.hpp"
-#include "options/provenance_text.hpp"
 #include "support/run_tool.hpp"
 
 namespace d2b::test {
@@ -169,34 +172,10 @@ TEST_F(Provenances, repeatTheRun) {
         EXPECT_EQ(again.written == outcome.written, !beside) << option.text();
         EXPECT_TRUE(outcome.written.starts_with(again.written)) << option.text();
     }
-    const Texts many{"-b",
-                     "2",
-                     "-te",
-                     "391000",
-                     "5819907",
-                     "391098",
-                     "5820000",
-                     "-cutline",
-                     "/vsimem/scene/areas.gpkg",
-                     "-cutline_layer",
-                     "north",
-                     "-snodata",
-                     "16",
-                     "-min_height",
-                     "1.5",
-                     "-min_area",
-                     "20",
-                     "-fl",
-                     "3",
-                     "4.5",
-                     "-fields",
-                     "osm",
-                     "-3d",
-                     "-write_doubtful",
-                     "-regularize",
-                     "free",
-                     "-t_srs",
-                     "EPSG:4326"};
+    const Texts many = split(
+        "-b 2 -te 391000 5819907 391098 5820000 -cutline /vsimem/scene/areas.gpkg -cutline_layer north "
+        "-snodata 16 -min_height 1.5 -min_area 20 -fl 3 4.5 -fields osm -3d -write_doubtful -regularize free "
+        "-t_srs EPSG:4326");
     const Outcome outcome = outcome_of(many);
     ASSERT_EQ(outcome.error, "");
     EXPECT_NE(outcome.written, outcome_of({}).written);
