@@ -2,13 +2,19 @@
 #include <array>
 #include <filesystem>
 
+#include <gtest/gtest.h>
 #include <ogr_api.h>
 
 #include "dem2buildings/open_sources.hpp"
 #include "read/rasters.hpp"
+#include "read/ring_projection.hpp"
+#include "support/vector_file.hpp"
 
 namespace d2b::test {
 namespace {
+
+constexpr const char* cell_0 =
+    "POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538680,500000 5538690))";
 
 /// Cells 10 wide and high from (500000, 5538690) in UTM zone 32, 6 rows and 6 columns, 10 * row + column.
 class ReadCutline : public ReadTest {
@@ -305,29 +311,12 @@ TEST_F(ReadCutline, hasNoLayer) {
 
 /// A table without geometries, and two layers that cover cell 0 and cell 12.
 void write_layers(const std::string& path) {
-    const GDALDatasetH dataset =
-        GDALCreate(GDALGetDriverByName("GPKG"), path.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
-    ASSERT_NE(GDALDatasetCreateLayer(dataset, "notes", nullptr, wkbNone, nullptr), nullptr);
-    const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
-    ASSERT_EQ(OSRImportFromEPSG(crs, 32632), OGRERR_NONE);
-    for (const char* name : {"first", "second"}) {
-        const OGRLayerH layer = GDALDatasetCreateLayer(dataset, name, crs, wkbPolygon, nullptr);
-        const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
-        std::string text =
-            name == std::string("first")
-                ? "POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538680,500000 "
-                  "5538690))"
-                : "POLYGON((500020 5538680,500030 5538680,500030 5538670,500020 5538670,500020 "
-                  "5538680))";
-        char* cursor = text.data();
-        OGRGeometryH geometry = nullptr;
-        ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &geometry), OGRERR_NONE);
-        OGR_F_SetGeometryDirectly(feature, geometry);
-        ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
-        OGR_F_Destroy(feature);
-    }
-    OSRDestroySpatialReference(crs);
-    GDALClose(dataset);
+    write_layer(path, {.name = "notes", .epsg = 0, .geometry = wkbNone});
+    write_layer(path, {.name = "first", .features = {{cell_0}}, .epsg = 32632});
+    write_layer(path,
+                {.name = "second",
+                 .features = {{"POLYGON((500020 5538680,500030 5538680,500030 5538670,500020 5538680))"}},
+                 .epsg = 32632});
 }
 
 TEST_F(ReadCutline, theLayerIsTheOneThatIsNamed) {
@@ -382,19 +371,9 @@ TEST_F(ReadCutline, neitherHasACrs) {
 TEST_F(ReadCutline, aGeoPackageWithoutACrsIsTakenAsOtherFilesWithoutOne) {
     for (const char* number : {"0", "-1"}) {
         const std::string file = path("cut.gpkg");
+        write_layer(file, {.name = "cut", .features = {{cell_0}}, .epsg = 0});
         const GDALDatasetH dataset =
-            GDALCreate(GDALGetDriverByName("GPKG"), file.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
-        const OGRLayerH layer = GDALDatasetCreateLayer(dataset, "cut", nullptr, wkbPolygon, nullptr);
-        const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
-        OGRGeometryH geometry = nullptr;
-        std::string text =
-            "POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538680,500000 "
-            "5538690))";
-        char* cursor = text.data();
-        ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &geometry), OGRERR_NONE);
-        OGR_F_SetGeometryDirectly(feature, geometry);
-        ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
-        OGR_F_Destroy(feature);
+            GDALOpenEx(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, nullptr, nullptr, nullptr);
         for (const char* table : {"gpkg_contents", "gpkg_geometry_columns"})
             GDALDatasetExecuteSQL(dataset,
                                   ("UPDATE " + std::string(table) + " SET srs_id = " + number).c_str(),
@@ -434,18 +413,11 @@ TEST_F(ReadCutline, hasAPositionWithoutAnImage) {
 }
 
 TEST_F(ReadCutline, cannotBeReadToItsEnd) {
-    const GDALDatasetH shape = GDALCreate(GDALGetDriverByName("ESRI Shapefile"), path("cut.shp").c_str(), 0,
-                                          0, 0, GDT_Unknown, nullptr);
-    const OGRLayerH layer = GDALDatasetCreateLayer(shape, "cut", nullptr, wkbPolygon, nullptr);
-    const OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer));
-    OGRGeometryH geometry = nullptr;
-    std::string text = "POLYGON((500000 5538690,500010 5538690,500010 5538680,500000 5538690))";
-    char* cursor = text.data();
-    ASSERT_EQ(OGR_G_CreateFromWkt(&cursor, nullptr, &geometry), OGRERR_NONE);
-    OGR_F_SetGeometryDirectly(feature, geometry);
-    ASSERT_EQ(OGR_L_CreateFeature(layer, feature), OGRERR_NONE);
-    OGR_F_Destroy(feature);
-    GDALClose(shape);
+    write_layer(path("cut.shp"), {.name = "cut",
+                                  .features = {{cell_0}},
+                                  .epsg = 0,
+                                  .geometry = wkbPolygon,
+                                  .driver = "ESRI Shapefile"});
     const std::string bytes = read_bytes(path("cut.shp"));
     write_text(path("cut.shp"), bytes.substr(0, bytes.size() - 40));
     options_.cutline = path("cut.shp");
@@ -454,3 +426,35 @@ TEST_F(ReadCutline, cannotBeReadToItsEnd) {
 
 }  // namespace
 }  // namespace d2b::test
+
+namespace d2b {
+namespace {
+
+constexpr ClipBox box{0, 0, 10, 10};
+
+TEST(RingClip, whatLiesWithinIsLeftAsItIs) {
+    const WorldRing ring{{1, 1}, {9, 1}, {9, 10}, {1, 1}};
+    EXPECT_EQ(clipped(ring, box), ring);
+    EXPECT_EQ(clipped(ring, ClipBox{}), ring);
+    EXPECT_EQ(clipped({}, box), WorldRing{});
+}
+
+TEST(RingClip, whatReachesOutIsCutOff) {
+    EXPECT_EQ(clipped({{5, 5}, {15, 5}, {15, 8}, {5, 8}, {5, 5}}, box),
+              (WorldRing{{5, 5}, {10, 5}, {10, 8}, {5, 8}, {5, 5}}));
+    // Open rings are closed.
+    EXPECT_EQ(clipped({{-20, -20}, {30, -20}, {30, 30}, {-20, 30}}, box),
+              (WorldRing{{10, 0}, {10, 10}, {0, 10}, {0, 0}, {10, 0}}));
+}
+
+TEST(RingClip, whatLiesElsewhereGoes) {
+    EXPECT_TRUE(clipped({{15, 5}, {25, 5}, {25, 8}, {15, 5}}, box).empty());
+}
+
+TEST(RingClip, farAwayIsFarAway) {
+    const WorldRing part = clipped({{5, 5}, {1e200, 5}, {1e200, 8}, {5, 8}, {5, 5}}, box);
+    EXPECT_EQ(part, (WorldRing{{5, 5}, {10, 5}, {10, 8}, {5, 8}, {5, 5}}));
+}
+
+}  // namespace
+}  // namespace d2b

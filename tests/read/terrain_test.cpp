@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 
+#include "dem2buildings/error.hpp"
 #include "read/side_fixture.hpp"
 
 namespace d2b::test {
@@ -217,6 +220,210 @@ TEST_F(Terrain, aPartThatHasNoImage) {
     EXPECT_TRUE(std::isnan(got[2879]));
     EXPECT_EQ(warnings().at(0), "About 95 % of '" + path("dem.tif") + "' lies outside of the terrain " +
                                     quoted("side.tif") + "; there is no ground there.");
+}
+
+/// Terrain models some of whose values no land has.
+class TerrainLimits : public SideTest {
+  protected:
+    /// 20 x 20 cells of 100, the first `cells` of which have a value. @param side of a cell, and the shift
+    void terrain_with(int cells, double value, double cell = 1, double shift = 0) {
+        RasterSpec spec{.cols = 20, .rows = 20, .type = GDT_Float32};
+        spec.transform = {{500000 + shift, cell, 0, 5538650 - shift, 0, -cell}};
+        spec.values.assign(400, 100);
+        std::fill_n(spec.values.begin(), cells, value);
+        write(path("side.tif"), spec);
+    }
+    void SetUp() override {
+        SideTest::SetUp();
+        dem({.cols = 20, .rows = 20, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
+    }
+};
+
+TEST_F(TerrainLimits, whatNoLandHasIsNoElevationAndSaidSo) {
+    terrain_with(3, -9999);
+    std::vector<double> expected(400, 100);
+    std::fill_n(expected.begin(), 3, std::numeric_limits<double>::quiet_NaN());
+    expect_near(terrain(), expected, 0);
+    EXPECT_EQ(outside_range_, 3);
+    ASSERT_EQ(warnings().size(), 1U);
+    EXPECT_EQ(warnings()[0],
+              "3 cells of the terrain " + quoted("side.tif") +
+                  " have the elevation -9999, outside of the range from -500 to 9000, and are treated as no "
+                  "data; declare that with gdal_edit.py -a_nodata -9999, or give the range "
+                  "with -zrange.");
+}
+
+TEST_F(TerrainLimits, itIsSoBeforeItIsResampled) {
+    terrain_with(45, -3.4028234663852886e38, 0.98, 0.3);
+    for (const double z : terrain())
+        EXPECT_TRUE(std::isnan(z) || std::abs(z - 100) < 1e-9) << z;
+    EXPECT_EQ(outside_range_, 45);
+    ASSERT_FALSE(warnings().empty());
+    EXPECT_NE(warnings().back().find(" have the elevation -3.4028235e+38, outside of "), std::string::npos);
+}
+
+TEST_F(TerrainLimits, everyCellIsCountedOnceWhereverPartsOverlap) {
+    for (const bool resampled : {false, true}) {
+        if (resampled)
+            terrain_with(45, 9999, 0.98, 0.3);
+        else
+            terrain_with(45, 9999);
+        const auto source = open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_);
+        std::vector<double> cells(12 * 9);
+        EXPECT_EQ(source->cells_outside_range(), 0);
+        for (const std::int32_t row : {8, 4, 0})
+            for (const std::int32_t col : {0, 11, 6}) {
+                EXPECT_TRUE(source->take_warnings().empty());  // it is judged when all of it has been read
+                source->read({row, col, 12, 9}, cells);
+            }
+        EXPECT_EQ(source->cells_outside_range(), 45) << resampled;
+    }
+}
+
+TEST_F(TerrainLimits, theyAreInTheTerrainsOwnUnit) {
+    terrain_with(3, -1600);
+    const GDALDatasetH dataset = GDALOpen(path("side.tif").c_str(), GA_Update);
+    GDALSetRasterUnitType(GDALGetRasterBand(dataset, 1), "ft");
+    GDALClose(dataset);
+    (void)terrain();
+    EXPECT_EQ(outside_range_, 0);
+}
+
+TEST_F(TerrainLimits, whereMostAreNoneItIsRefused) {
+    terrain_with(201, 30000);
+    EXPECT_EQ(
+        refused<InputError>([&] { (void)terrain(); }),
+        "201 cells of the terrain " + quoted("side.tif") +
+            " have the elevation 30000, outside of the range from -500 to 9000 and more than half of all; "
+            "correct its unit with gdal_edit.py -units or its NoData value with gdal_edit.py -a_nodata, or "
+            "give "
+            "the range with -zrange.");
+}
+
+TEST_F(TerrainLimits, undeclaredNoDataIsNoElevationAndSaidSo) {
+    for (const double cell : {1.0, 0.98}) {
+        terrain_with(60, 0, cell, cell == 1 ? 0 : 0.1);  // three rows
+        warnings_.clear();
+        for (const double z : terrain())
+            EXPECT_TRUE(std::isnan(z) || std::abs(z - 100) < 1e-9) << z;
+        EXPECT_EQ(outside_range_, 60);
+        ASSERT_FALSE(warnings().empty());
+        EXPECT_EQ(
+            warnings().back(),
+            "60 cells of the terrain " + quoted("side.tif") +
+                " have the elevation 0, lie at its edge, and all around is at least 2 m higher or lower, so "
+                "they are treated as no data; declare that with gdal_edit.py -a_nodata 0, or keep the "
+                "elevation with -inodata.");
+    }
+    terrain_with(60, 0);
+    const auto kept =
+        open_terrain(path("side.tif"), grid_, 1, land_elevations, callbacks_, {.keeps_undeclared = true});
+    std::vector<double> row(20);
+    kept->read(whole_rows(*kept, 0, 1), row);
+    expect_values(row, std::vector<double>(20, 0));
+}
+
+TEST_F(TerrainLimits, lessOfItIsNamedAlone) {
+    RasterSpec spec{
+        .cols = 40, .rows = 40, .type = GDT_Float32, .transform = {{500000, 0.5, 0, 5538650, 0, -0.5}}};
+    spec.values.assign(1600, 100);
+    std::fill_n(spec.values.begin(), 80, 0);
+    write(path("side.tif"), spec);
+    EXPECT_LT(terrain().front(), 60);
+    EXPECT_EQ(outside_range_, 0);
+    ASSERT_EQ(warnings().size(), 1U);
+    EXPECT_EQ(
+        warnings()[0],
+        "80 cells of the terrain " + quoted("side.tif") +
+            " have the elevation 0, lie at its edge, and all around is at least 2 m higher or lower; if it "
+            "stands for no data, declare that with gdal_edit.py -a_nodata 0, and if not, give -inodata.");
+}
+
+class TerrainUnits : public SideTest {
+  protected:
+    void one_cell(const std::string& unit, const std::string& crs = "EPSG:25832") {
+        const GDALDatasetH dataset = create(path("side.tif"), {.values = {100}, .crs = crs});
+        GDALSetRasterUnitType(GDALGetRasterBand(dataset, 1), unit.c_str());
+        GDALClose(dataset);
+    }
+};
+
+TEST_F(TerrainUnits, ofTheBand) {
+    dem({});
+    one_cell("ft");
+    EXPECT_DOUBLE_EQ(terrain().at(0), 30.48);
+    one_cell("US survey foot");
+    EXPECT_DOUBLE_EQ(terrain().at(0), 120000.0 / 3937);
+    one_cell("m");
+    EXPECT_EQ(terrain().at(0), 100);
+    // A DEM in feet: 100 m are 328.08399 ft, and feet are feet.
+    EXPECT_NEAR(terrain(0.3048).at(0), 328.0839895, 1e-7);
+    one_cell("ft");
+    EXPECT_EQ(terrain(0.3048).at(0), 100);
+}
+
+TEST_F(TerrainUnits, ofTheVerticalCrs) {
+    dem({.crs = "EPSG:2229"});
+    one_cell("", "EPSG:2229+6360");  // NAVD88 in US survey feet
+    EXPECT_DOUBLE_EQ(terrain().at(0), 120000.0 / 3937);
+    one_cell("", "EPSG:2229+5703");  // NAVD88 in metres
+    EXPECT_EQ(terrain().at(0), 100);
+    EXPECT_DOUBLE_EQ(terrain(0.3048).at(0), 100 / 0.3048);
+    EXPECT_TRUE(warnings().empty());
+}
+
+TEST_F(TerrainUnits, unknownOnesAreTheDems) {
+    dem({});
+    for (const char* unit : {"", "unknown"}) {
+        one_cell(unit);
+        EXPECT_EQ(terrain(1).at(0), 100);
+        EXPECT_EQ(terrain(0.3048).at(0), 100);
+    }
+    one_cell("floors");
+    EXPECT_EQ(
+        refused<InputError>([&] { (void)terrain(1); }),
+        "The unit of terrain " + quoted("side.tif") +
+            " is 'floors', which is no known unit of length; if the values are elevations, give their unit "
+            "with gdal_edit.py -units, for example gdal_edit.py -units m.");
+}
+
+TEST_F(TerrainUnits, aPlaneInFeetOfAnotherCrsAndScale) {
+    dem({.cols = 40, .rows = 30, .transform = {{500000, 0.5, 0, 5538650, 0, -0.5}}});
+    RasterSpec spec{.cols = 100, .rows = 100, .type = GDT_Int32};
+    spec.transform = {{8.9999, 1e-5, 0, 50.0004, 0, -1e-5}};
+    spec.crs = "EPSG:4258";
+    side(
+        spec, [](double x, double y) { return std::round((plane(x, y) / 0.3048 - 200) * 10000); },
+        "EPSG:25832");
+    const GDALDatasetH dataset = GDALOpen(path("side.tif").c_str(), GA_Update);
+    const GDALRasterBandH band = GDALGetRasterBand(dataset, 1);
+    GDALSetRasterUnitType(band, "foot");
+    GDALSetRasterScale(band, 0.0001);
+    GDALSetRasterOffset(band, 200);
+    GDALClose(dataset);
+    expect_near(terrain(), expected(plane), 0.001);
+}
+
+TEST_F(TerrainUnits, datumsThatDifferAreSaid) {
+    dem({.crs = "EPSG:25832+5773"});  // above EGM96
+    one_cell("", "EPSG:25832+7837");  // above DHHN2016
+    EXPECT_EQ(terrain().at(0), 100);
+    EXPECT_EQ(warnings(),
+              (std::vector<std::string>{
+                  "Heights of the terrain " + quoted("side.tif") +
+                  " are above Deutsches Haupthoehennetz 2016 and those of " + quoted("dem.tif") +
+                  " above EGM96 geoid; they are compared as they are, so convert one of them with gdalwarp "
+                  "first."}));
+    dem({.crs = "EPSG:4979"});
+    one_cell("", "EPSG:4326+5773");
+    EXPECT_EQ(terrain().at(0), 100);
+    ASSERT_EQ(warnings().size(), 1U);
+    expect_has(warnings()[0], " are above EGM96 geoid and those of " + quoted("dem.tif") +
+                                  " above the ellipsoid; they are compared as they are");
+    dem({.crs = "EPSG:4979"});
+    one_cell("", "EPSG:4979");
+    EXPECT_EQ(terrain().at(0), 100);
+    EXPECT_TRUE(warnings().empty());
 }
 
 }  // namespace

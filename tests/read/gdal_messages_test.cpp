@@ -1,10 +1,11 @@
+#include "read/gdal_messages.hpp"
+
 #include <thread>
 
 #include <cpl_error.h>
 #include <gtest/gtest.h>
 
 #include "dem2buildings/open_sources.hpp"
-#include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"
 
 namespace d2b {

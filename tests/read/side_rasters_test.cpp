@@ -178,5 +178,180 @@ TEST_F(SideRefusal, cellsOutsideOfTheWindow) {
     }
 }
 
+class Mask : public SideTest {
+  protected:
+    void SetUp() override {
+        SideTest::SetUp();
+        dem({.cols = 4, .rows = 2, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
+    }
+    /// A polygon of this ring, in a GeoJSON file with or without a CRS other than degrees.
+    void polygon(const std::string& ring, const std::string& crs = "EPSG::25832") {
+        write_text(
+            path("side.geojson"),
+            R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:)" +
+                crs +
+                R"("}},"features":[{"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[)" +
+                ring + "]]}}]}");
+    }
+};
+
+TEST_F(Mask, anyValueButZeroAndNoData) {
+    write(path("side.tif"), {.cols = 4,
+                             .rows = 2,
+                             .type = GDT_Float32,
+                             .values = {0, 1, 255, -3, 7, none, 0.5, 0},
+                             .transform = {{500000, 1, 0, 5538650, 0, -1}},
+                             .nodata = 7});
+    expect_values(mask(), {0, 1, 1, 1, 0, 0, 1, 0});
+}
+
+TEST_F(Mask, theCellAroundTheCentre) {
+    // Cells of 2 m from 499999.6 on: centres at .5, 1.5 lie in the first, 2.5 and 3.5 in the second.
+    write(path("side.tif"), {.cols = 2,
+                             .rows = 1,
+                             .type = GDT_Byte,
+                             .values = {9, 0},
+                             .transform = {{499999.6, 2, 0, 5538650, 0, -1}}});
+    expect_values(mask(), {1, 1, 0, 0, 0, 0, 0, 0});
+    EXPECT_TRUE(warnings().empty()) << "outside of a mask is outside";
+}
+
+TEST_F(Mask, aPaletteIsNoMatter) {
+    const GDALDatasetH dataset =
+        create(path("side.tif"),
+               {.cols = 4, .rows = 2, .type = GDT_Byte, .values = counting(8), .transform = grid_.transform});
+    const GDALColorTableH colours = GDALCreateColorTable(GPI_RGB);
+    const GDALColorEntry red{255, 0, 0, 255};
+    GDALSetColorEntry(colours, 1, &red);
+    GDALSetRasterColorTable(GDALGetRasterBand(dataset, 1), colours);
+    GDALDestroyColorTable(colours);
+    GDALClose(dataset);
+    expect_values(mask(), {0, 1, 1, 1, 1, 1, 1, 1});
+    EXPECT_TRUE(warnings().empty());
+}
+
+TEST_F(Mask, polygons) {
+    polygon("[500000.4,5538650],[500002.4,5538650],[500002.6,5538648],[500000.6,5538648],[500000.4,5538650]",
+            "EPSG::25832");
+    // The left side passes x = 500000.45 at the centres of the first row and 500000.55 at the second's.
+    expect_values(mask("side.geojson"), {1, 1, 0, 0, 0, 1, 1, 0});
+    const auto source = open_mask(path("side.geojson"), "", grid_, callbacks_);
+    EXPECT_EQ(source->info().name, path("side.geojson"));
+    EXPECT_EQ(source->info().transform, grid_.transform);
+    std::vector<double> row(4);
+    source->read(whole_rows(*source, 1, 1), row);
+    expect_values(row, {0, 1, 1, 0});
+    EXPECT_EQ(refused<InputError>([&] { source->read(whole_rows(*source, 2, 1), row); }),
+              "1 rows from 2 on and 4 columns from 0 on were asked for outside the window of " +
+                  quoted("side.geojson") + " or for a buffer of another size; ask for a part of the window.");
+}
+
+TEST_F(Mask, otherPlacesAreRefused) {
+    polygon("[600000,5538650],[600002,5538650],[600002,5538648],[600000,5538650]", "EPSG::25832");
+    EXPECT_EQ(refused<InputError>([this] { mask("side.geojson"); }),
+              "The mask " + quoted("side.geojson") + " has no polygon in the part of " + quoted("dem.tif") +
+                  " that is used; give one of the same area.");
+    write(path("side.tif"), {.values = {1}});
+    expect_has(refused<InputError>([this] { mask(); }),
+               "The mask " + quoted("side.tif") + " has no cell in the part of ");
+}
+
+TEST_F(Mask, messagesOfPolygonsSpeakOfAMask) {
+    write_text(path("side.csv"), "id,WKT\n1,\"POINT (500001 5538649)\"\n");
+    EXPECT_EQ(refused<InputError>([this] { mask("side.csv"); }),
+              "The layer 'side' of the mask " + quoted("side.csv") +
+                  " has no polygons; give one that has, for example with -mask_layer.");
+    polygon("[500000,5538650],[500002,5538650],[500002,5538648],[500000,5538650]", "EPSG::25832");
+    dem({.crs = ""});
+    EXPECT_EQ(refused<InputError>([this] { mask("side.geojson"); }),
+              "The mask " + quoted("side.geojson") + " has a coordinate reference system and " +
+                  quoted("dem.tif") + " has none; give the DEM's with -a_srs.");
+}
+
+TEST_F(Mask, aRasterHasNoLayers) {
+    write(path("side.tif"), {.cols = 4, .rows = 2, .values = counting(8)});
+    EXPECT_EQ(refused<OptionError>([this] { mask("side.tif", "roofs"); }),
+              "The mask " + quoted("side.tif") + " is a raster and has no layers; leave out -mask_layer.");
+}
+
+TEST_F(Mask, theLayerIsTheOneThatIsNamed) {
+    polygon("[500000,5538650],[500002,5538650],[500002,5538648],[500000,5538650]", "EPSG::25832");
+    EXPECT_NO_THROW(mask("side.geojson", "side"));
+    EXPECT_EQ(refused<OptionError>([this] { mask("side.geojson", "roofs"); }),
+              "The mask " + quoted("side.geojson") + " has no layer 'roofs'; it has 'side'.");
+}
+
+class Ndvi : public SideTest {
+  protected:
+    void SetUp() override {
+        SideTest::SetUp();
+        dem({.cols = 4});
+    }
+    void scaled(GDALDataType type, const std::vector<double>& values, double scale, double offset) {
+        const GDALDatasetH dataset = create(path("side.tif"), {.cols = 4, .type = type, .values = values});
+        GDALSetRasterScale(GDALGetRasterBand(dataset, 1), scale);
+        GDALSetRasterOffset(GDALGetRasterBand(dataset, 1), offset);
+        GDALClose(dataset);
+    }
+    std::string refusal() {
+        return refused<InputError>([this] { ndvi(); });
+    }
+};
+
+TEST_F(Ndvi, valuesAsTheyAre) {
+    write(path("side.tif"), {.cols = 4, .values = {-1, 0.25, none, 1}});
+    expect_values(ndvi(), {-1, 0.25, none, 1});
+    EXPECT_TRUE(warnings().empty());
+}
+
+TEST_F(Ndvi, scaledProducts) {
+    scaled(GDT_Int16, {-10000, 0, 2500, 10000}, 0.0001, 0);
+    expect_near(ndvi(), {-1, 0, 0.25, 1}, 1e-12);
+    scaled(GDT_Byte, {0, 50, 125, 250}, 0.008, -1);
+    expect_near(ndvi(), {-1, -0.6, 0, 1}, 1e-12);
+}
+
+TEST_F(Ndvi, roundingIsForgiven) {
+    write(path("side.tif"), {.cols = 4, .values = {-1.0000005, 0, 0, 1.0000005}});
+    expect_values(ndvi(), {-1, 0, 0, 1});
+}
+
+TEST_F(Ndvi, otherGridsAndGaps) {
+    write(path("side.tif"),
+          {.cols = 2, .rows = 2, .values = {0.2, 0.4, 0.2, 0.4}, .transform = {{0, 2, 0, 0, 0, -1}}});
+    expect_near(ndvi(), {0.2, 0.25, 0.35, 0.4}, 1e-12);
+    write(path("side.tif"), {.cols = 2, .values = {0.2, 0.4}});
+    expect_values(ndvi(), {0.2, 0.4, none, none});
+    EXPECT_EQ(warnings(),
+              (std::vector<std::string>{"About 50 % of " + quoted("dem.tif") + " lies outside of the NDVI " +
+                                        quoted("side.tif") + "; nothing is known of vegetation there."}));
+}
+
+TEST_F(Ndvi, otherProductsAreRefused) {
+    const auto text = [this](const std::string& value) {
+        return "The NDVI " + quoted("side.tif") + " has the value " + value +
+               ", and an NDVI lies between -1 and 1; set the scale of a scaled product, for example with "
+               "gdal_edit.py -scale 0.0001, or compute it as (NIR - red) / (NIR + red) and clamp it.";
+    };
+    write(path("side.tif"), {.cols = 4, .type = GDT_Int16, .values = {0, 1, 6000, 1}});
+    EXPECT_EQ(refusal(), text("6000"));
+    write(path("side.tif"), {.cols = 4, .values = {0, 1, 0, -1.5}});
+    EXPECT_EQ(refusal(), text("-1.5"));
+}
+
+TEST_F(Ndvi, refusedAtOnceWhereTheMiddleRowTells) {
+    dem({.cols = 1, .rows = 3});
+    write(path("side.tif"), {.rows = 3, .values = {0, 2, 0}});
+    expect_has(refused<InputError>([this] { (void)open_ndvi(path("side.tif"), grid_, callbacks_); }),
+               "has the value 2,");
+    write(path("side.tif"), {.rows = 3, .values = {2, 0, 0}});
+    const auto source = open_ndvi(path("side.tif"), grid_, callbacks_);
+    std::vector<double> row(1);
+    source->read(whole_rows(*source, 2, 1), row);
+    EXPECT_EQ(row[0], 0);
+    expect_has(refused<InputError>([&] { source->read(whole_rows(*source, 0, 1), row); }),
+               "has the value 2,");
+}
+
 }  // namespace
 }  // namespace d2b::test
