@@ -9,7 +9,7 @@
 
 #include "support/test_threads.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
 
 constexpr std::int32_t side = 100;  // cells
@@ -28,7 +28,7 @@ struct Found {
     [[nodiscard]] SurfaceSampling counted(const Window& own = all) const {
         SurfaceSampling sampling;
         const Scene scene{surface, terrain, {}};
-        add_sampling(scene, detection, 2, own, sampling, test::threads());
+        add_sampling(scene, detection, 2, own, sampling, threads());
         return sampling;
     }
     [[nodiscard]] SamplingReport report() const { return sampling_report(counted(), 1); }
@@ -153,4 +153,4 @@ TEST(SurfaceSampling, PartsAddUpToTheWhole) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

@@ -1,3 +1,5 @@
+#include "diagnose/parcel_fit.hpp"
+
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -5,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "core/context.hpp"
-#include "diagnose/parcel_fit.hpp"
 
 namespace d2b {
 namespace {
