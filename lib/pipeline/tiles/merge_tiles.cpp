@@ -19,6 +19,7 @@
 #include "features/feature_writer.hpp"
 #include "features/record_builder.hpp"
 #include "features/reprojection.hpp"
+#include "features/suspicious_values.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/drawn_tile.hpp"
