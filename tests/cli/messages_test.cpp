@@ -96,9 +96,12 @@ TEST_F(Messages, namesThatDatabasesKeepForThemselves) {
         refused(
             2, "-nln: a table \"" + name + "\" of a GPKG file has a meaning of its own; choose another name.",
             {"-layers", "buildings", "-nln", name, "dem.tif", "out.gpkg"});
-    for (const std::string option : {"GEOMETRY_NAME=id", "geometry_name=Roof", "FID=height"})
-        refused(1, "; check whether -nln, -lco or -dsco ask for something impossible",
+    for (const std::string option : {"GEOMETRY_NAME=id", "geometry_name=Roof"})
+        refused(2,
+                "-lco " + option + " is the name of a field of the layer \"buildings\"; choose another name.",
                 {"-lco", option, "dem.tif", "out.gpkg"});
+    refused(1, "creating field \"height\" of layer \"buildings\" failed (Wrong field type for height); check",
+            {"-lco", "FID=height", "dem.tif", "out.gpkg"});
     run_well(
         {"-q", "-lco", "FID=id", "-lco", "GEOMETRY_NAME=shape", "-nln", "styles", "dem.tif", "out.gpkg"});
     EXPECT_EQ(layer("out.gpkg", "styles").records.size(), 2U);

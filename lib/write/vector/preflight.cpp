@@ -46,14 +46,25 @@ bool is_reserved(const std::string& name) {
                                [&](const char* table) { return EQUAL(name.c_str(), table); });
 }
 
-/// Rejects reserved table names in SQLite databases, most of which GDAL accepts.
-void reject_reserved_names(const VectorFormat& format, std::span<const LayerSpec> layers) {
+/// Rejects reserved table names and a second column of one name in SQLite databases: GDAL accepts most of the
+/// former, and reports the latter as a query that fails.
+void reject_reserved_names(const VectorFormat& format, const WriteOptions& options,
+                           std::span<const LayerSpec> layers) {
     if (format.name != "GPKG" && format.name != "SQLite")
         return;
-    for (const LayerSpec& layer : layers)
+    constexpr std::string_view key = "GEOMETRY_NAME=";
+    for (const LayerSpec& layer : layers) {
         if (is_reserved(layer.name))
             throw OptionError("-nln: a table \"" + layer.name + "\" of a " + format.name +
                               " file has a meaning of its own; choose another name.");
+        for (const std::string& option : options.layer_options)
+            if (EQUALN(option.c_str(), key.data(), key.size()) &&
+                std::ranges::any_of(layer.fields, [&](const FieldSpec& field) {
+                    return EQUAL(field.name.c_str(), option.c_str() + key.size());
+                }))
+                throw OptionError("-lco " + option + " is the name of a field of the layer \"" + layer.name +
+                                  "\"; choose another name.");
+    }
 }
 
 /// Throws if a driver changes field names of a standard, because other programs look for them
@@ -136,7 +147,7 @@ std::vector<std::string> create_table_statements(const PlannedOutput& draft) {
 }  // namespace
 
 bool preflight_create(const PlannedOutput& draft) {
-    reject_reserved_names(draft.format, draft.layers);
+    reject_reserved_names(draft.format, draft.options, draft.layers);
     const NoSidecar no_sidecar;
     const ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
     try {
