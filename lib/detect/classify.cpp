@@ -17,10 +17,8 @@ namespace {
 constexpr double fewest_walls = 0.1;
 constexpr double steeper = 1.2;
 
-// Scans of at least one pulse per m^2 on cells of at most a metre fill less than the first share of their
-// cells; thinned ones fill more than the second.
+// Scans of at least one pulse per m^2 on cells of at most a metre fill less of their cells.
 constexpr double filled_by_any = 0.04;
-constexpr double filled_where_thin = 0.08;
 
 // Larger objects are more likely to be buildings up to this size; woods are larger than houses.
 constexpr double house_m2 = 300;
@@ -103,7 +101,7 @@ DetectedObject classify(const ObjectFeatures& features, double filled) {
     if (!has_walls(features))
         return {0, CounterEvidence::no_step, 0};
     const double thinness =
-        std::clamp((filled - filled_by_any) / (filled_where_thin - filled_by_any), 0.0, 1.0);
+        std::clamp((filled - filled_by_any) / (thin_points - filled_by_any), 0.0, 1.0);
     const std::array<Term, terms_of_a_sum> model_terms = terms_of(features);
     std::array<double, terms_of_a_sum> terms{};
     std::ranges::transform(model_terms, terms.begin(),

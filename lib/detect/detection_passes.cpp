@@ -189,7 +189,6 @@ namespace {
 
 // Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
 // docs/accuracy.md.
-constexpr double least_filled = 0.1;
 constexpr double margin_scale = 3;
 constexpr double log_odds_penalty = 0.8;  // penalty on the log-odds
 
@@ -214,7 +213,7 @@ const RegionRun* run_at(std::span<const RegionRun> row, std::int32_t col) {
 }  // namespace
 
 bool needs_relaxed_pass(double filled) {
-    return filled > least_filled;
+    return filled > very_thin_points;
 }
 
 Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m2, SurfaceQuality quality,

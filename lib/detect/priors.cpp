@@ -14,7 +14,6 @@ namespace d2b {
 namespace {
 
 constexpr std::size_t fewest_candidates = 100;
-constexpr double most_filled = 0.1;
 constexpr double likely = 0.5;
 constexpr double beyond_doubt = 0.95;
 constexpr std::int64_t likely_per_sure = 5;  // at most
@@ -121,7 +120,7 @@ PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects
                              std::span<DetectedObject> others) {
     const std::vector<double> ratios = ratios_of(objects);
     const bool usual_appearance = has_usual_appearance(objects);
-    if (filled > most_filled || ratios.size() < fewest_candidates || !usual_appearance) {
+    if (filled > very_thin_points || ratios.size() < fewest_candidates || !usual_appearance) {
         const double share = lacks_certain_buildings(objects) ? max_share_of_few(ratios) : usual_share;
         replace_prior(share, objects);
         replace_prior(share, others);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.hpp"
+#include "detect/smoothness.hpp"
 #include "options/run_plan.hpp"
 
 namespace d2b {
@@ -78,15 +79,13 @@ std::string extent_warning(const std::string& dem, double width, double height) 
 
 namespace {
 
-// Seville's cathedral at 1 m has 0.06, the pines of docs/accuracy.md in a sparse scan 0.085.
-constexpr double most_filled = 0.08;
 // Ann Arbor, which was resampled, has 1.9; the town of docs/accuracy.md as seen by a satellite has 4.4.
 constexpr double widest_step = 2.5;
 
 }  // namespace
 
 std::string sparse_points_warning(const SamplingReport& report, double side) {
-    if (report.interpolated_fraction <= most_filled || !report.points_per_cell)
+    if (report.interpolated_fraction <= thin_points || !report.points_per_cell)
         return {};
     return "points are thin: about " + rounded(*report.points_per_cell) + " fell into a cell of " +
            rounded(side) + " m, and none into " + percent(report.interpolated_fraction) +
