@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dem2buildings/command_line.hpp"
-#include "dem2buildings/error.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 
@@ -19,12 +19,7 @@ inline Request parse(std::vector<std::string> arguments) {
 
 /// The message that exactly these arguments are refused with.
 inline std::string refusal_of_all(const std::vector<std::string>& arguments) {
-    try {
-        (void)parse_command_line(arguments);
-    } catch (const OptionError& error) {
-        return error.what();
-    }
-    return "(not refused)";
+    return error_of([&] { static_cast<void>(parse_command_line(arguments)); });
 }
 
 /// The same with a source and a destination behind them.

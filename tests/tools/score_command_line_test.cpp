@@ -2,23 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include "dem2buildings/error.hpp"
 #include "dem2buildings_score/command_line.hpp"
 #include "dem2buildings_score/help.hpp"
 #include "dem2buildings_score/report.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 namespace {
 
-using Arguments = std::vector<std::string>;
+using Texts = std::vector<std::string>;
 
-std::string refusal(const Arguments& arguments) {
-    try {
-        (void)parse_score_command_line(arguments);
-    } catch (const OptionError& error) {
-        return error.what();
-    }
-    return "(not refused)";
+std::string refusal_of_score(const Texts& arguments) {
+    return error_of([&] { static_cast<void>(parse_score_command_line(arguments)); });
 }
 
 TEST(ScoreCommandLine, readsOptionsAnywhere) {
@@ -38,7 +33,7 @@ TEST(ScoreCommandLine, readsOptionsAnywhere) {
 }
 
 TEST(ScoreCommandLine, refusesAnOptionWithoutAName) {
-    EXPECT_EQ(refusal({"-=x", "a.gpkg", "b.gpkg"}),
+    EXPECT_EQ(refusal_of_score({"-=x", "a.gpkg", "b.gpkg"}),
               "An option has no name before its =; dem2buildings_score --help lists all.");
 }
 
@@ -63,29 +58,29 @@ TEST(ScoreCommandLine, asksForNoFileNamesWithHelp) {
 
 TEST(ScoreCommandLine, refusesWrongFileNames) {
     const std::string usage = "; usage: dem2buildings_score [options] <found> <reference>.";
-    EXPECT_EQ(refusal({"-q"}), "The found and the reference footprints are missing" + usage);
-    EXPECT_EQ(refusal({"a"}), "The reference is missing, there is only 'a'" + usage);
-    EXPECT_EQ(refusal({"a", "b", "c"}),
+    EXPECT_EQ(refusal_of_score({"-q"}), "The found and the reference footprints are missing" + usage);
+    EXPECT_EQ(refusal_of_score({"a"}), "The reference is missing, there is only 'a'" + usage);
+    EXPECT_EQ(refusal_of_score({"a", "b", "c"}),
               "There are too many file names, from 'c' on; give the found footprints and one reference.");
-    EXPECT_EQ(refusal({"a", ""}), "A file name is empty" + usage);
+    EXPECT_EQ(refusal_of_score({"a", ""}), "A file name is empty" + usage);
 }
 
 TEST(ScoreCommandLine, refusesUnknownOptions) {
-    EXPECT_EQ(refusal({"-laier", "x", "a", "b"}), "There is no option -laier; did you mean -layer?");
-    EXPECT_EQ(refusal({"--zzz=1", "a", "b"}),
+    EXPECT_EQ(refusal_of_score({"-laier", "x", "a", "b"}), "There is no option -laier; did you mean -layer?");
+    EXPECT_EQ(refusal_of_score({"--zzz=1", "a", "b"}),
               "There is no option --zzz; dem2buildings_score --help lists all.");
 }
 
 TEST(ScoreCommandLine, refusesWrongValues) {
-    EXPECT_EQ(refusal({"a", "b", "-dem"}), "-dem needs a value: -dem <raster>.");
-    EXPECT_EQ(refusal({"a", "b", "-dem", "-json"}), "-dem needs a value: -dem <raster>.");
-    EXPECT_EQ(refusal({"a", "b", "-dem="}), "-dem needs a value: -dem <raster>.");
-    EXPECT_EQ(refusal({"a", "b", "-dem", ""}), "-dem needs a value: -dem <raster>.");
-    EXPECT_EQ(refusal({"a", "b", "-json=1"}), "-json is a switch and takes no value.");
-    EXPECT_EQ(refusal({"a", "b", "-dem", "x", "-dem", "y"}), "-dem is given twice; give it once.");
-    EXPECT_EQ(refusal({"a", "b", "-min_object", "-1"}),
+    EXPECT_EQ(refusal_of_score({"a", "b", "-dem"}), "-dem needs a value: -dem <raster>.");
+    EXPECT_EQ(refusal_of_score({"a", "b", "-dem", "-json"}), "-dem needs a value: -dem <raster>.");
+    EXPECT_EQ(refusal_of_score({"a", "b", "-dem="}), "-dem needs a value: -dem <raster>.");
+    EXPECT_EQ(refusal_of_score({"a", "b", "-dem", ""}), "-dem needs a value: -dem <raster>.");
+    EXPECT_EQ(refusal_of_score({"a", "b", "-json=1"}), "-json is a switch and takes no value.");
+    EXPECT_EQ(refusal_of_score({"a", "b", "-dem", "x", "-dem", "y"}), "-dem is given twice; give it once.");
+    EXPECT_EQ(refusal_of_score({"a", "b", "-min_object", "-1"}),
               "-min_object must be a number of at least 0, not '-1'.");
-    EXPECT_EQ(refusal({"a", "b", "-min_object", "big"}),
+    EXPECT_EQ(refusal_of_score({"a", "b", "-min_object", "big"}),
               "-min_object must be a number of at least 0, not 'big'.");
 }
 
