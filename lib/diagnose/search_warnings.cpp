@@ -3,16 +3,188 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 
 #include "core/text.hpp"
-#include "diagnose/coverage.hpp"
-#include "diagnose/ground_fit.hpp"
-#include "diagnose/parcel_fit.hpp"
 #include "diagnose/warnings.hpp"
 
 namespace d2b {
+namespace {
+
+/// Minimum number of pieces, because one or two may be a small cut-out of a surface.
+constexpr std::int64_t fewest_islands = 3;
+
+}  // namespace
+
+std::string missing_ground_warning(const ValidIslands& islands, GroundMode mode, const std::string& dem) {
+    if (mode != GroundMode::automatic || !islands.narrow_most() || islands.islands < fewest_islands ||
+        2 * islands.largest > islands.cells)
+        return {};
+    return "'" + dem + "' has elevations in " + std::to_string(islands.islands) +
+           " pieces as wide as buildings and NoData around them, so roofs are taken for the ground; give "
+           "-ground none where its values are heights above the ground, or a terrain model with -ground "
+           "where "
+           "they are elevations";
+}
+
+std::string empty_auxiliary_warning(const AuxiliaryCoverage& known, const Options& options) {
+    if (!known.terrain)
+        return "the terrain '" + options.ground.terrain +
+               "' has no valid cell over the DEM; give one of the same place with -ground, or leave -ground "
+               "out to have the ground estimated";
+    if (!known.mask)
+        return "the mask '" + options.detect.mask +
+               "' has no cell over the DEM that is neither 0 nor NoData; give one with -mask that marks "
+               "where "
+               "buildings may be";
+    return {};
+}
+
+std::string terrain_gap_warning(const TerrainGap& gap, const std::string& dem, const std::string& terrain) {
+    const std::int64_t missing = gap.cells - gap.known;
+    // The share outside is measured on a lattice of points.
+    const std::int64_t told = gap.outside + gap.outside / 50;
+    if (gap.known == 0 || missing < gap.fewest || missing <= told)
+        return {};
+    return percent(static_cast<double>(missing) / static_cast<double>(gap.cells)) + " of the cells of '" +
+           dem + "' that have an elevation have none in the terrain '" + terrain +
+           "'; there is no ground there, and buildings are cut off or missing, so fill its NoData, for "
+           "example "
+           "with gdal_fillnodata.py, or leave -ground out to have the ground estimated";
+}
+
+std::string ndvi_warning(const AuxiliaryCoverage& known, const Options& options) {
+    if (known.ndvi)
+        return {};
+    return "the NDVI '" + options.detect.ndvi +
+           "' has no valid cell over the DEM, so it shows no plants; give one of the same place with -ndvi";
+}
+
+std::string slope_warning(const GroundSlope& slope, const std::string& dem) {
+    if (2 * slope.steep_cells <= slope.cells)
+        return {};
+    const double share = static_cast<double>(slope.steep_cells) / static_cast<double>(slope.cells);
+    return percent(share) + " of the ground of '" + dem + "' is steeper than " + percent(GroundSlope::steep) +
+           ", where buildings can hardly be told from the slope; give a terrain model with -ground, and "
+           "check the units of elevations and coordinates (-zunit)";
+}
+
+namespace {
+
+constexpr double fewest_bare = 0.05;
+constexpr double farthest_m = 2;
+constexpr double fewest_raised = 0.001;
+
+std::string within(const GroundFit& fit) {
+    return "only " + percent(fit.bare_share()) + " of the cells lie within " + number_text(fit.min_height()) +
+           " m of ";
+}
+
+std::string doubt_of_given(const GroundFit& fit, const std::string& terrain, bool few) {
+    const std::string see = "; check whether both have the same unit and vertical datum";
+    if (few)
+        return within(fit) + "the terrain '" + terrain + "', above which the surface lies " +
+               rounded(fit.median()) + " m (median)" + see;
+    const double median = fit.bare_median();
+    return "the terrain '" + terrain + "' lies " + rounded(std::abs(median)) + " m " +
+           (median < 0 ? "above" : "below") + " the surface where nothing stands on it (median)" + see;
+}
+
+}  // namespace
+
+std::string ground_warning(const GroundFit& fit, GroundMode mode, const std::string& terrain) {
+    const bool few = fit.bare_share() < fewest_bare;
+    if (fit.cells() == 0 || (!few && !(std::abs(fit.bare_median()) > farthest_m)))
+        return {};
+    if (mode == GroundMode::given)
+        return doubt_of_given(fit, terrain, few);
+    if (mode == GroundMode::none)
+        return "-ground none takes elevations as heights above the ground, and their median is " +
+               rounded(few ? fit.median() : fit.bare_median()) + " m" + (few ? "" : " where they are low") +
+               "; give a terrain model with -ground, or leave -ground out to have the ground estimated";
+    return within(fit) + "the ground that was estimated" +
+           (few ? "" : ", and these " + rounded(fit.bare_median()) + " m above it (median)") +
+           "; give a terrain model with -ground, or use a larger part of the raster";
+}
+
+std::string surface_warning(const GroundFit& fit, const std::string& dem) {
+    const double usual = DetectOptions{}.min_height;
+    const double share = fit.share_above(usual);
+    if (fit.cells() == 0 || share >= fewest_raised)
+        return {};
+    return (share > 0 ? percent(share) : "none") + " of the cells of '" + dem + "' rise by more than " +
+           number_text(usual) +
+           " m above their surroundings, as in a terrain model (DTM), which has no buildings; give the "
+           "surface model (DSM)";
+}
+
+namespace {
+
+constexpr double least_length_m = 150;   // length of cuts next to walls: a street has less by chance
+constexpr double least_share = 1.0 / 3;  // share of all cuts: walls next to fewer of them are chance
+// Limits if no move stands out. Parcels of Delft have 0.5 m; the same parcels moved by 2 or 3 m have 1.5 m,
+// because blocks are full of walls.
+constexpr double usual_m = 1.25;
+constexpr double usual_cells = 1.6;
+constexpr double usual_overlap = 0.01;
+
+/// "3 m to the left and 1.5 m down"
+std::string told(const ParcelMove& move) {
+    std::string text;
+    const auto add = [&](double metres, const char* more, const char* less) {
+        if (metres != 0)
+            text += (text.empty() ? "" : " and ") + rounded(std::abs(metres)) + " m " +
+                    (metres > 0 ? more : less);
+    };
+    add(move.right_m, "to the right", "to the left");
+    add(move.down_m, "down", "up");
+    return text;
+}
+
+std::string displaced_doubt(const ParcelMove& move, double usual, const DetectOptions& options) {
+    const double length = std::hypot(move.right_m, move.down_m);
+    if (!(length > usual))
+        return {};
+    return "parcels of '" + options.split_by + "' lie " + rounded(length) +
+           " m beside the walls as a whole: they fit best if they are moved " + told(move) +
+           " on the raster; compare them with the buildings, and move them where that is so";
+}
+
+}  // namespace
+
+std::string misplaced_warning(const ParcelReport& report, const CellSize& cell,
+                              const DetectOptions& options) {
+    if (report.inside_m2 == 0 && report.cut_length_m == 0)
+        return "no parcel of '" + options.split_by +
+               "' touches a building, so none was cut; give the parcels of the same place";
+    const double usual = std::max(usual_m, usual_cells * std::sqrt(cell.area()));
+    if (report.fitting_move)
+        return displaced_doubt(*report.fitting_move, usual, options);
+    if (report.beside_length_m < least_length_m ||
+        report.beside_length_m < least_share * report.cut_length_m || !(report.median_distance_m > usual))
+        return {};
+    return "cuts by '" + options.split_by + "' run " + rounded(report.median_distance_m) +
+           " m beside walls (the median of " + rounded(report.beside_length_m) +
+           " m), where half a metre is usual: the parcels may be displaced as a whole; compare them with the "
+           "buildings, and move them where that is so";
+}
+
+std::string overlap_warning(const ParcelReport& report, const DetectOptions& options) {
+    if (report.several_m2 <= usual_overlap * report.inside_m2)
+        return {};
+    return percent(report.several_m2 / report.inside_m2) + " of what parcels of '" + options.split_by +
+           "' hold of buildings lies in more than one of them, and is taken for the one with the lowest id; "
+           "leave out those that are not meant";
+}
+
+std::string validity_warning(const ParcelReport& report, const DetectOptions& options) {
+    if (report.invalid_m2 == 0)
+        return {};
+    return "parcels of '" + options.split_by + "' that are not valid hold " + rounded(report.invalid_m2) +
+           " m2 of buildings, and are taken for what an odd number of their rings encloses; make them valid, "
+           "for example by ogr2ogr -makevalid";
+}
+
 namespace {
 
 /// Option that rejects objects, and their number.
@@ -50,36 +222,109 @@ std::string rejected_by(const SearchSummary& search, bool stricter) {
 
 std::string search_ground_warning(const SearchSummary& search) {
     const GroundMode mode = search.plan.ground;
-    if (std::string text = missing_ground_warning(search.islands, mode, search.dem.name); !text.empty())
+    const ValidIslands& islands = search.scene.islands;
+    if (std::string text = missing_ground_warning(islands, mode, search.dem.name); !text.empty())
         return text;
     // A raster with NoData as ground contains roofs alone, whose heights are those of buildings.
-    if (mode == GroundMode::none && search.islands.narrow_most())
+    if (mode == GroundMode::none && islands.narrow_most())
         return {};
-    return ground_warning(search.fit, mode, search.plan.asked.ground.terrain);
+    return ground_warning(search.scene.fit, mode, search.plan.asked.ground.terrain);
 }
 
+namespace {
+
+using Search = const SearchSummary&;
+using Report = const RunReport&;
+
+/// Reason why the raster may not be a surface, or the ground may not be its ground.
+std::string surface_doubt(Search search) {
+    const std::string ground = search_ground_warning(search);
+    return ground.empty() ? surface_warning(search.scene.fit, search.dem.name) : ground;
+}
+
+std::string terrain_gap_of(Search search, Report report) {
+    if (search.plan.ground != GroundMode::given)
+        return {};
+    const auto points = static_cast<double>(search.dem.window.points());
+    const TerrainGap gap{
+        report.valid_points, search.scene.fit.cells(), std::llround(search.terrain_outside * points),
+        std::max<std::int64_t>(cells_covering(search.plan.building_m2, search.cell),
+                               std::int64_t{search.dem.window.rows} + search.dem.window.cols)};
+    return terrain_gap_warning(gap, search.dem.name, search.plan.asked.ground.terrain);
+}
+
+double side_of(Search search) {
+    return std::sqrt(search.cell.area());
+}
+
+/// Reasons why nothing was found, the most frequent first.
+constexpr std::array<std::string (*)(Search), 9> empty_search_reasons{
+    [](Search s) { return empty_auxiliary_warning(s.scene.sides, s.plan.asked); },
+    [](Search s) { return picture_warning(s.dem); },
+    [](Search s) { return degrees_warning(s.dem, s.has_crs); },
+    [](Search s) {
+        return extent_warning(s.dem.name, s.dem.window.cols * s.cell.across,
+                              s.dem.window.rows * s.cell.down * s.cell.sine);
+    },
+    search_ground_warning,
+    [](Search s) { return rejected_by(s, true); },
+    [](Search s) { return surface_warning(s.scene.fit, s.dem.name); },
+    [](Search s) { return slope_warning(s.scene.slope, s.dem.name); },
+    [](Search s) { return rejected_by(s, false); },
+};
+
+enum class When {
+    always,
+    plausible_surface,  ///< other rasters have no walls that could be blurred
+    found,              ///< buildings were found
+};
+
+struct SearchWarning {
+    When when;
+    std::string (*text)(Search, Report);
+};
+
+/// Warnings about a search in the order in which they are issued. A report without sampling or parcels has
+/// nothing to warn of.
+constexpr std::array<SearchWarning, 10> search_warnings{{
+    {When::always, [](Search s, Report) { return ndvi_warning(s.scene.sides, s.plan.asked); }},
+    {When::always, terrain_gap_of},
+    {When::always,
+     [](Search, Report r) {
+         return r.sampling ? rounding_warning(*r.sampling, r.units.vertical_metres) : std::string();
+     }},
+    {When::plausible_surface,
+     [](Search s, Report r) {
+         return r.sampling ? sparse_points_warning(*r.sampling, side_of(s)) : std::string();
+     }},
+    {When::plausible_surface,
+     [](Search s, Report r) { return r.sampling ? blur_warning(*r.sampling, side_of(s)) : std::string(); }},
+    {When::found,
+     [](Search s, Report) {
+         return s.dem.bytes && s.dem.bands >= 3 ? picture_warning(s.dem) : std::string();
+     }},
+    {When::found,
+     [](Search s, Report r) {
+         return r.parcels ? misplaced_warning(*r.parcels, s.cell, s.plan.asked.detect) : std::string();
+     }},
+    {When::found,
+     [](Search s, Report r) {
+         return r.parcels ? overlap_warning(*r.parcels, s.plan.asked.detect) : std::string();
+     }},
+    {When::found,
+     [](Search s, Report r) {
+         return r.parcels ? validity_warning(*r.parcels, s.plan.asked.detect) : std::string();
+     }},
+    {When::found, [](Search s, Report) { return surface_doubt(s); }},
+}};
+
+}  // namespace
+
 std::string explain_empty_search(const SearchSummary& search) {
-    const DemInfo& dem = search.dem;
-    const DetectOptions& detect = search.plan.asked.detect;
-    // The most frequent reason comes first.
-    const std::array<std::function<std::string()>, 9> causes{
-        [&] { return empty_auxiliary_warning(search.sides, search.plan.asked); },
-        [&] { return picture_warning(dem); },
-        [&] { return degrees_warning(dem, search.has_crs); },
-        [&] {
-            return extent_warning(dem.name, dem.window.cols * search.cell.across,
-                                  dem.window.rows * search.cell.down * search.cell.sine);
-        },
-        [&] { return search_ground_warning(search); },
-        [&] { return rejected_by(search, true); },
-        [&] { return surface_warning(search.fit, dem.name); },
-        [&] { return slope_warning(search.slope, dem.name); },
-        [&] { return rejected_by(search, false); },
-    };
-    for (const auto& cause : causes)
-        if (std::string text = cause(); !text.empty())
+    for (const auto& reason : empty_search_reasons)
+        if (std::string text = reason(search); !text.empty())
             return text;
-    return "nothing that rises by more than " + number_text(detect.min_height) +
+    return "nothing that rises by more than " + number_text(search.plan.asked.detect.min_height) +
            " m above the ground is as smooth and wide as a roof; cells should be at most 1 m wide, or 2.5 m "
            "for large buildings, and -write_canopy shows everything that rises";
 }
@@ -103,40 +348,12 @@ void warn_about_search(const SearchSummary& search, bool found_any, Context& con
     const RunReport& report = context.report;
     if (report.valid_points == 0)
         return;
-    warn_unless_empty(ndvi_warning(search.sides, search.plan.asked), context);
-    if (search.plan.ground == GroundMode::given) {
-        const auto points = static_cast<double>(search.dem.window.points());
-        const TerrainGap gap{
-            report.valid_points, search.fit.cells(), std::llround(search.terrain_outside * points),
-            std::max<std::int64_t>(cells_covering(search.plan.building_m2, search.cell),
-                                   std::int64_t{search.dem.window.rows} + search.dem.window.cols)};
-        warn_unless_empty(terrain_gap_warning(gap, search.dem.name, search.plan.asked.ground.terrain),
-                          context);
-    }
-    if (search.sampling)
-        warn_unless_empty(rounding_warning(*search.sampling, report.units.vertical_metres), context);
-    const std::string ground = search_ground_warning(search);
-    const std::string doubt = ground.empty() ? surface_warning(search.fit, search.dem.name) : ground;
-    // A raster that is not a surface, or lies on another ground, has no walls that could be blurred.
-    if (search.sampling && doubt.empty()) {
-        const double side = std::sqrt(search.cell.area());
-        warn_unless_empty(sparse_points_warning(*search.sampling, side), context);
-        warn_unless_empty(blur_warning(*search.sampling, side), context);
-    }
-    if (!found_any) {
-        if (report.minimum != report.maximum)
-            context.warn("No building was found: " + explain_empty_search(search) + ".");
-        return;
-    }
-    if (search.dem.bytes && search.dem.bands >= 3)
-        warn_unless_empty(picture_warning(search.dem), context);
-    if (search.parcels) {
-        const DetectOptions& detect = search.plan.asked.detect;
-        warn_unless_empty(misplaced_warning(*search.parcels, search.cell, detect), context);
-        warn_unless_empty(overlap_warning(*search.parcels, detect), context);
-        warn_unless_empty(validity_warning(*search.parcels, detect), context);
-    }
-    warn_unless_empty(doubt, context);
+    const bool plausible = surface_doubt(search).empty();
+    for (const SearchWarning& warning : search_warnings)
+        if (warning.when == When::always || (warning.when == When::found ? found_any : plausible))
+            warn_unless_empty(warning.text(search, report), context);
+    if (!found_any && report.minimum != report.maximum)
+        context.warn("No building was found: " + explain_empty_search(search) + ".");
 }
 
 }  // namespace d2b

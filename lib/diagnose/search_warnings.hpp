@@ -9,26 +9,68 @@
 #include "core/grid.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/report.hpp"
-#include "diagnose/coverage.hpp"
-#include "diagnose/ground_fit.hpp"
+#include "detect/scene_statistics.hpp"
 #include "options/run_plan.hpp"
 
 namespace d2b {
+
+/// Returns a warning if there is no ground for an estimate. A clause without a full stop; "" if there may be.
+[[nodiscard]] std::string missing_ground_warning(const ValidIslands& islands, GroundMode mode,
+                                                 const std::string& dem);
+
+/// Returns the reason why a terrain or a mask prevents any detection. A clause without a full stop; "" if
+/// they do not.
+[[nodiscard]] std::string empty_auxiliary_warning(const AuxiliaryCoverage& known, const Options& options);
+/// Returns a warning if an NDVI has no values; "" if it has.
+[[nodiscard]] std::string ndvi_warning(const AuxiliaryCoverage& known, const Options& options);
+
+/// Cells of a DEM without elevation in the given terrain model, if they exceed the part outside of the model
+/// (its source has warned of that), and are not all.
+struct TerrainGap {
+    std::int64_t cells = 0;    ///< valid cells of the DEM
+    std::int64_t known = 0;    ///< number of these with an elevation in the terrain model
+    std::int64_t outside = 0;  ///< cells of the window outside of the terrain model
+    /// Threshold: the cells of a building, or half of the window's border, because resampling a terrain loses
+    /// cells there.
+    std::int64_t fewest = 1;
+};
+/// Returns a warning with the share of cells without ground; "" if there are too few.
+[[nodiscard]] std::string terrain_gap_warning(const TerrainGap& gap, const std::string& dem,
+                                              const std::string& terrain);
+
+/// Returns a warning if most of the ground is steep. A clause without a full stop; "" if it is not.
+[[nodiscard]] std::string slope_warning(const GroundSlope& slope, const std::string& dem);
+
+/// Returns the reason why a ground cannot be right, and possible remedies: the surface lies more than 2 m
+/// above or below it on bare cells, or fewer than 5 % of the cells are bare. A clause without a full stop; ""
+/// if the ground is plausible.
+/// @param fit fit of the surface to the given or estimated ground or, for GroundMode::none, to 0
+/// @param terrain name of the given terrain
+[[nodiscard]] std::string ground_warning(const GroundFit& fit, GroundMode mode, const std::string& terrain);
+
+/// Returns the reason why a raster may not be a surface model: hardly anything rises above its ground. "" if
+/// enough does.
+/// @param dem name of the raster
+[[nodiscard]] std::string surface_warning(const GroundFit& fit, const std::string& dem);
+
+/// Returns the reason why parcels may be misplaced: they touch no building, or lie next to walls instead of
+/// on them. A clause without a full stop; "" if they are plausible.
+[[nodiscard]] std::string misplaced_warning(const ParcelReport& report, const CellSize& cell,
+                                            const DetectOptions& options);
+/// Same, if parcels overlap.
+[[nodiscard]] std::string overlap_warning(const ParcelReport& report, const DetectOptions& options);
+/// Same, if some parcels are invalid.
+[[nodiscard]] std::string validity_warning(const ParcelReport& report, const DetectOptions& options);
 
 /// Facts about a completed search for buildings.
 struct SearchSummary {
     const DemInfo& dem;
     const RunPlan& plan;
     const Tally& tally;  ///< counts of rejected objects
-    const GroundFit& fit;
-    AuxiliaryCoverage sides;
+    const SceneStatistics& scene;
     CellSize cell;
     bool has_crs = true;
-    GroundSlope slope = {};
-    std::optional<ParcelReport> parcels = {};
-    std::optional<SamplingReport> sampling = {};
-    ValidIslands islands = {};
-    double terrain_outside = 0;  ///< share of the window
+    double terrain_outside = 0;  ///< share of the window outside of the given terrain model
 };
 
 /// Returns the reason why the ground of a search cannot be right: only buildings have elevations, or see

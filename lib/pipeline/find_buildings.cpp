@@ -203,16 +203,16 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
     Context& context = search.context;
     Executor& threads = threads_of(search);
     const Window own = core_in_extent(unit);
-    FoundInUnit found{{}, {}, GroundFit(options.detect.min_height), {}, {false, false, false}, {}, {}, {}};
+    FoundInUnit found{{}, {}, SceneStatistics(options.detect.min_height)};
+    SceneStatistics& statistics = found.scene;
     UnitSurface unit_surface(search.reader, unit.seen, frame.metres, threads);
     const MetreGrid& surface = unit_surface.elevations();
     if (search.plan.ground != GroundMode::given)
         add_islands(surface, frame.cell, own, search.plan.building_m2, options.ground.max_building_width,
-                    found.islands, threads);
+                    statistics.islands, threads);
     MetreGrid terrain = terrain_of(search, unit.seen, unit_surface);
-    add_fit(surface, terrain, own, found.fit, threads);
-    add_slope(terrain, frame.cell, unit.seen.row - frame.window.row, own, found.slope, threads);
-    found.sides.terrain = search.plan.ground != GroundMode::given || found.fit.cells() > 0;
+    statistics.add_ground(surface, terrain, frame.cell, unit.seen.row - frame.window.row, own, threads);
+    statistics.sides.terrain = search.plan.ground != GroundMode::given || statistics.fit.cells() > 0;
     keep_below(search, surface, terrain);
     Mask allowed;
     MetreGrid ndvi;
@@ -221,7 +221,6 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
         allowed = read_mask(*sources.mask, unit.seen, context);
         scene.allowed = &allowed;
     }
-    found.sides.mask = sources.mask == nullptr || has_value_on_surface(surface, allowed, own);
     if (sources.ndvi != nullptr) {
         ndvi = read_grid(*sources.ndvi, unit.seen, 1, context);
         scene.greenness = &ndvi;
@@ -232,14 +231,11 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
         sources.parcels->read(unit.seen, parcels.values);
         scene.parcels = &parcels;
     }
-    found.sides.ndvi = sources.ndvi == nullptr || has_value_on_surface(surface, ndvi, own);
     Detection detection = [&] {
         const StageClock clock(context.report, Stage::detect);
         return detect_buildings(scene, options.detect, search.plan.building_m2, context);
     }();
-    if (scene.parcels != nullptr)
-        add_fit(scene, detection, own, found.parcels, threads);
-    add_sampling(scene, detection, options.detect.min_height, own, found.sampling, threads);
+    statistics.add_buildings(scene, detection, own, threads);
     count_rejected(detection.rejected, own, context.report);
     write_scene_rasters(search.sinks, scene, detection, options.detect.min_height, unit);
     const StageClock clock(context.report, Stage::attributes);
@@ -269,12 +265,7 @@ class UnitCollector {
     void add(const Unit& unit, std::int32_t col, FoundInUnit&& here) {
         const StageClock clock(search_.context.report, Stage::detect);
         Executor& threads = *search_.context.threads;
-        found_.fit.merge(here.fit);
-        found_.slope.merge(here.slope);
-        found_.sides.merge(here.sides);
-        found_.parcels.merge(here.parcels);
-        found_.sampling.merge(here.sampling);
-        found_.islands.merge(here.islands);
+        found_.scene.merge(here.scene);
         const Label more = merger_.add(here.objects);
         UnitEdges edges = edges_of(unit, here.labels);
         edges.add(more);
@@ -336,8 +327,7 @@ FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size) {
     const UnitGrid units = unit_grid(plan, frame.window, frame.cell, size);
     FoundBuildings found;
     found.labels = LabelRows(context.make_spool(), frame.window);
-    found.fit = GroundFit(plan.asked.detect.min_height);
-    found.sides = {false, false, false};
+    found.scene = SceneStatistics(plan.asked.detect.min_height);
     UnitCollector sum(search, units.cols(), found);
     const auto all = static_cast<double>(frame.window.points());
     double done = 0;  // points

@@ -8,11 +8,8 @@
 #include "core/executor.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/run.hpp"
+#include "detect/scene_statistics.hpp"
 #include "detect/units.hpp"
-#include "diagnose/coverage.hpp"
-#include "diagnose/ground_fit.hpp"
-#include "diagnose/parcel_fit.hpp"
-#include "diagnose/surface_sampling.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "features/record_builder.hpp"
 #include "options/run_plan.hpp"
@@ -69,12 +66,7 @@ struct UnitSearch {
 struct FoundInUnit {
     Grid<Label> labels;               ///< labels of the unit's extent
     std::vector<SeenObject> objects;  ///< by label - 1
-    GroundFit fit;                    ///< this and the following statistics cover the unit's own cells only
-    GroundSlope slope;
-    AuxiliaryCoverage sides;
-    ParcelFit parcels;
-    SurfaceSampling sampling;
-    ValidIslands islands;
+    SceneStatistics scene;            ///< of the unit's own cells
 };
 
 /// Estimates or reads the terrain, detects buildings above it, and writes the requested rasters. The result
@@ -92,12 +84,7 @@ struct FoundBuildings {
     Label buildings = 0;  ///< labels above are low-confidence candidates
     std::vector<Footprint> footprints;  ///< by label; [0] is not used
     std::vector<double> ground;         ///< ground elevations in the vertical unit, by label
-    GroundFit fit{0};   ///< surface against ground, before the ground was clamped to the surface
-    GroundSlope slope;  ///< slope of the ground, sampled in some rows
-    AuxiliaryCoverage sides;
-    ParcelFit parcels;
-    SurfaceSampling sampling;
-    ValidIslands islands;
+    SceneStatistics scene;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// Returns the labels of a band of the window. Thread-safe.

@@ -84,22 +84,18 @@ std::size_t buildings_up_to(Label last, const ContourList& contours) {
     return buildings;
 }
 
-double share_outside(const DemSource* terrain) {
-    return terrain == nullptr ? 0 : terrain->share_outside();
-}
-
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
-                    const SearchStatistics* facts, Context& context) {
-    warn_unless_empty(explain_empty_result(plan, buildings, setup.dem, context.report), context);
-    if (facts != nullptr && setup.plan.asked.detect.is_split_by())
-        context.report.parcels = parcel_report(facts->parcels, setup.cell);
-    if (facts != nullptr)
-        context.report.sampling = sampling_report(facts->sampling, context.report.units.vertical_metres);
-    if (facts != nullptr)
-        warn_about_search({setup.dem, setup.plan, context.report, facts->fit, facts->sides, setup.cell,
-                           setup.crs.kind() != Crs::Kind::none, facts->slope, context.report.parcels,
-                           context.report.sampling, facts->islands, facts->terrain_outside},
-                          buildings > 0, context);
+                    const SceneStatistics* scene, const DemSource* terrain, Context& context) {
+    RunReport& report = context.report;
+    warn_unless_empty(explain_empty_result(plan, buildings, setup.dem, report), context);
+    if (scene == nullptr)
+        return;
+    if (setup.plan.asked.detect.is_split_by())
+        report.parcels = parcel_report(scene->parcels, setup.cell);
+    report.sampling = sampling_report(scene->sampling, report.units.vertical_metres);
+    warn_about_search({setup.dem, setup.plan, report, *scene, setup.cell, setup.crs.kind() != Crs::Kind::none,
+                       terrain != nullptr ? terrain->share_outside() : 0},
+                      buildings > 0, context);
 }
 
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {

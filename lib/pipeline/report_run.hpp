@@ -10,10 +10,7 @@
 #include "core/context.hpp"
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/run.hpp"
-#include "diagnose/coverage.hpp"
-#include "diagnose/ground_fit.hpp"
-#include "diagnose/parcel_fit.hpp"
-#include "diagnose/surface_sampling.hpp"
+#include "detect/scene_statistics.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "features/drawn_stack.hpp"
 #include "pipeline/run_setup.hpp"
@@ -40,23 +37,10 @@ void report_levels(const LevelPlan& plan, int levels, RunReport& report);
 /// Counts buildings with labels up to `last`; labels above are low-confidence candidates.
 [[nodiscard]] std::size_t buildings_up_to(Label last, const ContourList& contours);
 
-/// Statistics gathered during the search for buildings.
-struct SearchStatistics {
-    GroundFit fit;
-    GroundSlope slope;
-    AuxiliaryCoverage sides;
-    ParcelFit parcels;
-    SurfaceSampling sampling;
-    ValidIslands islands;
-    double terrain_outside = 0;  ///< share of the window outside of the given terrain model
-};
-/// @param terrain may be null
-[[nodiscard]] double share_outside(const DemSource* terrain);
-
-/// Warns if nothing was found, and of conditions that make the result unreliable. @param facts null if there
-/// was no search
+/// Warns if nothing was found, and of conditions that make the result unreliable.
+/// @param scene null if there was no search @param terrain given terrain model or null
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
-                    const SearchStatistics* facts, Context& context);
+                    const SceneStatistics* scene, const DemSource* terrain, Context& context);
 
 /// Completes the results of all sinks. @param commit publishes them @throws OutputError, Cancelled
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context);

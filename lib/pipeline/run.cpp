@@ -206,17 +206,8 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
         *contours, {plan, frame.fixed, footprints, metres, lattice_frame(info.window, decided.trace)});
     report_levels(plan, plan.level_count(), report);
     const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
-    std::optional<SearchStatistics> facts;
-    if (found)
-        facts = SearchStatistics{found->fit,
-                                 found->slope,
-                                 found->sides,
-                                 found->parcels,
-                                 found->sampling,
-                                 found->islands,
-                                 share_outside(sources.terrain)};
-    warn_of_result(setup, plan, buildings_up_to(last_building, *contours), facts ? &*facts : nullptr,
-                   context);
+    warn_of_result(setup, plan, buildings_up_to(last_building, *contours), found ? &found->scene : nullptr,
+                   sources.terrain, context);
     Outliner outliner = draw_outlines(*contours, setup, context);
     const std::vector<FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
     std::optional<BuildingRecords> building_records;

@@ -1,5 +1,3 @@
-#include "diagnose/ground_fit.hpp"
-
 #include <cmath>
 #include <limits>
 #include <span>
@@ -7,7 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnose/coverage.hpp"
+#include "detect/scene_statistics.hpp"
+#include "diagnose/search_warnings.hpp"
 
 namespace d2b {
 namespace {

@@ -1,4 +1,4 @@
-#include "diagnose/parcel_fit.hpp"
+#include "detect/parcel_fit.hpp"
 
 #include <cmath>
 #include <cstdlib>

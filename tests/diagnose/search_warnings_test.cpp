@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnose/ground_fit.hpp"
+#include "detect/scene_statistics.hpp"
 
 namespace d2b {
 namespace {
@@ -19,17 +19,18 @@ class NothingFound : public ::testing::Test {
         dem_.cols = dem_.window.cols = 300;
         dem_.transform = {391000, 1, 0, 5820000, 0, -1};
         dem_.georeferenced = true;
+        scene_.sides = {true, true, true};
         lie(0.1F);
-        fit_.add(std::vector<float>(300, 12.0F), std::vector<float>(300, 0.0F));  // trees
+        scene_.fit.add(std::vector<float>(300, 12.0F), std::vector<float>(300, 0.0F));  // trees
     }
     void lie(float height) {
-        fit_ = GroundFit(options_.detect.min_height);
-        fit_.add(std::vector<float>(700, height), std::vector<float>(700, 0.0F));
+        scene_.fit = GroundFit(options_.detect.min_height);
+        scene_.fit.add(std::vector<float>(700, height), std::vector<float>(700, 0.0F));
     }
     /// The beginning of what is said.
     [[nodiscard]] std::string said(std::size_t length) const {
-        return explain_empty_search({dem_, make_run_plan(options_, Layers::both), tally_, fit_, sides_, cell_,
-                                     has_crs_, slope_})
+        return explain_empty_search(
+                   {dem_, make_run_plan(options_, Layers::both), tally_, scene_, cell_, has_crs_})
             .substr(0, length);
     }
     void expect(const std::string& beginning) const { EXPECT_EQ(said(beginning.size()), beginning); }
@@ -37,11 +38,9 @@ class NothingFound : public ::testing::Test {
     DemInfo dem_;
     Options options_;
     Tally tally_;
-    GroundFit fit_{2};
-    AuxiliaryCoverage sides_;
+    SceneStatistics scene_;
     CellSize cell_;
     bool has_crs_ = true;
-    GroundSlope slope_;
 };
 
 TEST_F(NothingFound, WhereNothingElseIsKnown) {
@@ -54,11 +53,11 @@ TEST_F(NothingFound, WhereNothingElseIsKnown) {
 TEST_F(NothingFound, ASideWithoutACell) {
     dem_.bytes = true;
     options_.ground.terrain = "t.tif";
-    sides_.terrain = false;
+    scene_.sides.terrain = false;
     expect("the terrain 't.tif' has no valid cell");
-    sides_ = {true, false, true};
+    scene_.sides = {true, false, true};
     expect("the mask '' has no cell");
-    sides_ = {true, true, false};
+    scene_.sides = {true, true, false};
     expect("'dem.tif' has byte values");  // an NDVI hides nothing
 }
 
@@ -101,7 +100,7 @@ TEST_F(NothingFound, WhatOptionsLeaveOut) {
         "-min_area 30 leaves 12 out, -min_height 2 leaves 3 out, -min_building_height 0 leaves 4 out, "
         "-min_confidence 0.5 leaves 5 out; a smaller "
         "value may show them");
-    slope_.add(0.6, 0);
+    scene_.slope.add(0.6, 0);
     expect("100 % of the ground of 'dem.tif' is steeper than 40 %");
     options_.detect.min_height = 10;
     expect("-min_height 10 leaves 3 out; a smaller value may show them");

@@ -1,4 +1,4 @@
-#include "diagnose/surface_sampling.hpp"
+#include "detect/surface_sampling.hpp"
 
 #include <cmath>
 #include <limits>

@@ -8,9 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnose/coverage.hpp"
-#include "diagnose/ground_fit.hpp"
-#include "diagnose/parcel_fit.hpp"
+#include "detect/parcel_fit.hpp"
+#include "detect/scene_statistics.hpp"
 #include "diagnose/search_warnings.hpp"
 
 namespace d2b {

@@ -113,10 +113,10 @@ TEST_P(FoundInUnits, IsWhatIsFoundInTheWhole) {
     ASSERT_EQ(units.buildings.count(), whole.buildings.count());
     for (const Reason reason : {Reason::building_doubtful, Reason::building_small, Reason::building_low})
         EXPECT_EQ(units.context.report.counted(reason), whole.context.report.counted(reason));
-    EXPECT_EQ(units.buildings.fit.cells(), whole.buildings.fit.cells());
-    EXPECT_EQ(units.buildings.fit.bare_share(), whole.buildings.fit.bare_share());
-    EXPECT_EQ(units.buildings.slope.cells, whole.buildings.slope.cells);
-    EXPECT_EQ(units.buildings.slope.steep_cells, whole.buildings.slope.steep_cells);
+    EXPECT_EQ(units.buildings.scene.fit.cells(), whole.buildings.scene.fit.cells());
+    EXPECT_EQ(units.buildings.scene.fit.bare_share(), whole.buildings.scene.fit.bare_share());
+    EXPECT_EQ(units.buildings.scene.slope.cells, whole.buildings.scene.slope.cells);
+    EXPECT_EQ(units.buildings.scene.slope.steep_cells, whole.buildings.scene.slope.steep_cells);
     for (const auto& [label, same] : same_cells(whole, units)) {
         const Footprint& a = whole.buildings.footprints[label];
         const Footprint& b = units.buildings.footprints[same];
@@ -283,7 +283,7 @@ TEST(UnitsOfAWindow, ReadWhatLiesBesideTheDem) {
     find(scenery, options, {0, 110}, 2, units);
     same_cells(whole, units);
     expect_same_rasters(whole, units);
-    EXPECT_TRUE(units.buildings.sides.terrain && units.buildings.sides.mask && units.buildings.sides.ndvi);
+    EXPECT_TRUE(units.buildings.scene.sides.terrain && units.buildings.scene.sides.mask && units.buildings.scene.sides.ndvi);
 }
 
 TEST(UnitsOfAWindow, OfOneColumnAndOfNothing) {

@@ -39,12 +39,7 @@ void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, Elevatio
     FoundFacts& facts = found.facts;
     for (const NumberedUnit& placed : run.tiles().units_of(tile)) {
         FoundInUnit here = find_in_unit(search, placed.unit);
-        facts.fit.merge(here.fit);
-        facts.slope.merge(here.slope);
-        facts.sides.merge(here.sides);
-        facts.parcels.merge(here.parcels);
-        facts.sampling.merge(here.sampling);
-        facts.islands.merge(here.islands);
+        facts.scene.merge(here.scene);
         found.units.push_back(found_unit(placed.unit, std::move(here)));
     }
     finish_tile_rasters(run, tile, rasters);

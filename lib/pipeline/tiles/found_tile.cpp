@@ -1,8 +1,6 @@
 #include "pipeline/tiles/found_tile.hpp"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cstddef>
 #include <utility>
 
@@ -121,13 +119,8 @@ std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& r
 void FoundFacts::merge(const FoundFacts& other) {
     survey.statistics.merge(other.survey.statistics);
     survey.suspicious.merge(other.survey.suspicious);
-    fit.merge(other.fit);
-    slope.merge(other.slope);
-    sides.merge(other.sides);
+    scene.merge(other.scene);
     terrain_outside += other.terrain_outside;
-    parcels.merge(other.parcels);
-    sampling.merge(other.sampling);
-    islands.merge(other.islands);
     tally.merge(other.tally);
     for (const std::string& text : other.warnings)
         if (std::ranges::find(warnings, text) == warnings.end())
@@ -137,13 +130,8 @@ void FoundFacts::merge(const FoundFacts& other) {
 void FoundFacts::save(ByteWriter& writer) const {
     writer.put(survey.statistics);
     survey.suspicious.save(writer);
-    writer.put(fit);
-    writer.put(slope);
-    writer.put(sides);
+    writer.put(scene);
     writer.put(terrain_outside);
-    writer.put(parcels);
-    writer.put(sampling);
-    writer.put(islands);
     writer.put(tally);
     writer.put(static_cast<std::uint64_t>(warnings.size()));
     for (const std::string& text : warnings)
@@ -153,14 +141,8 @@ void FoundFacts::save(ByteWriter& writer) const {
 void FoundFacts::load(ByteReader& reader) {
     survey.statistics = reader.take<ElevationStatistics>();
     survey.suspicious.load(reader);
-    const auto loaded = std::bit_cast<GroundFit>(reader.take<std::array<std::byte, sizeof(GroundFit)>>());
-    fit = loaded;
-    slope = reader.take<GroundSlope>();
-    sides = reader.take<AuxiliaryCoverage>();
+    scene = reader.take<SceneStatistics>();
     terrain_outside = reader.take<std::int64_t>();
-    parcels = reader.take<ParcelFit>();
-    sampling = reader.take<SurfaceSampling>();
-    islands = reader.take<ValidIslands>();
     tally = reader.take<Tally>();
     warnings.resize(reader.take_count(sizeof(std::uint64_t)));
     for (std::string& text : warnings)

@@ -9,11 +9,8 @@
 #include "core/context.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "detect/detection.hpp"
+#include "detect/scene_statistics.hpp"
 #include "detect/units.hpp"
-#include "diagnose/coverage.hpp"
-#include "diagnose/ground_fit.hpp"
-#include "diagnose/parcel_fit.hpp"
-#include "diagnose/surface_sampling.hpp"
 #include "elevations/elevation_reader.hpp"
 
 namespace d2b {
@@ -41,21 +38,16 @@ struct FoundUnit {
 /// Facts about everything searched in a tile, or in the whole raster.
 struct FoundFacts {
     explicit FoundFacts(const ValidityRules& rules, double min_height)
-        : survey{{}, SuspiciousValues(rules), {}}, fit(min_height) {}
+        : survey{{}, SuspiciousValues(rules), {}}, scene(min_height) {}
     void merge(const FoundFacts& other);
     void save(ByteWriter& writer) const;
     /// Loads facts that were saved under the same rules. @throws CorruptRecord
     void load(ByteReader& reader);
 
     ElevationSurvey survey;  ///< cells in the core of the tile
-    GroundFit fit;
-    GroundSlope slope;
-    AuxiliaryCoverage sides{false, false, false};
+    SceneStatistics scene;
     std::int64_t terrain_outside = 0;  ///< cells of a terrain model outside of its range; sums over tiles
                                        ///< count some of them more than once
-    ParcelFit parcels;
-    SurfaceSampling sampling;
-    ValidIslands islands;
     Tally tally;
     std::vector<std::string> warnings;
 };

@@ -322,14 +322,8 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
     const RecordBuilder records(*drawn.left, {drawn.plan, fixed, drawn.footprints, run.metres(),
                                               lattice_frame(run.window(), setup.plan.trace)});
     report_levels(drawn.plan, drawn.levels, report);
-    const SearchStatistics search{facts.fit,
-                                  facts.slope,
-                                  facts.sides,
-                                  facts.parcels,
-                                  facts.sampling,
-                                  facts.islands,
-                                  share_outside(run.sources().terrain)};
-    warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &search, context);
+    warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &facts.scene,
+                   run.sources().terrain, context);
     const Outliner outliner = draw_outlines(*drawn.left, setup, context);
     const FeatureInput input =
         feature_input(setup, {*drawn.left, outliner, drawn.sure, fixed, run.sources().parcels}, report,

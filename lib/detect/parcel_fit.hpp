@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
@@ -79,14 +78,5 @@ void add_fit(const Scene& scene, const Detection& detection, const Window& own, 
 /// Converts counts to lengths in m.
 /// @param cell cell size of the DEM
 [[nodiscard]] ParcelReport parcel_report(const ParcelFit& fit, const CellSize& cell);
-
-/// Returns the reason why parcels may be misplaced: they touch no building, or lie next to walls instead of
-/// on them. A clause without a full stop; "" if they are plausible.
-[[nodiscard]] std::string misplaced_warning(const ParcelReport& report, const CellSize& cell,
-                                            const DetectOptions& options);
-/// Same, if parcels overlap.
-[[nodiscard]] std::string overlap_warning(const ParcelReport& report, const DetectOptions& options);
-/// Same, if some parcels are invalid.
-[[nodiscard]] std::string validity_warning(const ParcelReport& report, const DetectOptions& options);
 
 }  // namespace d2b

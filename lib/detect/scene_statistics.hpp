@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include "core/executor.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/dem_source.hpp"
-#include "dem2buildings/options.hpp"
+#include "detect/parcel_fit.hpp"
+#include "detect/scene.hpp"
+#include "detect/surface_sampling.hpp"
 
 namespace d2b {
 
@@ -19,7 +20,7 @@ class GroundFit {
   public:
     /// @param min_height height in m; cells higher above the ground are buildings, plants and the like, the
     /// others are bare
-    explicit GroundFit(double min_height) : min_height_(static_cast<float>(min_height)) {}
+    explicit GroundFit(double min_height = 0) : min_height_(static_cast<float>(min_height)) {}
 
     /// Adds the cells with both a surface and a ground.
     /// @param surface, ground elevations of the same cells in m
@@ -53,11 +54,6 @@ class GroundFit {
     std::int64_t bare_ = 0;
     std::array<std::int64_t, bins> counts_{};  ///< the first and last bins include all values beyond them
 };
-
-/// Adds the heights of a surface above a ground in a part of the grids.
-/// @param cells part of the grids
-void add_fit(const MetreGrid& surface, const MetreGrid& ground, const Window& cells, GroundFit& fit,
-             Executor& threads);
 
 /// Number of steep cells of a ground. Integer counts, so the order does not matter.
 struct GroundSlope {
@@ -93,19 +89,62 @@ struct GroundSlope {
 void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, const Window& cells,
                GroundSlope& slope, Executor& threads);
 
-/// Returns a warning if most of the ground is steep. A clause without a full stop; "" if it is not.
-[[nodiscard]] std::string slope_warning(const GroundSlope& slope, const std::string& dem);
+/// Counts valid cells in islands surrounded by NoData and as wide as buildings, as in a raster of buildings
+/// with NoData as ground. Integer counts, so the order does not matter.
+struct ValidIslands {
+    std::int64_t cells = 0;  ///< valid cells
+    std::int64_t narrow =
+        0;  ///< number of these in pieces large enough for a building and not too wide for one
+    std::int64_t islands = 0;  ///< number of such pieces
+    std::int64_t largest = 0;  ///< cells of the largest one
 
-/// Returns the reason why a ground cannot be right, and possible remedies: the surface lies more than 2 m
-/// above or below it on bare cells, or fewer than 5 % of the cells are bare. A clause without a full stop; ""
-/// if the ground is plausible.
-/// @param fit fit of the surface to the given or estimated ground or, for GroundMode::none, to 0
-/// @param terrain name of the given terrain
-[[nodiscard]] std::string ground_warning(const GroundFit& fit, GroundMode mode, const std::string& terrain);
+    void merge(const ValidIslands& other);
+    /// True if most valid cells are in narrow pieces.
+    [[nodiscard]] bool narrow_most() const { return 2 * narrow > cells; }
+};
 
-/// Returns the reason why a raster may not be a surface model: hardly anything rises above its ground. "" if
-/// enough does.
-/// @param dem name of the raster
-[[nodiscard]] std::string surface_warning(const GroundFit& fit, const std::string& dem);
+/// Adds the pieces of a unit's core. If nearly all of its cells are valid, only their number is added.
+/// @param known number of valid cells in the core
+/// @param min_area_m2 minimum area of a building
+/// @param max_width_m maximum width of a building
+void add_islands(const MetreGrid& surface, const CellSize& cell, const Window& own, double min_area_m2,
+                 double max_width_m, ValidIslands& islands, Executor& threads);
+
+/// Flags of auxiliary rasters with at least one value at a valid cell of the DEM; true if a raster was not
+/// given.
+struct AuxiliaryCoverage {
+    bool terrain = true;
+    bool mask = true;
+    bool ndvi = true;
+
+    /// Merges the flags of two parts.
+    void merge(const AuxiliaryCoverage& other) {
+        terrain = terrain || other.terrain;
+        mask = mask || other.mask;
+        ndvi = ndvi || other.ndvi;
+    }
+};
+
+/// Statistics of a search for buildings in a unit, a tile or the window. All are counts of cells, so parts
+/// add up to the whole in any order.
+struct SceneStatistics {
+    SceneStatistics() = default;
+    /// @param min_height see GroundFit
+    explicit SceneStatistics(double min_height) : fit(min_height) {}
+    /// Adds a ground before it is clamped to the surface. @param first_row, own see add_slope()
+    void add_ground(const MetreGrid& surface, const MetreGrid& ground, const CellSize& cell,
+                    std::int32_t first_row, const Window& own, Executor& threads);
+    /// Adds the buildings of a scene, and whether its mask and NDVI cover it. @param own core cells of the
+    /// unit
+    void add_buildings(const Scene& scene, const Detection& detection, const Window& own, Executor& threads);
+    void merge(const SceneStatistics& other);
+
+    GroundFit fit;      ///< surface against ground, before the ground was clamped to the surface
+    GroundSlope slope;  ///< slope of the ground, sampled in some rows
+    AuxiliaryCoverage sides{false, false, false};
+    ParcelFit parcels;
+    SurfaceSampling sampling;
+    ValidIslands islands;
+};
 
 }  // namespace d2b
