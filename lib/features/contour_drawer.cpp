@@ -94,19 +94,12 @@ std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
     return static_cast<std::int64_t>(sum);
 }
 
-Outliner make_outliner(const ContourList& contours, const OutlineRules& rules,
-                       const Georeference& georeference, const Crs& crs, const Window& window,
-                       Context& context) {
-    return {contours,     choose_outline_method(rules, georeference), rules,
-            georeference, x_stretch(georeference, crs, window),       context};
-}
-
 PolygonMaker::PolygonMaker(const PolygonParameters& terms)
     : terms_(terms),
       geos_(terms.stop),
-      geodesy_(terms.crs, terms.stop),
-      to_target_(
-          output_transform(terms.crs, terms.target_crs, terms.georeference, terms.window, terms.stop)) {}
+      geodesy_(terms.setup.crs, terms.stop),
+      to_target_(output_transform(terms.setup.crs, terms.setup.target, terms.setup.georeference,
+                                  terms.setup.dem.window, terms.stop)) {}
 
 PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Draw& draw) {
     std::vector<FinePolygon> polygons{draw(contour)};
@@ -119,11 +112,11 @@ PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Dr
     Parts parts;
     cells_.clear();
     for (const FinePolygon& polygon : polygons) {
-        parts.push_back(terms_.georeference.polygon(polygon));
+        parts.push_back(terms_.setup.georeference.polygon(polygon));
         if (terms_.with_cells)
             std::ranges::copy(row_spans(polygon), std::back_inserter(cells_));
     }
-    if (!terms_.options.arcs)
+    if (!terms_.setup.plan.asked.outline.arcs)
         for (WorldPolygon& part : parts)
             part.arcs.clear();
     return parts;
@@ -154,7 +147,7 @@ PolygonMaker::Parts PolygonMaker::in_target_crs(Parts parts) {
         for (WorldRing& ring : part.interiors)
             project(ring);
     }
-    split_by_projection_ = split_by_projection_ || is_overstretched(length, terms_.target_crs, ground_m);
+    split_by_projection_ = split_by_projection_ || is_overstretched(length, terms_.setup.target, ground_m);
     return split_by_projection_ ? Parts() : parts;
 }
 
@@ -163,14 +156,14 @@ PolygonMaker::Parts PolygonMaker::in_target_crs(Parts parts) {
 /// outlines time proportional to vertices times holes.
 bool PolygonMaker::is_valid_as_traced(const FeaturePolygon& made, Form form) const {
     return made.status == OutlineStatus::traced && form != Form::tier && !to_target_ &&
-           terms_.georeference.is_exact(terms_.window);
+           terms_.setup.georeference.is_exact(terms_.setup.dem.window);
 }
 
 FeaturePolygon PolygonMaker::as_traced(const LatticePolygon& polygon) {
     FeaturePolygon made;
     const StageClock clock(tally_, Stage::outline);
     split_by_projection_ = false;
-    const Parts parts{terms_.georeference.polygon(polygon)};
+    const Parts parts{terms_.setup.georeference.polygon(polygon)};
     made.measure = measure(geodesy_, parts);
     const auto drawn = [&] { return in_target_crs(parts); };
     Tally uncounted;  // already counted when it was dropped
@@ -187,7 +180,7 @@ FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
     made.status = quality.status;
     if (quality.status == OutlineStatus::kept_traced)
         tally_.count(Reason::outline_kept_traced);
-    made.deviation = quality.deviation_cells * std::sqrt(terms_.georeference.cell_area());
+    made.deviation = quality.deviation_cells * std::sqrt(terms_.setup.georeference.cell_area());
     made.area_change = quality.area_change;
     made.simplified = quality.simplified;
     made.kept_traced = quality.kept_traced;
@@ -245,27 +238,34 @@ bool measures_drawn(const RunPlan& plan) {
     return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
 }
 
-OutlineRules outline_rules(const RunPlan& plan, const Crs& target_crs, double cell_size_m) {
-    return {plan.walls, plan.wall_tolerance(cell_size_m), plan.asked.outline.wall_inset,
-            plan.asked.outline.simplify, target_crs.kind() != Crs::Kind::none};
+OutlineRules outline_rules(const RunSetup& setup) {
+    const OutlineOptions& asked = setup.plan.asked.outline;
+    return {setup.plan.walls, setup.plan.wall_tolerance(setup.cell_m()), asked.wall_inset, asked.simplify,
+            setup.target.kind() != Crs::Kind::none};
+}
+
+double x_stretch_of(const RunSetup& setup) {
+    return x_stretch(setup.georeference, setup.crs, setup.dem.window);
 }
 
 }  // namespace
 
-OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunPlan& plan,
-                                            const Georeference& georeference, const Crs& crs,
-                                            const Crs& target_crs, const Window& window, double cell_size_m,
-                                            const StopToken& stop) {
-    return outline_dependencies(contours, outline_rules(plan, target_crs, cell_size_m), georeference,
-                                x_stretch(georeference, crs, window), stop);
+OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunSetup& setup,
+                                            Context& context) {
+    const StageClock clock(context.report, Stage::outline);
+    return outline_dependencies(contours, outline_rules(setup), setup.georeference, x_stretch_of(setup),
+                                context.threads->stop());
 }
 
-Outliner draw_outlines(const ContourList& contours, const RunPlan& plan, const Georeference& georeference,
-                       const Crs& crs, const Crs& target_crs, const Window& window, double cell_size_m,
-                       Context& context) {
+Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    return make_outliner(contours, outline_rules(plan, target_crs, cell_size_m), georeference, crs, window,
-                         context);
+    const OutlineRules rules = outline_rules(setup);
+    return {contours,
+            choose_outline_method(rules, setup.georeference),
+            rules,
+            setup.georeference,
+            x_stretch_of(setup),
+            context};
 }
 
 void add_to_stack(const DrawnContour& drawn, const LayerIndices& indices, DrawnStack& stack) {
@@ -281,19 +281,13 @@ void add_to_stack(const DrawnContour& drawn, const LayerIndices& indices, DrawnS
 ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordBuilder& records, Context& context)
     : input_(input),
       records_(records),
-      children_(input.plan.asked.outline.disjoint ? ContourChildren(input.contours) : ContourChildren()),
-      with_cells_(measures_drawn(input.plan)) {
-    const PolygonParameters terms{input.plan.asked.outline,
-                                  input.georeference,
-                                  input.crs,
-                                  input.target_crs,
-                                  input.window,
-                                  input.outliner,
-                                  children_,
-                                  context.threads->stop(),
-                                  with_cells_};
-    for (int thread = 0; thread < context.threads->threads(); ++thread)
-        makers_.emplace_back(terms);
+      threads_(*context.threads),
+      children_(input.setup.plan.asked.outline.disjoint ? ContourChildren(input.contours)
+                                                        : ContourChildren()),
+      with_cells_(measures_drawn(input.setup.plan)) {
+    for (int thread = 0; thread < threads_.threads(); ++thread)
+        makers_.emplace_back(
+            PolygonParameters{input.setup, input.outliner, children_, threads_.stop(), with_cells_});
 }
 
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
@@ -311,12 +305,12 @@ DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
         if (is_building)
             drawn.building_record = records_.building(contour, stored.contour, drawn.record, stored.roof);
     }
-    const LayerIndices& indices = input_.layers.indices;
+    const LayerIndices& indices = input_.setup.layers.indices;
     if (is_building)
         draw_building(contour, maker, drawn);
     if (!indices.contours || input_.is_low_confidence(contour))
         return drawn;
-    if (input_.plan.asked.outline.disjoint)
+    if (input_.setup.plan.asked.outline.disjoint)
         drawn.contour = maker.tier(contour);
     else
         drawn.contour =
@@ -327,7 +321,7 @@ DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
 /// Restores the counters if the building is in no layer, because only written outlines are reported.
 void ContourDrawer::draw_building(std::size_t contour, PolygonMaker& maker, DrawnContour& drawn) const {
     const bool is_low_confidence = input_.is_low_confidence(contour);
-    const bool is_written = input_.layers.indices.building_layer(is_low_confidence).has_value();
+    const bool is_written = input_.setup.layers.indices.building_layer(is_low_confidence).has_value();
     if (!is_written && (is_low_confidence || input_.building_records == nullptr))
         return;
     const auto counted = maker.tally().dropped;

@@ -1,17 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "contours/contour.hpp"
 #include "core/context.hpp"
-#include "core/crs.hpp"
-#include "core/georeference.hpp"
+#include "core/executor.hpp"
 #include "dem2buildings/report.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/record_builder.hpp"
@@ -53,11 +54,7 @@ using DrawParts = std::function<std::vector<WorldPolygon>()>;
 
 /// Parameters for converting outlines to polygons of the output.
 struct PolygonParameters {
-    const OutlineOptions& options;
-    const Georeference& georeference;
-    const Crs& crs;
-    const Crs& target_crs;  ///< kind none: the CRS of the DEM
-    Window window;
+    const RunSetup& setup;
     const Outliner& outliner;
     const ContourChildren& children;  ///< may be empty if no tiers are drawn
     StopToken stop = {};
@@ -128,10 +125,6 @@ class PolygonMaker {
 
 /// Counts vertices without the repeated last ones of rings.
 [[nodiscard]] std::int64_t vertices_of(const std::vector<WorldPolygon>& parts);
-/// Creates the outliner of a run.
-[[nodiscard]] Outliner make_outliner(const ContourList& contours, const OutlineRules& rules,
-                                     const Georeference& georeference, const Crs& crs, const Window& window,
-                                     Context& context);
 
 /// Records of a contour and its polygons. A polygon is empty if its layer is not written.
 struct DrawnContour {
@@ -150,6 +143,28 @@ struct DrawnContour {
 /// Adds the drawn cells of a contour and its building to the stack, if they are written.
 void add_to_stack(const DrawnContour& drawn, const LayerIndices& indices, DrawnStack& stack);
 
+/// Number of contours that a thread draws at a time, because handing over each would cost more.
+inline constexpr std::size_t contours_per_task = 64;
+
+/// Calls take(i, draw(i, thread)) for each i below `count`: draw() on all threads, take() in order on the
+/// calling thread.
+template <typename Draw, typename Take>
+void draw_in_order(Executor& threads, std::size_t count, const Draw& draw, const Take& take) {
+    using Values = std::vector<decltype(draw(std::size_t{}, std::size_t{}))>;
+    threads.in_order((count + contours_per_task - 1) / contours_per_task,
+                     [&](std::size_t task, std::size_t thread) {
+                         Values values;
+                         const std::size_t first = task * contours_per_task;
+                         for (std::size_t i = first; i < std::min(count, first + contours_per_task); ++i)
+                             values.push_back(draw(i, thread));
+                         return values;
+                     },
+                     [&](std::size_t task, Values values) {
+                         for (std::size_t i = 0; i < values.size(); ++i)
+                             take(task * contours_per_task + i, std::move(values[i]));
+                     });
+}
+
 /// Draws contours for the requested layers. Thread-safe, with one PolygonMaker per thread.
 class ContourDrawer {
   public:
@@ -161,6 +176,13 @@ class ContourDrawer {
 
     /// @param thread index of the calling thread
     [[nodiscard]] DrawnContour draw(std::size_t contour, std::size_t thread);
+    /// Draws all contours and calls take(contour, drawn), see draw_in_order().
+    template <typename Take>
+    void draw_all(const Take& take) {
+        draw_in_order(
+            threads_, input_.contours.size(),
+            [this](std::size_t i, std::size_t thread) { return draw(i, thread); }, take);
+    }
     /// True if polygons come with their cells, because the stack error is measured on them.
     [[nodiscard]] bool returns_cells() const { return with_cells_; }
     /// Returns the makers, one per thread.
@@ -171,21 +193,17 @@ class ContourDrawer {
 
     const FeatureInput& input_;
     const RecordBuilder& records_;
+    Executor& threads_;
     ContourChildren children_;
     bool with_cells_;
     std::vector<PolygonMaker> makers_;
 };
 
-/// Groups contours whose outlines depend on each other. @param target_crs, cell_size_m see below
-[[nodiscard]] OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunPlan& plan,
-                                                          const Georeference& georeference, const Crs& crs,
-                                                          const Crs& target_crs, const Window& window,
-                                                          double cell_size_m, const StopToken& stop);
+/// Groups contours whose outlines depend on each other, and returns the reach of that dependence in cells.
+[[nodiscard]] OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunSetup& setup,
+                                                          Context& context);
 
-/// Draws the outlines of a run by its plan. @param target_crs kind none: the CRS of the DEM
-/// @param cell_size_m side of a square with the area of a cell
-[[nodiscard]] Outliner draw_outlines(const ContourList& contours, const RunPlan& plan,
-                                     const Georeference& georeference, const Crs& crs, const Crs& target_crs,
-                                     const Window& window, double cell_size_m, Context& context);
+/// Draws the outlines of the contours of a run.
+[[nodiscard]] Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context);
 
 }  // namespace d2b

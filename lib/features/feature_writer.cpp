@@ -119,30 +119,21 @@ RejectedLayer::Drawn RejectedLayer::draw(std::size_t i, PolygonMaker& maker) con
 
 void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, RoundedPolygons* rounded,
                           Context& context) const {
-    constexpr std::size_t chunk_size = 64;
-    const std::size_t count = input_.contours.rejected().size() + changed_.size();
     std::int64_t id = sink.first_id();
-    context.threads->in_order(
-        (count + chunk_size - 1) / chunk_size,
-        [&](std::size_t k, std::size_t thread) {
-            std::vector<Drawn> drawn;
-            for (std::size_t i = k * chunk_size; i < std::min(count, (k + 1) * chunk_size); ++i)
-                drawn.push_back(draw(i, makers[thread]));
-            return drawn;
-        },
-        [&](std::size_t, std::vector<Drawn> drawn) {
+    draw_in_order(
+        *context.threads, input_.contours.rejected().size() + changed_.size(),
+        [&](std::size_t i, std::size_t thread) { return draw(i, makers[thread]); },
+        [&](std::size_t, Drawn&& drawn) {
             const StageClock clock(context.report, Stage::write);
-            for (Drawn& one : drawn) {
-                one.record.id = id++;
-                if (one.made.parts.empty())
-                    continue;
-                if (rounded != nullptr)
-                    rounded->round(RoundedPolygons::Layer::rejected, one.record.id, 0,
-                                   "feature " + std::to_string(one.record.id) + " of the rejected",
-                                   one.made.parts);
-                sink.add(layer_, {field_values(rejected_attributes(), one.record), std::move(one.made.parts),
-                                  0, one.record});
-            }
+            drawn.record.id = id++;
+            if (drawn.made.parts.empty())
+                return;
+            if (rounded != nullptr)
+                rounded->round(RoundedPolygons::Layer::rejected, drawn.record.id, 0,
+                               "feature " + std::to_string(drawn.record.id) + " of the rejected",
+                               drawn.made.parts);
+            sink.add(layer_, {field_values(rejected_attributes(), drawn.record), std::move(drawn.made.parts),
+                              0, drawn.record});
         });
 }
 
@@ -169,20 +160,26 @@ void take_measures(const FeaturePolygon& made, Record& record) {
 
 FeatureWriter::FeatureWriter(const FeatureInput& input, const RecordBuilder& records, FeatureSink& sink,
                              Context& context)
-    : input_(input), sink_(sink), context_(context), drawer_(input, records, context), invalid_(context) {
+    : input_(input),
+      sink_(sink),
+      context_(context),
+      cell_m_(input.setup.cell_m()),
+      drawer_(input, records, context),
+      invalid_(context) {
     if (drawer_.returns_cells())
-        stack_.emplace(context.make_spool(), input.window);
+        stack_.emplace(context.make_spool(), input.setup.dem.window);
 }
 
 void FeatureWriter::begin() {
-    std::vector<LayerSpec> layers = input_.layers.layers;
+    std::vector<LayerSpec> layers = input_.setup.layers.layers;
     if (CoordinateRounding rounding = sink_.rounding(); rounding.to != CoordinateRounding::To::nothing)
-        rounded_.emplace(std::move(rounding), !input_.plan.asked.outline.disjoint, context_.threads->stop());
+        rounded_.emplace(std::move(rounding), !input_.setup.plan.asked.outline.disjoint,
+                         context_.threads->stop());
     if (indices().rejected)
         rejected_.emplace(input_, *indices().rejected);
     give_styles(layers, input_, context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
-    sink_.begin(layers, input_.provenance);
+    sink_.begin(layers, make_provenance(input_.setup, context_.report));
     next_id_ = next_building_ = sink_.first_id();
 }
 
@@ -221,7 +218,7 @@ void FeatureWriter::count(const DrawnContour& drawn) {
     level.points += drawn.record.points;
     if (drawn.record.level > 0)
         rmse_.add(drawn.own, input_.fixed);
-    if (drawn.record.level > 0 && input_.stack_errors_by_level)
+    if (drawn.record.level > 0 && input_.with_cuts)
         add_to_cuts(drawn);
 }
 
@@ -234,26 +231,11 @@ void FeatureWriter::add_to_cuts(const DrawnContour& drawn) {
     rmse_below_.add(drawn.own, input_.fixed);
 }
 
-void FeatureWriter::measure_cuts() {
-    const double metres = context_.report.units.vertical_metres;
-    const auto levels = static_cast<std::int32_t>(cut_rmses_.size());
-    std::vector<double> rmses;
-    if (stack_)
-        for (const StackError& error : input_.stack_errors_by_level(*stack_, levels))
-            rmses.push_back(error.rms(input_.fixed));
-    else
-        for (const StackRmse& rmse : cut_rmses_)
-            rmses.push_back(rmse.value());
-    for (const double rmse : rmses)
-        context_.report.cuts.push_back(
-            {static_cast<std::int32_t>(context_.report.cuts.size()) + 1, rmse * metres});
-}
-
 void FeatureWriter::measure_building(DrawnContour& drawn) {
     BuildingRecord& record = drawn.building_record;
     const FeaturePolygon& made = *drawn.building;
     take_measures(made, record);
-    record.deviation_m = made.deviation / std::sqrt(input_.georeference.cell_area()) * input_.cell_size_m;
+    record.deviation_m = made.deviation / std::sqrt(input_.setup.georeference.cell_area()) * cell_m_;
     record.area_change = made.area_change;
     if (input_.parcels != nullptr)
         record.parcel = input_.parcels->name(record.parcel_number);
@@ -283,8 +265,9 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     BuildingRecord& record = drawn.building_record;
     if (!doubtful)
         implausible_heights_.note(record, drawn.record);
-    write(*indices().building_layer(doubtful), building_attributes(input_.plan.asked.detect.is_split_by()),
-          record, std::move(made), drawn.record.threshold);
+    write(*indices().building_layer(doubtful),
+          building_attributes(input_.setup.plan.asked.detect.is_split_by()), record, std::move(made),
+          drawn.record.threshold);
 }
 
 bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
@@ -316,30 +299,32 @@ void FeatureWriter::add_with_ids(AssignedIds& numbers, std::size_t contour, Draw
 }
 
 void FeatureWriter::warn_of_traced() {
-    const RunPlan& plan = input_.plan;
+    const RunPlan& plan = input_.setup.plan;
     if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
         return;  // traced outlines were asked for
     const RunReport& report = context_.report;
-    warn_unless_empty(traced_warning(report.building_outlines, report.contour_outlines, input_.cell_size_m),
-                      context_);
+    warn_unless_empty(traced_warning(report.building_outlines, report.contour_outlines, cell_m_), context_);
 }
 
-void FeatureWriter::finish() {
+std::optional<DrawnStack> FeatureWriter::finish() {
     invalid_.finish();
     for (const std::string& warning : implausible_heights_.warnings())
         context_.warn(warning);
     warn_of_traced();
-    split_warnings_.finish(display_name(input_.target_crs, input_.plan.asked.outline.target_crs), context_);
+    split_warnings_.finish(display_name(input_.setup.target, input_.setup.plan.asked.outline.target_crs),
+                           context_);
     if (rejected_)
         rejected_->write(drawer_.makers(), sink_, rounded_ ? &*rounded_ : nullptr, context_);
     if (rounded_)
         rounded_->finish();
     for (PolygonMaker& maker : drawer_.makers())
         context_.report.merge(maker.tally());
-    const double rmse = stack_ ? input_.stack_error(*stack_).rms(input_.fixed) : rmse_.value();
-    context_.report.stack_rmse_m = rmse * context_.report.units.vertical_metres;
-    if (input_.stack_errors_by_level)
-        measure_cuts();
+    const double metres = context_.report.units.vertical_metres;
+    context_.report.stack_rmse_m = rmse_.value() * metres;
+    for (const StackRmse& rmse : cut_rmses_)
+        context_.report.cuts.push_back(
+            {static_cast<std::int32_t>(context_.report.cuts.size()) + 1, rmse.value() * metres});
+    return std::move(stack_);
 }
 
 }  // namespace d2b

@@ -102,11 +102,13 @@ class FeatureWriter {
     void assign_ids(AssignedIds& numbers, DrawnContour& drawn);
     /// Second half of add(), for a contour with ids from this writer or another.
     void add_with_ids(AssignedIds& numbers, std::size_t contour, DrawnContour&& drawn);
-    void finish();
+    /// Completes the layers and the report, with the error of the stack of contours as traced.
+    /// @return the stack as drawn, if its error is to be reported instead; that needs the elevations again
+    [[nodiscard]] std::optional<DrawnStack> finish();
     [[nodiscard]] ContourDrawer& drawer() { return drawer_; }
 
   private:
-    [[nodiscard]] const LayerIndices& indices() const { return input_.layers.indices; }
+    [[nodiscard]] const LayerIndices& indices() const { return input_.setup.layers.indices; }
     void count(const DrawnContour& drawn);
     void measure_building(DrawnContour& drawn);
     void add_building(std::size_t contour, DrawnContour& drawn);
@@ -117,7 +119,6 @@ class FeatureWriter {
     void warn_of_traced();
     /// Accumulates the errors of truncated stacks.
     void add_to_cuts(const DrawnContour& drawn);
-    void measure_cuts();
     template <typename Record>
     void write(std::size_t layer, std::span<const Attribute<Record>> attributes, const Record& record,
                FeaturePolygon&& made, double threshold);
@@ -125,6 +126,7 @@ class FeatureWriter {
     const FeatureInput& input_;
     FeatureSink& sink_;
     Context& context_;
+    double cell_m_;
     ContourDrawer drawer_;
     StackRmse rmse_;                    // of the contours as traced
     std::vector<StackRmse> cut_rmses_;  // same, of the stacks truncated at level 1, 2, ...

@@ -220,8 +220,9 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
 
 std::vector<PlacedProblem> placed_problems(const std::vector<FlowProblem>& problems,
                                            const FeatureInput& input, std::int64_t first_id) {
+    const RunSetup& setup = input.setup;
     auto transform =
-        output_transform(input.crs, input.target_crs, input.georeference, input.window, StopToken());
+        output_transform(setup.crs, setup.target, setup.georeference, setup.dem.window, StopToken());
     std::vector<PlacedProblem> placed;
     for (const FlowProblem& problem : problems) {
         std::set<std::int64_t> ids;
@@ -234,7 +235,7 @@ std::vector<PlacedProblem> placed_problems(const std::vector<FlowProblem>& probl
         record.before = problem.before;
         record.after = problem.after;
         record.changed = problem.changed;
-        std::array<Position, 1> place{input.georeference.position(problem.place)};
+        std::array<Position, 1> place{setup.georeference.position(problem.place)};
         if (!transform || transform->apply_to_positions(place))
             placed.push_back({record, place[0]});
     }

@@ -28,70 +28,17 @@ std::optional<BuildingRecord> BuildingRecords::of(std::int64_t building) const {
     return ByteReader(*spool_, entries_[index]).take<BuildingRecord>();
 }
 
-LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std::string& vertical_unit,
-                       const FeatureSink& sink) {
-    const Options& options = plan.asked;
-    const WriteOptions& write = options.write;
-    const bool with_arcs = options.outline.arcs;
-    LayerSpecs specs;
-    const auto add = [&](LayerRole role, const char* title, const std::string& description,
-                         std::vector<FieldSpec> fields, bool arcs) {
-        specs.layers.push_back({sink.layer_name(role, plan.layers), title, description + utf8_text(source),
-                                std::move(fields), write.with_z, arcs});
-        return specs.layers.size() - 1;
-    };
-    const auto building_fields =
-        field_specs(building_attributes(options.detect.is_split_by()), vertical_unit, write.fields);
-    if (plan.layers != Layers::contours)
-        specs.indices.buildings = add(LayerRole::buildings, "Buildings", "One polygon per building, from ",
-                                      building_fields, with_arcs);
-    if (plan.layers != Layers::buildings)
-        specs.indices.contours =
-            add(LayerRole::contours, "Contours",
-                options.outline.disjoint ? "Bands between thresholds that do not overlap, from "
-                                         : "Stacked contours, low to high, from ",
-                field_specs(contour_attributes(), vertical_unit), with_arcs);
-    if (write.doubtful)
-        specs.indices.doubtful = add(LayerRole::doubtful, "Doubtful buildings",
-                                     "Objects that may be buildings, with the reason for the doubt, from ",
-                                     building_fields, with_arcs);
-    if (write.rejected)
-        specs.indices.rejected =
-            add(LayerRole::rejected, "Rejected",
-                "Contours and holes that were dropped, filled or kept as traced, with the reason, from ",
-                field_specs(rejected_attributes(), vertical_unit), false);
-    if (write.problems && sink.takes_points()) {
-        specs.indices.problems =
-            add(LayerRole::problems, "Problems",
-                "Places at which outlines stood in the way of a surface, and what became of them, from ",
-                field_specs(problem_attributes(), vertical_unit), false);
-        specs.layers.back().points = true;
-        specs.layers.back().with_z = false;
-    }
-    return specs;
-}
-
-void write_features(const FeatureInput& input, const RecordBuilder& records, FeatureSink& sink,
-                    Context& context) {
-    constexpr std::size_t chunk_size = 64;  // contours per task
+std::optional<DrawnStack> write_features(const FeatureInput& input, const RecordBuilder& records,
+                                         FeatureSink& sink, Context& context) {
     FeatureWriter writer(input, records, sink, context);
     writer.begin();
     AssignedIds numbers;
-    const std::size_t count = input.contours.size();
-    context.threads->in_order(
-        (count + chunk_size - 1) / chunk_size,
-        [&](std::size_t k, std::size_t thread) {
-            std::vector<DrawnContour> drawn;
-            for (std::size_t i = k * chunk_size; i < std::min(count, (k + 1) * chunk_size); ++i)
-                drawn.push_back(writer.drawer().draw(i, thread));
-            return drawn;
-        },
-        [&](std::size_t k, std::vector<DrawnContour> drawn) {
-            for (std::size_t i = 0; i < drawn.size(); ++i)
-                writer.add(numbers, k * chunk_size + i, std::move(drawn[i]));
-            context.progress(static_cast<double>(k * chunk_size) / static_cast<double>(count));
-        });
-    writer.finish();
+    writer.drawer().draw_all([&](std::size_t i, DrawnContour&& drawn) {
+        writer.add(numbers, i, std::move(drawn));
+        if (i % contours_per_task == 0)
+            context.progress(static_cast<double>(i) / static_cast<double>(input.contours.size()));
+    });
+    return writer.finish();
 }
 
 namespace {
@@ -101,8 +48,7 @@ constexpr double contour_label_scale = 1000;
 
 /// Returns metres per map unit; 1 if map units are angles, because 3D views do not support these.
 double map_metres(const FeatureInput& input) {
-    const bool as_read = input.target_crs.kind() == Crs::Kind::none;
-    const auto unit = (as_read ? input.crs : input.target_crs).horizontal_unit();
+    const auto unit = input.setup.written().horizontal_unit();
     return unit && unit->metres > 0 ? unit->metres : 1;
 }
 
@@ -148,15 +94,16 @@ LayerStyle contour_style(bool disjoint) {
 }
 
 void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, double vertical_metres) {
-    const LayerIndices& indices = input.layers.indices;
+    const LayerIndices& indices = input.setup.layers.indices;
     if (indices.buildings) {
-        LayerStyle& style = layers[*indices.buildings].style = building_style(input.plan.asked.write.fields);
+        LayerStyle& style = layers[*indices.buildings].style =
+            building_style(input.setup.plan.asked.write.fields);
         // Only without contours, because a block and the stack inside it would overlap.
         if (!indices.contours)
             style.bottom = "ground";
     }
     if (indices.contours)
-        layers[*indices.contours].style = contour_style(input.plan.asked.outline.disjoint);
+        layers[*indices.contours].style = contour_style(input.setup.plan.asked.outline.disjoint);
     if (indices.doubtful)
         layers[*indices.doubtful].style = reason_style("May be buildings", "doubt", building_label_scale);
     if (indices.rejected)

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,16 +9,13 @@
 #include <vector>
 
 #include "contours/contour_archive.hpp"
-#include "core/crs.hpp"
-#include "core/georeference.hpp"
 #include "dem2buildings/parcel_source.hpp"
 #include "dem2buildings/records.hpp"
-#include "dem2buildings/sinks.hpp"
 #include "dem2buildings/spool.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/record_builder.hpp"
+#include "features/run_setup.hpp"
 #include "geometry/geos.hpp"
-#include "options/run_plan.hpp"
 #include "outline/outline.hpp"
 
 namespace d2b {
@@ -39,51 +35,17 @@ class BuildingRecords {
     std::vector<SpoolEntry> entries_;  ///< by building; empty for a building without outline
 };
 
-/// Index of each layer in the list of layers; nullopt if it is not written.
-struct LayerIndices {
-    std::optional<std::size_t> buildings;
-    std::optional<std::size_t> contours;
-    std::optional<std::size_t> doubtful;
-    std::optional<std::size_t> rejected;
-    std::optional<std::size_t> problems;
-
-    [[nodiscard]] std::optional<std::size_t> building_layer(bool is_low_confidence) const {
-        return is_low_confidence ? doubtful : buildings;
-    }
-};
-
-/// Layers of a run in the order of writing, without styles.
-struct LayerSpecs {
-    std::vector<LayerSpec> layers;
-    LayerIndices indices;
-};
-
-/// @param source name of the DEM @param vertical_unit its name
-/// @param sink gives the names of the layers in the destination
-[[nodiscard]] LayerSpecs layer_specs(const RunPlan& plan, const std::string& source,
-                                     const std::string& vertical_unit, const FeatureSink& sink);
-
-/// Input for drawing and writing the features of a run.
+/// Contours of a run with their outlines, and what is needed to draw and write their features.
 struct FeatureInput {
-    const RunPlan& plan;
-    const Georeference& georeference;
-    const Crs& crs;
-    const Crs& target_crs;  ///< kind none: the CRS of the DEM
+    const RunSetup& setup;
     const StoredContours& contours;
     const Outliner& outliner;
-    const LayerSpecs& layers;  ///< without styles
-    Provenance provenance;
-    Window window;
-    Label buildings;     ///< labels above are low-confidence candidates
-    double cell_size_m;  ///< side of a square with the area of a cell
+    Label buildings;  ///< labels above are low-confidence candidates
     FixedPoint fixed;
-    /// Measures the stack error, which reads the elevations again.
-    std::function<StackError(const DrawnStack&)> stack_error;
     ParcelSource* parcels = nullptr;  ///< gives the names of parcels
-    BuildingRecords* building_records =
-        nullptr;  ///< receives the records of all buildings, even of those not written
-    /// Same for stacks truncated at level 1, 2, ...; empty if not asked for.
-    std::function<std::vector<StackError>(const DrawnStack&, std::int32_t levels)> stack_errors_by_level = {};
+    /// Receives the records of all buildings, even of those not written.
+    BuildingRecords* building_records = nullptr;
+    bool with_cuts = false;  ///< true to report the errors of the stacks truncated at level 1, 2, ...
 
     [[nodiscard]] bool is_low_confidence(std::size_t contour) const {
         return contours.head(contour).label > buildings;
@@ -92,9 +54,9 @@ struct FeatureInput {
 
 /// Draws, reprojects, validates and measures every outline and writes it with its attributes, in the order of
 /// contours. Updates the report. Does not finish the sink.
-/// @param records of the same contours @throws Error
-void write_features(const FeatureInput& input, const RecordBuilder& records, FeatureSink& sink,
-                    Context& context);
+/// @param records of the same contours @return see FeatureWriter::finish() @throws Error
+std::optional<DrawnStack> write_features(const FeatureInput& input, const RecordBuilder& records,
+                                         FeatureSink& sink, Context& context);
 
 /// Styles of buildings and contours without the placement of 3D blocks. @param disjoint true if contours are
 /// bands

@@ -103,7 +103,7 @@ class SurfaceWriter {
     /// False if outlines are flow-ready, because levelled roofs may change volumes by more.
     [[nodiscard]] bool fits_volumes() const {
         return input_.of == SurfaceOf::buildings && input_.roof == SurfaceRoof::mean &&
-               !input_.features.plan.asked.outline.is_flow_ready();
+               !input_.features.setup.plan.asked.outline.is_flow_ready();
     }
     [[nodiscard]] bool has_closed() const { return forms_.solids || forms_.shell; }
     [[nodiscard]] const char* whole() const { return has_closed() ? "surface" : "page"; }
@@ -128,17 +128,17 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
         (sink->form() == SurfaceForm::solids  ? forms_.solids
          : sink->form() == SurfaceForm::shell ? forms_.shell
                                               : has_tiers_) = true;
-    const FeatureInput& features = input.features;
+    const RunSetup& setup = input.features.setup;
     const SurfaceFrame& frame = input.lattice.frame();
-    forms_.move_steps = std::llround(features.plan.asked.outline.shortest_wall() /
+    forms_.move_steps = std::llround(setup.plan.asked.outline.shortest_wall() /
                                      (std::min(frame.scale[0], frame.scale[1]) * frame.horizontal_metres));
     forms_.gaps = input.lattice.gaps();
     for (int thread = 0; thread < context.threads->threads(); ++thread)
-        workers_.push_back({output_transform(features.crs, features.target_crs, features.georeference,
-                                             features.window, context.threads->stop()),
+        workers_.push_back({output_transform(setup.crs, setup.target, setup.georeference, setup.dem.window,
+                                             context.threads->stop()),
                             Geos(context.threads->stop())});
     min_step_ =
-        std::llround(features.plan.asked.outline.shortest_wall() / (frame.scale[2] * frame.vertical_metres));
+        std::llround(setup.plan.asked.outline.shortest_wall() / (frame.scale[2] * frame.vertical_metres));
     report_.origin = input.lattice.frame().origin;
 }
 
@@ -161,7 +161,7 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWor
     result.steps_changed = std::ssize(steps) - result.steps_left;
     if (moved || result.steps_changed > 0)
         result.made = made_of(drawn.cluster);
-    const auto attributes = building_attributes(input_.features.plan.asked.detect.is_split_by());
+    const auto attributes = building_attributes(input_.features.setup.plan.asked.detect.is_split_by());
     fill_values(drawn.buildings, attributes, result.made.solids);
     fill_values(drawn.buildings, attributes, result.made.shell);
     result.lost = std::move(drawn.lost);
@@ -181,7 +181,7 @@ void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceWork
     input.of = SurfaceOf::contours;
     DrawnCluster drawn = draw_cluster(input, group, worker.transform);
     result.tiers = building_tiers(drawn, input.roof, input.lattice);
-    fill_values(drawn.buildings, building_attributes(input_.features.plan.asked.detect.is_split_by()),
+    fill_values(drawn.buildings, building_attributes(input_.features.setup.plan.asked.detect.is_split_by()),
                 result.tiers);
     if (!has_closed())
         result.lost = std::move(drawn.lost);
@@ -278,7 +278,8 @@ SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, con
 
 void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<SurfaceSink* const> sinks,
                     Context& context) {
-    meta.provenance.metadata = strip_folders(input.features.provenance.metadata, input.features.plan.asked);
+    meta.provenance.metadata = strip_folders(make_provenance(input.features.setup, context.report).metadata,
+                                             input.features.setup.plan.asked);
     for (SurfaceSink* sink : sinks)
         sink->begin(meta);
     const auto groups = input.features.outliner.groups(context.threads->stop());

@@ -21,19 +21,24 @@ StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed, Eleva
     return error;
 }
 
-std::vector<StackError> measure_cuts(const DrawnStack& stack, std::int32_t levels, const FixedPoint& fixed,
-                                     ElevationReader& reader) {
-    std::vector<StackError> errors(static_cast<std::size_t>(levels));
+void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
+                         RunReport& report) {
+    const double metres = report.units.vertical_metres;
+    report.stack_rmse_m = measure_stack(stack, fixed, reader).rms(fixed) * metres;
+    if (report.cuts.empty())
+        return;
+    std::vector<StackError> errors(report.cuts.size());
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::attributes);
-            return stack.errors_by_level(band, fixed, levels);
+            return stack.errors_by_level(band, fixed, static_cast<std::int32_t>(errors.size()));
         },
         [&](const ElevationBand&, const std::vector<StackError>& of_band) {
             for (std::size_t i = 0; i < errors.size(); ++i)
                 errors[i].merge(of_band[i]);
         });
-    return errors;
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        report.cuts[i].rmse_m = errors[i].rms(fixed) * metres;
 }
 
 namespace {

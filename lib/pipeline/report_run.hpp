@@ -21,9 +21,9 @@ namespace d2b {
 [[nodiscard]] StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed,
                                        ElevationReader& reader);
 
-/// Same for each of the stacks that end at level 1, 2, ... @param levels number of levels
-[[nodiscard]] std::vector<StackError> measure_cuts(const DrawnStack& stack, std::int32_t levels,
-                                                   const FixedPoint& fixed, ElevationReader& reader);
+/// Measures the errors of the stack as drawn, which replace those of the contours as traced in the report.
+void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
+                         RunReport& report);
 
 /// Returns the warnings of all sinks since the last call.
 [[nodiscard]] std::vector<std::string> take_warnings(const Sinks& sinks);

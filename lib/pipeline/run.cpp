@@ -153,13 +153,16 @@ struct FurtherOutputs {
 };
 
 /// Draws the contours and writes them to the sinks.
-void write_result(const FeatureInput& input, const RecordBuilder& records, const RunSetup& setup,
+void write_result(const FeatureInput& input, const RecordBuilder& records, ElevationReader& reader,
                   const Sinks& sinks, const FurtherOutputs& further, Context& context) {
+    const RunSetup& setup = input.setup;
     const Milestones& at = milestones(setup.plan);
     const SurfaceLattice* const lattice = further.lattice;
     const double written = lattice != nullptr ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
-    with_progress(context, at.traced, written,
-                  [&] { write_features(input, records, sinks.features, context); });
+    const std::optional<DrawnStack> stack = with_progress(
+        context, at.traced, written, [&] { return write_features(input, records, sinks.features, context); });
+    if (stack)
+        report_stack_errors(*stack, input.fixed, reader, context.report);
     ProblemLayer problems(setup.layers.indices.problems);
     const WriteOptions& write = setup.plan.asked.write;
     if (write.problems)
@@ -213,15 +216,15 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     std::optional<BuildingRecords> building_records;
     if (lattice)
         building_records.emplace(context.make_spool());
-    FeatureInput input = feature_input(
-        setup, {*contours, outliner, last_building, frame.fixed, sources.parcels}, report,
-        [&](const DrawnStack& stack) { return measure_stack(stack, frame.fixed, reader); },
-        building_records ? &*building_records : nullptr);
-    if (has_tiers(sinks))
-        input.stack_errors_by_level = [&](const DrawnStack& stack, std::int32_t levels) {
-            return measure_cuts(stack, levels, frame.fixed, reader);
-        };
-    write_result(input, records, setup, sinks, {flow, lattice ? &*lattice : nullptr}, context);
+    const FeatureInput input{setup,
+                             *contours,
+                             outliner,
+                             last_building,
+                             frame.fixed,
+                             sources.parcels,
+                             building_records ? &*building_records : nullptr,
+                             has_tiers(sinks)};
+    write_result(input, records, reader, sinks, {flow, lattice ? &*lattice : nullptr}, context);
     prepare_sinks(sinks, commit, context);
 }
 

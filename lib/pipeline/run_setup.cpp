@@ -14,73 +14,15 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/report.hpp"
 #include "dem2buildings/sinks.hpp"
-#include "dem2buildings/version.hpp"
 #include "diagnose/warnings.hpp"
-#include "features/contour_drawer.hpp"
 #include "features/reprojection.hpp"
 #include "features/write_surfaces.hpp"
 #include "options/option_checks.hpp"
-#include "options/option_table.hpp"
 #include "options/provenance_text.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
 
 namespace d2b {
-
-/// Describes the origin of a dataset: source, options that reproduce it, decided values, thresholds, units
-/// and version. Contains nothing that changes from run to run.
-[[nodiscard]] Provenance make_provenance(const RunPlan& plan, const DemInfo& info, const Crs& crs,
-                                         const Crs& target, const RunReport& report);
-
-namespace {
-
-std::string thresholds_of(const RunReport& report) {
-    std::string text;
-    for (const LevelReport& level : report.levels)
-        if (level.level > 0 && std::isfinite(level.threshold))
-            text += (text.empty() ? "" : " ") + number_text(level.threshold);
-    return text;
-}
-
-/// Returns the decided values of the options that shape the result, by the names in their rows.
-std::map<std::string, std::string> decisions(const RunPlan& plan) {
-    const Request resolved{plan.resolved(), {}};
-    std::map<std::string, std::string> items;
-    for (const OptionRow& row : option_table())
-        if (!row.item.empty() && has_effect(row, resolved))
-            items.emplace("D2B_" + row.item, row.show(resolved));
-    return items;
-}
-
-}  // namespace
-
-Provenance make_provenance(const RunPlan& plan, const DemInfo& info, const Crs& crs, const Crs& target,
-                           const RunReport& report) {
-    Provenance provenance;
-    provenance.crs_wkt = target.kind() == Crs::Kind::none ? crs.wkt() : target.wkt();
-    // A layer must not mix vertical units, or stacked with disjoint contours, because its fields would lose
-    // their meaning.
-    provenance.binding = {"D2B_VERTICAL_UNIT", "D2B_CONTOURS"};
-    provenance.metadata = {
-        {"D2B_VERSION", std::string(version)},
-        {"D2B_SOURCE", info.name},
-        {"D2B_OPTIONS", reproducing_arguments(plan.asked)},
-        {"D2B_CONTOURS", plan.asked.outline.disjoint ? "disjoint" : "stacked"},
-        {"D2B_THRESHOLDS", thresholds_of(report)},
-        {"D2B_MINIMUM", number_text(report.minimum)},
-        {"D2B_MAXIMUM", number_text(report.maximum)},
-        {"D2B_VERTICAL_UNIT", report.units.vertical},
-        {"D2B_VERTICAL_UNIT_FROM", report.units.vertical_decided_by},
-        {"D2B_HORIZONTAL_UNIT", report.units.horizontal},
-        {"D2B_HORIZONTAL_UNIT_FROM", report.units.horizontal_decided_by},
-        {"D2B_AREAS", report.units.areas},
-    };
-    provenance.metadata.merge(decisions(plan));
-    std::erase_if(provenance.metadata, [](const auto& item) { return item.second.empty(); });
-    for (auto& [name, value] : provenance.metadata)
-        value = utf8_text(value);
-    return provenance;
-}
 
 namespace {
 
@@ -168,51 +110,19 @@ RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
     const Crs target = target_crs(options, crs);
     RunReport& report = context.report;
     describe(dem, plan, crs, target, report);
-    const Georeference georeference(dem.transform, plan.trace);
+    RunSetup setup{plan, dem, crs, target, Georeference(dem.transform, plan.trace), {}, {}, {}};
     const Position middle = require_projectable(dem, plan, crs, target);
-    const LayerSpecs layers = layer_specs(plan, report.input, report.units.vertical, sink);
+    setup.layers = layer_specs(plan, report.input, report.units.vertical, sink);
     require_crs(options, crs, target, middle, sink);
-    sink.preflight(layers.layers, make_provenance(plan, dem, crs, target, report), middle);
-    const SquareArea area =
-        make_square_area(georeference, crs, lattice_frame({0, 0, dem.rows, dem.cols}, plan.trace));
-    const CellSize cell = plan.detects_buildings() ? cell_steps(dem.window, georeference, crs) : CellSize{};
-    if (plan.detects_buildings())
-        require_memory(plan, dem.window, cell, context);
-    RunSetup setup{plan, dem, crs, target, georeference, area, cell, layers};
+    sink.preflight(setup.layers.layers, make_provenance(setup, report), middle);
+    setup.area =
+        make_square_area(setup.georeference, crs, lattice_frame({0, 0, dem.rows, dem.cols}, plan.trace));
+    if (plan.detects_buildings()) {
+        setup.cell = cell_steps(dem.window, setup.georeference, crs);
+        require_memory(plan, dem.window, setup.cell, context);
+    }
     warn_of_scale(setup, context);
     return setup;
-}
-
-FeatureInput feature_input(const RunSetup& setup, const DrawingInput& drawing, const RunReport& report,
-                           std::function<StackError(const DrawnStack&)> stack_error,
-                           BuildingRecords* building_records) {
-    return {setup.plan,
-            setup.georeference,
-            setup.crs,
-            setup.target,
-            drawing.contours,
-            drawing.outliner,
-            setup.layers,
-            make_provenance(setup.plan, setup.dem, setup.crs, setup.target, report),
-            setup.dem.window,
-            drawing.buildings,
-            setup.cell_m(),
-            drawing.fixed,
-            std::move(stack_error),
-            drawing.parcels,
-            building_records};
-}
-
-OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunSetup& setup,
-                                            Context& context) {
-    const StageClock clock(context.report, Stage::outline);
-    return outline_dependencies_of(contours, setup.plan, setup.georeference, setup.crs, setup.target,
-                                   setup.dem.window, setup.cell_m(), context.threads->stop());
-}
-
-Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context) {
-    return draw_outlines(contours, setup.plan, setup.georeference, setup.crs, setup.target, setup.dem.window,
-                         setup.cell_m(), context);
 }
 
 namespace {

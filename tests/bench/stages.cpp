@@ -8,9 +8,9 @@
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/run.hpp"
 #include "detect/detection.hpp"
-#include "features/contour_drawer.hpp"
 #include "features/record_builder.hpp"
 #include "ground/ground.hpp"
+#include "outline/outline.hpp"
 #include "prepared_run.hpp"
 #include "support/memory_io.hpp"
 
@@ -85,8 +85,9 @@ void outline(State& state, PreparedRun& run) {
     Context context;
     const OutlineRules rules{run.decided.walls, run.decided.wall_tolerance(0), 0, 0, false};
     for ([[maybe_unused]] auto _ : state) {
-        const Outliner outliner = make_outliner(*run.contours, rules, run.georeference, run.crs,
-                                                run.source->info().window, context);
+        const Outliner outliner(*run.contours, choose_outline_method(rules, run.georeference), rules,
+                                run.georeference,
+                                x_stretch(run.georeference, run.crs, run.source->info().window), context);
         for (std::size_t i = 0; i < run.contours->size(); ++i)
             benchmark::DoNotOptimize(outliner.outline(i));
     }

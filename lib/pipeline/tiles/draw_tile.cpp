@@ -246,30 +246,18 @@ DividedContours TileDrawing::divide(const StoredContours& contours) {
 
 void TileDrawing::draw_whole(const StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
                              DrawnBlocks& blocks) {
-    constexpr std::size_t chunk_size = 64;  // contours per task
     const RunSetup& setup = run_.setup();
     const RecordBuilder records(contours, {tiers_.plan, fixed_, found.footprints, run_.metres(),
                                            lattice_frame(run_.window(), setup.plan.trace)});
     const Outliner outliner = draw_outlines(contours, setup, context_);
-    const FeatureInput input =
-        feature_input(setup, {contours, outliner, found.buildings, fixed_}, context_.report, {});
+    const FeatureInput input{setup, contours, outliner, found.buildings, fixed_};
     ContourDrawer drawer(input, records, context_);
     DrawnStack stack(context_.make_spool(), joined_.window);
-    context_.threads->in_order((contours.size() + chunk_size - 1) / chunk_size,
-                               [&](std::size_t k, std::size_t thread) {
-                                   std::vector<DrawnContour> all;
-                                   for (std::size_t i = k * chunk_size;
-                                        i < std::min(contours.size(), (k + 1) * chunk_size); ++i)
-                                       all.push_back(drawer.draw(i, thread));
-                                   return all;
-                               },
-                               [&](std::size_t, const std::vector<DrawnContour>& all) {
-                                   for (const DrawnContour& one : all) {
-                                       if (drawer.returns_cells())
-                                           add_to_stack(one, setup.layers.indices, stack);
-                                       blocks.add(one);
-                                   }
-                               });
+    drawer.draw_all([&](std::size_t, const DrawnContour& contour) {
+        if (drawer.returns_cells())
+            add_to_stack(contour, setup.layers.indices, stack);
+        blocks.add(contour);
+    });
     blocks.finish();
     for (PolygonMaker& maker : drawer.makers())
         context_.report.merge(maker.tally());

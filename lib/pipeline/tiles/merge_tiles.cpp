@@ -242,34 +242,27 @@ namespace {
 /// @return the ids of the contours that each tile has drawn
 TileIds write_all(const FeatureInput& input, const RecordBuilder& records, DrawnTiles& drawn,
                   FeatureSink& sink, IdCollectorSink* parts, Context& context) {
-    constexpr std::size_t chunk_size = 64;  // contours per task
     FeatureWriter writer(input, records, sink, context);
     writer.begin();
     DrawnStreamMerger sequence(drawn.streams, writer, parts, context.make_spool());
     AssignedIds numbers;
-    const std::size_t count = input.contours.size();
-    context.threads->in_order(
-        (count + chunk_size - 1) / chunk_size,
-        [&](std::size_t k, std::size_t thread) {
-            std::vector<DrawnContour> all;
-            for (std::size_t i = k * chunk_size; i < std::min(count, (k + 1) * chunk_size); ++i)
-                all.push_back(writer.drawer().draw(i, thread));
-            return all;
-        },
-        [&](std::size_t k, std::vector<DrawnContour> all) {
-            for (std::size_t i = 0; i < all.size(); ++i) {
-                sequence.write_before(all[i].key);
-                writer.assign_ids(numbers, all[i]);
-                if (parts != nullptr) {
-                    parts->set_tile(drawn.tiles[input.contours.head(k * chunk_size + i).label]);
-                    parts->add_deferred(all[i]);
-                }
-                writer.add_with_ids(numbers, k * chunk_size + i, std::move(all[i]));
-            }
-            context.progress(static_cast<double>(k * chunk_size) / static_cast<double>(count));
-        });
+    writer.drawer().draw_all([&](std::size_t i, DrawnContour&& contour) {
+        sequence.write_before(contour.key);
+        writer.assign_ids(numbers, contour);
+        if (parts != nullptr) {
+            parts->set_tile(drawn.tiles[input.contours.head(i).label]);
+            parts->add_deferred(contour);
+        }
+        writer.add_with_ids(numbers, i, std::move(contour));
+        if (i % contours_per_task == 0)
+            context.progress(static_cast<double>(i) / static_cast<double>(input.contours.size()));
+    });
     sequence.write_before({});
-    writer.finish();
+    if (const std::optional<DrawnStack> stack = writer.finish()) {
+        StackError error = drawn.elevations.error(*stack, input.setup.dem.window, input.fixed);
+        error.merge(drawn.error);
+        context.report.stack_rmse_m = error.rms(input.fixed) * context.report.units.vertical_metres;
+    }
     return std::move(sequence.numbers());
 }
 
@@ -325,13 +318,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
     warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &facts.scene,
                    run.sources().terrain, context);
     const Outliner outliner = draw_outlines(*drawn.left, setup, context);
-    const FeatureInput input =
-        feature_input(setup, {*drawn.left, outliner, drawn.sure, fixed, run.sources().parcels}, report,
-                      [&](const DrawnStack& stack) {
-                          StackError error = drawn.elevations.error(stack, run.window(), fixed);
-                          error.merge(drawn.error);
-                          return error;
-                      });
+    const FeatureInput input{setup, *drawn.left, outliner, drawn.sure, fixed, run.sources().parcels};
     const TileIds numbers = write_all(input, records, drawn, features, parts, context);
     prepare_sinks({features}, commit, context);
     if (parts != nullptr) {

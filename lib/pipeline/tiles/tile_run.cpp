@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "elevations/filter_invalid.hpp"
+#include "features/contour_drawer.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/run_setup.hpp"
 

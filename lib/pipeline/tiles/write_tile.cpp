@@ -99,8 +99,7 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     const RecordBuilder records(
         *none, {plan, fixed, footprints, run.metres(), lattice_frame(run.window(), setup.plan.trace)});
     const Outliner outliner = draw_outlines(*none, setup, context);
-    const FeatureInput input =
-        feature_input(setup, {*none, outliner, 0, fixed, run.sources().parcels}, context.report, {});
+    const FeatureInput input{setup, *none, outliner, 0, fixed, run.sources().parcels};
     FeatureWriter writer(input, records, features, context);
     writer.begin();
     write_features(run, tile, writer);
