@@ -194,23 +194,25 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
 
     std::optional<SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
     ElevationReader reader(sources.dem, context, size.bands);
-    auto [statistics, tiers, found] =
+    SearchResult search =
         search_levels(reader, setup, sources, sinks, size.units, lattice ? &*lattice : nullptr, context);
-    const LevelPlan& plan = tiers.plan;
-    const TraceFrame frame{info.window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    const LevelImage image{plan, found ? &*found : nullptr, tiers.clean ? &*tiers.clean : nullptr};
+    const LevelPlan& plan = search.tiers.plan;
+    FoundBuildings* const found = search.found ? &*search.found : nullptr;
+    const TraceFrame frame{info.window, plan.level_count(), search.statistics.fixed_point(),
+                           search.statistics.range()};
     const auto contours = with_progress(context, milestones(decided).found, milestones(decided).traced, [&] {
-        return trace_contours(reader, frame, image, decided, setup.area, metres, context);
+        return trace_contours(reader, frame, search.tiers, found, setup, context);
     });
 
     pass_warnings(sources, sinks, context);
-    const std::vector<Footprint> footprints = found ? std::move(found->footprints) : std::vector<Footprint>();
+    const std::vector<Footprint> footprints =
+        found != nullptr ? std::move(found->footprints) : std::vector<Footprint>();
     const RecordBuilder records(
         *contours, {plan, frame.fixed, footprints, metres, lattice_frame(info.window, decided.trace)});
     report_levels(plan, plan.level_count(), report);
-    const Label last_building = found ? found->buildings : std::numeric_limits<Label>::max();
-    warn_of_result(setup, plan, buildings_up_to(last_building, *contours), found ? &found->scene : nullptr,
-                   sources.terrain, context);
+    const Label last_building = found != nullptr ? found->buildings : std::numeric_limits<Label>::max();
+    warn_of_result(setup, plan, buildings_up_to(last_building, *contours),
+                   found != nullptr ? &found->scene : nullptr, sources.terrain, context);
     Outliner outliner = draw_outlines(*contours, setup, context);
     const std::vector<FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
     std::optional<BuildingRecords> building_records;

@@ -55,13 +55,14 @@ namespace {
 
 struct BandTracing {
     const TraceFrame& frame;
-    const LevelImage& image;
+    const Tiers& tiers;
+    const FoundBuildings* found;  ///< null if all points bear one label
     TraceMode mode;
 };
 
 LabelBand labels_of(const ElevationBand& band, const BandTracing& tracing) {
     Context none;
-    const FoundBuildings* found = tracing.image.found;
+    const FoundBuildings* found = tracing.found;
     return found == nullptr ? detect_one_label(band, none) : found->band(band.shape);
 }
 
@@ -83,9 +84,9 @@ PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevatio
                             const BandTracing& tracing) {
     PointRows<Count> rows;
     rows.labels = labels_of(*elevations, tracing);
-    rows.levels = quantise<Count>(*elevations, rows.labels, tracing.image.plan);
-    if (tracing.image.clean != nullptr)
-        take_clean_levels(*tracing.image.clean, rows.labels, tracing.image.plan, rows.levels);
+    rows.levels = quantise<Count>(*elevations, rows.labels, tracing.tiers.plan);
+    if (tracing.tiers.clean)
+        take_clean_levels(*tracing.tiers.clean, rows.labels, tracing.tiers.plan, rows.levels);
     rows.elevations = elevations;
     return rows;
 }
@@ -131,28 +132,29 @@ void trace_into(ContourArchive& store, ElevationReader& reader, const BandTracin
         });
 }
 
-/// Creates the store of finished contours. @param found null if all points bear one label @param metres per
-/// vertical unit
-ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunPlan& plan,
-                             const SquareArea& area, double metres, Context& context) {
+ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunSetup& setup,
+                             Context& context) {
+    const RunPlan& plan = setup.plan;
     const NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2, plan.detects_buildings()};
     // Detected footprints do not stand on other contours.
     HeightRules heights;
     if (found != nullptr)
-        heights = {plan.asked.detect.min_building_height, found->ground, metres};
-    return {{noise, area, frame.range, frame.fixed, found == nullptr, plan.asked.write.rejected, heights},
-            context.make_spool(),
-            context};
+        heights = {plan.asked.detect.min_building_height, found->ground,
+                   context.report.units.vertical_metres};
+    return {
+        {noise, setup.area, frame.range, frame.fixed, found == nullptr, plan.asked.write.rejected, heights},
+        context.make_spool(),
+        context};
 }
 
 }  // namespace
 
 std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                               const LevelImage& image, const RunPlan& plan,
-                                               const SquareArea& area, double metres, Context& context) {
-    ContourArchive store = contour_store(frame, image.found, plan, area, metres, context);
-    const BandTracing tracing{frame, image, plan.trace};
-    if (image.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
+                                               const Tiers& tiers, const FoundBuildings* found,
+                                               const RunSetup& setup, Context& context) {
+    ContourArchive store = contour_store(frame, found, setup, context);
+    const BandTracing tracing{frame, tiers, found, setup.plan.trace};
+    if (tiers.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
         trace_into<std::uint8_t>(store, reader, tracing, context);
     else
         trace_into<std::uint16_t>(store, reader, tracing, context);

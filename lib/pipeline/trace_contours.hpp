@@ -30,19 +30,11 @@ struct Tiers {
                                const RunSetup& setup, const FixedPoint& fixed, const LevelPlan& global,
                                Context& context);
 
-/// Level of each point of a DEM.
-struct LevelImage {
-    const LevelPlan& plan;
-    const FoundBuildings* found;  ///< buildings that the labels refer to; null if all points bear one label
-    const CleanRows* clean;       ///< simplified elevations of the buildings' points; null to use their own
-};
-
 /// Traces and filters the contours of all levels in one pass over the DEM.
-/// @param metres per vertical unit
+/// @param found buildings that the tiers refer to; null if all points bear one label
 /// @throws InputError, Cancelled, and spool errors
 [[nodiscard]] std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                                             const LevelImage& image, const RunPlan& plan,
-                                                             const SquareArea& area, double metres,
-                                                             Context& context);
+                                                             const Tiers& tiers, const FoundBuildings* found,
+                                                             const RunSetup& setup, Context& context);
 
 }  // namespace d2b

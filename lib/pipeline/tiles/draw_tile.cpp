@@ -302,9 +302,7 @@ DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
     tiers_ = plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
     const TraceFrame frame{joined_.window, tiers_.plan.level_count(), fixed_,
                            frame_.survey.statistics.range()};
-    const auto contours =
-        trace_contours(reader_, frame, {tiers_.plan, &buildings, tiers_.clean ? &*tiers_.clean : nullptr},
-                       setup.plan, setup.area, run_.metres(), context_);
+    const auto contours = trace_contours(reader_, frame, tiers_, &buildings, setup, context_);
     DrawnTile drawn;
     drawn.levels = tiers_.plan.level_count();
     drawn.buildings = static_cast<std::int64_t>(buildings_up_to(buildings.buildings, *contours));

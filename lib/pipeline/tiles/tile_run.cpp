@@ -88,10 +88,6 @@ Window bounding_window(const Window& a, const Window& b) {
     return {row, col, std::max(a.end_row(), b.end_row()) - row, std::max(a.end_col(), b.end_col()) - col};
 }
 
-bool meet(const Window& a, const Window& b) {
-    return a.row < b.end_row() && b.row < a.end_row() && a.col < b.end_col() && b.col < a.end_col();
-}
-
 Window expanded(const Window& window, std::int32_t rows, std::int32_t cols, const Window& within) {
     const std::int32_t row = window.row - std::min(rows, window.row - within.row);
     const std::int32_t col = window.col - std::min(cols, window.col - within.col);

@@ -54,8 +54,6 @@ class TileGrid {
 
 /// Returns the bounding window of both; if one is empty, the other one.
 [[nodiscard]] Window bounding_window(const Window& a, const Window& b);
-/// True if the windows intersect.
-[[nodiscard]] bool meet(const Window& a, const Window& b);
 /// Expands a window by rows and columns on each side, clipped to `within`.
 [[nodiscard]] Window expanded(const Window& window, std::int32_t rows, std::int32_t cols,
                               const Window& within);
