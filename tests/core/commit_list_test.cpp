@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 namespace {
@@ -44,12 +45,7 @@ class NotedResult final : public PendingResult {
 class CommitListTest : public testing::Test {
   protected:
     std::string refused(const std::function<void()>& tell = {}) {
-        try {
-            list_.publish(tell);
-        } catch (const OutputError& error) {
-            return error.what();
-        }
-        return "";
+        return error_of<OutputError>([&] { list_.publish(tell); });
     }
     Words notes_;
     CommitList list_;

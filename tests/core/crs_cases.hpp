@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dem2buildings/sinks.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 
@@ -20,16 +21,6 @@ inline const std::string wgs84_wkt1 =
     R"(UNIT["degree",0.0174532925199433]])";
 inline const std::string unknown_projection =
     R"(PROJCS["odd",)" + wgs84_wkt1 + R"(,PROJECTION["No_Such_Thing"],UNIT["metre",1]])";
-
-template <typename E, typename F>
-std::string message_of(F&& run) {
-    try {
-        run();
-    } catch (const E& error) {
-        return error.what();
-    }
-    return "nothing was thrown";
-}
 
 inline WorldRing rectangle(double x, double y, double width, double height) {
     return {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};

@@ -5,15 +5,6 @@
 namespace d2b {
 namespace {
 
-TEST(DisjointSets, BeginApart) {
-    DisjointSets sets(3);
-    EXPECT_EQ(sets.size(), 3U);
-    for (std::uint32_t i = 0; i < 3; ++i)
-        EXPECT_EQ(sets.find(i), i);
-    EXPECT_EQ(sets.add(), 3U);
-    EXPECT_EQ(sets.find(3), 3U);
-}
-
 TEST(DisjointSets, TheSmallestStandsForThoseThatAreJoined) {
     DisjointSets sets(8);
     EXPECT_EQ(sets.join(7, 5), 5U);

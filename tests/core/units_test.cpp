@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b {
 namespace {
@@ -24,69 +25,47 @@ TEST(Units, NamesAndNumbers) {
         EXPECT_FALSE(parse_length_unit(text)) << text;
 }
 
-// Each test takes the winner away: option, band, vertical CRS, horizontal unit, metres.
-TEST(Units, OptionWinsOverBand) {
-    const UnitReport report = resolve_units(with_band_unit("m"), Crs("EPSG:7415"), "us-ft");
-    EXPECT_EQ(report.vertical, "US survey foot");
-    EXPECT_EQ(report.vertical_decided_by, "-zunit");
-}
-
-TEST(Units, BandWinsOverTheCrs) {
-    const UnitReport report = resolve_units(with_band_unit("metre"), Crs("EPSG:2253"), "");
-    EXPECT_EQ(report.horizontal, "foot");
-    EXPECT_EQ(report.horizontal_metres, 0.3048);
-    EXPECT_EQ(report.vertical, "metre");
-    EXPECT_EQ(report.vertical_decided_by, "unit of the band");
-}
-
-TEST(Units, VerticalCrsWinsOverTheHorizontalUnit) {
-    // Michigan South in feet with NAVD88 heights in metres.
-    const UnitReport report = resolve_units(with_band_unit(""), Crs("EPSG:2253+5703"), "");
-    EXPECT_EQ(report.horizontal_metres, 0.3048);
-    EXPECT_EQ(report.vertical_metres, 1);
-    EXPECT_EQ(report.vertical_decided_by, "vertical CRS");
-}
-
-TEST(Units, HorizontalUnitIsNext) {
-    const UnitReport report = resolve_units(with_band_unit("unknown"), Crs("EPSG:2253"), "");
-    EXPECT_EQ(report.vertical_metres, 0.3048);
-    EXPECT_EQ(report.vertical_decided_by, "horizontal unit of the CRS");
-}
-
-TEST(Units, MetresAreTheLastResort) {
-    const UnitReport report = resolve_units(with_band_unit(""), Crs("EPSG:4326"), "");
-    EXPECT_EQ(report.horizontal, "degree");
-    EXPECT_EQ(report.vertical, "metre");
-    EXPECT_EQ(report.vertical_decided_by, "assumption");
-    EXPECT_EQ(report.areas, "geodesic");
-    EXPECT_EQ(resolve_units(with_band_unit(""), Crs(), "").areas, "planar");
-    EXPECT_EQ(resolve_units(with_band_unit(""), Crs(), "").horizontal, "unknown");
+/// Of the option, the unit of the band, the vertical CRS, the horizontal unit and metres the first that is
+/// known decides.
+TEST(Units, TheFirstSourceThatKnowsDecides) {
+    struct Case {
+        const char *option, *band, *crs, *vertical, *decided_by;
+    };
+    // 2253 is Michigan South in feet, 5703 are NAVD88 heights in metres.
+    for (const Case& c : {Case{"us-ft", "m", "EPSG:7415", "US survey foot", "-zunit"},
+                          Case{"", "metre", "EPSG:2253", "metre", "unit of the band"},
+                          Case{"", "", "EPSG:2253+5703", "metre", "vertical CRS"},
+                          Case{"", "unknown", "EPSG:2253", "foot", "horizontal unit of the CRS"},
+                          Case{"", "", "EPSG:4326", "metre", "assumption"}}) {
+        const UnitReport report = resolve_units(with_band_unit(c.band), Crs(c.crs), c.option);
+        EXPECT_EQ(report.vertical, c.vertical);
+        EXPECT_EQ(report.vertical_metres, parse_length_unit(c.vertical)->metres);
+        EXPECT_EQ(report.vertical_decided_by, c.decided_by);
+    }
+    EXPECT_EQ(resolve_units(with_band_unit(""), Crs("EPSG:2253+5703"), "").horizontal_metres, 0.3048);
+    const UnitReport degrees = resolve_units(with_band_unit(""), Crs("EPSG:4326"), "");
+    EXPECT_EQ(degrees.horizontal + " " + degrees.areas, "degree geodesic");
+    const UnitReport unknown = resolve_units(with_band_unit(""), Crs(), "");
+    EXPECT_EQ(unknown.horizontal + " " + unknown.areas, "unknown planar");
 }
 
 TEST(Units, WhatIsNoLengthIsRefusedUnlessTheOptionSaysWhatItIs) {
     for (const char* unit : {"K", "dBZ", "%", "furlong"}) {
         DemInfo info = with_band_unit(unit);
         info.name = "dem.tif";
-        try {
-            static_cast<void>(resolve_units(info, Crs("EPSG:25832"), ""));
-            FAIL();
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.what(),
-                      "The unit of 'dem.tif' is '" + std::string(unit) +
-                          "', which is no known unit of length; if the values are elevations, give "
-                          "their unit with -zunit, for example -zunit m.");
-        }
+        EXPECT_EQ(test::error_of<InputError>(
+                      [&] { static_cast<void>(resolve_units(info, Crs("EPSG:25832"), "")); }),
+                  "The unit of 'dem.tif' is '" + std::string(unit) +
+                      "', which is no known unit of length; if the values are elevations, give "
+                      "their unit with -zunit, for example -zunit m.");
         EXPECT_EQ(resolve_units(info, Crs("EPSG:25832"), "ft").vertical, "foot");
     }
 }
 
 TEST(Units, AnUnknownOptionIsAnError) {
-    try {
-        static_cast<void>(resolve_units(with_band_unit(""), Crs(), "cubit"));
-        FAIL();
-    } catch (const OptionError& error) {
-        EXPECT_STREQ(error.what(), "-zunit must be m, ft, us-ft or the metres in one unit, not 'cubit'.");
-    }
+    EXPECT_EQ(test::error_of<OptionError>(
+                  [&] { static_cast<void>(resolve_units(with_band_unit(""), Crs(), "cubit")); }),
+              "-zunit must be m, ft, us-ft or the metres in one unit, not 'cubit'.");
 }
 
 }  // namespace

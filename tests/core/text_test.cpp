@@ -1,11 +1,85 @@
-#include "core/number_from_chars.hpp"
+#include "core/text.hpp"
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/number_from_chars.hpp"
+
+namespace d2b {
+namespace {
+
+TEST(Hundredths, AreTheNumbersOfTwoDigits) {
+    EXPECT_EQ(round_to_hundredths(36.98765), 36.99);
+    EXPECT_EQ(round_to_hundredths(9.994999), 9.99);
+    EXPECT_EQ(round_to_hundredths(-0.126), -0.13);
+    EXPECT_EQ(round_to_hundredths(123456789.123), 123456789.12);
+    EXPECT_TRUE(std::isnan(round_to_hundredths(std::numeric_limits<double>::quiet_NaN())));
+}
+
+/// What a bound of two digits leaves out looks left out when it is written.
+TEST(Hundredths, OfAShareAreNotRoundedUp) {
+    EXPECT_EQ(floor_to_hundredths(0.4999), 0.49);
+    EXPECT_EQ(floor_to_hundredths(0.8999999), 0.89);
+    for (int i = 0; i <= 100; ++i)
+        EXPECT_EQ(floor_to_hundredths(i / 100.0), i / 100.0);
+    EXPECT_TRUE(std::isnan(floor_to_hundredths(std::numeric_limits<double>::quiet_NaN())));
+}
+
+}  // namespace
+}  // namespace d2b
+
+namespace d2b::test {
+namespace {
+
+/// As a report in JSON has it.
+std::string in_json(const std::string& bytes) {
+    const std::string quoted =
+        nlohmann::json(bytes).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return nlohmann::json::parse(quoted).get<std::string>();
+}
+
+TEST(Utf8Text, keepsWhatIsUtf8) {
+    for (const std::string& text :
+         std::vector<std::string>{"", "plain", "Geb\xC3\xA4ude", "\xE2\x82\xAC 5", "\xF0\x9F\x8F\xA0",
+                                  "\xEF\xBF\xBD", "\xED\x9F\xBF\xEE\x80\x80", "\xF4\x8F\xBF\xBF"})
+        EXPECT_EQ(utf8_text(text), text);
+    const std::string with_null("a\0b", 3);
+    EXPECT_EQ(utf8_text(with_null), with_null);
+}
+
+/// The examples of section 3.9 of the Unicode Standard (tables 3-8 to 3-11), which say how often U+FFFD is to
+/// stand.
+TEST(Utf8Text, replacesAsUnicodeAdvises) {
+    const std::string r = "\xEF\xBF\xBD";
+    EXPECT_EQ(utf8_text("Geb\xE4ude"), "Geb" + r + "ude");
+    EXPECT_EQ(utf8_text("\xC0\xAF\xE0\x80\xBF\xF0\x81\x82\x41"), r + r + r + r + r + r + r + r + "A");
+    EXPECT_EQ(utf8_text("\xED\xA0\x80\xED\xBF\xBF\xED\xAF\x41"), r + r + r + r + r + r + r + r + "A");
+    EXPECT_EQ(utf8_text("\xF4\x91\x92\x93\xFF\x41\x80\xBF\x42"), r + r + r + r + r + "A" + r + r + "B");
+    EXPECT_EQ(utf8_text("\xE1\x80\xE2\xF0\x91\x92\xF1\xBF\x41"), r + r + r + r + "A");
+    EXPECT_EQ(utf8_text("\xE2\x82"), r);  // the end of the text is the end of the character
+}
+
+TEST(Utf8Text, isWhatReportsInJsonHold) {
+    std::mt19937 random(36);
+    // Bytes at which something changes, so that many texts are nearly right.
+    const std::string bytes("a\x7F\x80\x8F\x90\x9F\xA0\xBF\xC1\xC2\xDF\xE0\xE1\xED\xEF\xF0\xF1\xF4\xF5\xFF");
+    for (int i = 0; i < 20000; ++i) {
+        std::string text;
+        for (std::size_t n = random() % 7; n > 0; --n)
+            text += bytes[random() % bytes.size()];
+        ASSERT_EQ(utf8_text(text), in_json(text)) << testing::PrintToString(text);
+    }
+}
+
+}  // namespace
+}  // namespace d2b::test
 
 namespace d2b {
 namespace {

@@ -1,11 +1,11 @@
+#include "core/invalid_elevations.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
 #include <gtest/gtest.h>
-
-#include "core/invalid_elevations.hpp"
 
 namespace d2b {
 namespace {
