@@ -104,20 +104,20 @@ TEST(UnitMerger, SliversAreLeftOut) {
 }
 
 /// A window of 40 x 30 cells at row 100 and column 7, in units of at most 15 cells a side that see it all.
-const Window window{100, 7, 40, 30};
-const UnitGrid units(window, {1, 1}, 0, {0, 15});
+const Window whole_window{100, 7, 40, 30};
+const UnitGrid unit_grid(whole_window, {1, 1}, 0, {0, 15});
 
 /// For each unit, in order.
 template <typename Use>
 void for_units(const Use& use) {
-    for (std::int32_t row = 0; row < units.rows(); ++row)
-        for (std::int32_t col = 0; col < units.cols(); ++col)
-            use(units.unit(row, col), col);
+    for (std::int32_t row = 0; row < unit_grid.rows(); ++row)
+        for (std::int32_t col = 0; col < unit_grid.cols(); ++col)
+            use(unit_grid.unit(row, col), col);
 }
 
 TEST(UnitSeams, AreComparedInBothDirections) {
-    ASSERT_EQ(units.rows(), 3);
-    ASSERT_EQ(units.cols(), 2);
+    ASSERT_EQ(unit_grid.rows(), 3);
+    ASSERT_EQ(unit_grid.cols(), 2);
     // Rows 113 and 126 and column 22 begin units. Of three objects one lies around the first corner, one
     // crosses the second of the horizontal seams, and one touches the vertical seam from the left.
     Grid<Label> scene(40, 30);
@@ -130,7 +130,7 @@ TEST(UnitSeams, AreComparedInBothDirections) {
     fill({20, 3, 10, 4}, 2);
     fill({30, 10, 5, 5}, 3);
     UnitMerger merger;
-    UnitSeams seams(units.cols());
+    UnitSeams seams(unit_grid.cols());
     for_units([&](const Unit& unit, std::int32_t col) {
         UnitEdges edges = edges_of(unit, scene);
         edges.add(merger.add(std::vector(3, seen(0.9, 10))));
@@ -157,10 +157,10 @@ TEST(LabelRows, ComeBackWithOtherNumbers) {
     for (std::size_t i = 0; i < scene.values.size(); ++i)
         scene.values[i] = static_cast<Label>(i * i / 7 % 5);
     number = {0, 7, 0, 9, 2};
-    LabelRows rows(std::make_unique<MemorySpool>(), window);
+    LabelRows rows(std::make_unique<MemorySpool>(), whole_window);
     Executor threads(2);
     for_units([&](const Unit& unit, std::int32_t) {
-        ASSERT_EQ(unit.seen, window);
+        ASSERT_EQ(unit.seen, whole_window);
         rows.append(unit, scene, threads);
     });
     rows.renumber(number);
