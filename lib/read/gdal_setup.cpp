@@ -4,7 +4,6 @@
 #include <cstdarg>
 #include <dlfcn.h>
 #include <iterator>
-#include <memory>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
@@ -12,6 +11,7 @@
 #include <gdal.h>
 
 #include "dem2buildings/error.hpp"
+#include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
 namespace d2b {
@@ -70,10 +70,7 @@ void set_config(const std::vector<std::string>& arguments) {
             CPLSetConfigOption(arguments[i + 1].c_str(), arguments[i + 2].c_str());
 }
 
-struct FreeArguments {
-    void operator()(char** list) const { CSLDestroy(list); }
-};
-using Arguments = std::unique_ptr<char*, FreeArguments>;
+using Arguments = GdalOwner<char**, CSLDestroy>;
 
 Arguments list_of(const std::vector<std::string>& arguments) {
     // Stands for the name of the program; only messages about --optfile use it.

@@ -219,10 +219,6 @@ bool can_copy_rows(const std::vector<MosaicRaster>& rasters, double nodata) {
     return are_disjoint(std::move(boxes));
 }
 
-struct MosaicOptionsRelease {
-    void operator()(GDALBuildVRTOptions* options) const { GDALBuildVRTOptionsFree(options); }
-};
-
 }  // namespace
 
 void build_mosaic(const std::string& path, const std::vector<std::string>& rasters, int band) {
@@ -243,7 +239,7 @@ void build_mosaic(const std::string& path, const std::vector<std::string>& raste
         }
     }
     const GdalMessages messages;
-    const std::unique_ptr<GDALBuildVRTOptions, MosaicOptionsRelease> options(
+    const GdalOwner<GDALBuildVRTOptions*, GDALBuildVRTOptionsFree> options(
         GDALBuildVRTOptionsNew(words.List(), nullptr));
     const StringList names(rasters);
     int wrong = FALSE;

@@ -199,10 +199,7 @@ namespace {
 constexpr double max_source_cells = 1 << 22;  // cells of the raster per part
 constexpr double tolerance = 1e-3;            // of positions, in cells of the DEM
 
-struct WarpOptionsRelease {
-    void operator()(GDALWarpOptions* options) const { GDALDestroyWarpOptions(options); }
-};
-using OptionsOwner = std::unique_ptr<GDALWarpOptions, WarpOptionsRelease>;
+using OptionsOwner = GdalOwner<GDALWarpOptions*, GDALDestroyWarpOptions>;
 
 /// Half the width of the bilinear kernel in cells of the raster. A whole number, because it reproduces a
 /// sloping plane exactly.

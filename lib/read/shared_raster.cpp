@@ -94,10 +94,7 @@ class ReaderPool final : public ConcurrentRaster {
 
 namespace {
 
-struct XmlRelease {
-    void operator()(CPLXMLNode* node) const { CPLDestroyXMLNode(node); }
-};
-using XmlOwner = std::unique_ptr<CPLXMLNode, XmlRelease>;
+using XmlOwner = GdalOwner<CPLXMLNode*, CPLDestroyXMLNode>;
 
 /// Parses the XML of a VRT. Returns null if the dataset is not a VRT or so large that a mosaic opened once is
 /// better.

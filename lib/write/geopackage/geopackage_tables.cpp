@@ -116,31 +116,27 @@ void GeopackageTables::metadata(const Provenance& provenance) const {
 void GeopackageTables::data_columns() const {
 #if GDAL_VERSION_NUM < GDAL_COMPUTE_VERSION(3, 7, 0)
     const char* doing = "describing the fields";
-    if (!has_table(dataset_, "gpkg_data_columns")) {
-        run_or_throw(
-            "CREATE TABLE gpkg_data_columns (table_name TEXT NOT NULL, column_name TEXT NOT NULL, name "
-            "TEXT, title TEXT, description TEXT, mime_type TEXT, constraint_name TEXT, CONSTRAINT pk_gdc "
-            "PRIMARY KEY (table_name, column_name), CONSTRAINT gdc_tn UNIQUE (table_name, name))",
-            doing);
+    const auto add_table = [&](const std::string& name, const char* columns) {
+        if (has_table(dataset_, name))
+            return;
+        run_or_throw("CREATE TABLE " + name + " (" + columns + ")", doing);
         run_or_throw(
             "INSERT INTO gpkg_extensions (table_name, column_name, extension_name, definition, scope) "
-            "VALUES ('gpkg_data_columns', NULL, 'gpkg_schema', "
-            "'http://www.geopackage.org/spec121/#extension_schema', 'read-write')",
+            "VALUES ('" +
+                name +
+                "', NULL, 'gpkg_schema', 'http://www.geopackage.org/spec121/#extension_schema', "
+                "'read-write')",
             doing);
-    }
-    if (!has_table(dataset_, "gpkg_data_column_constraints")) {
-        run_or_throw(
-            "CREATE TABLE gpkg_data_column_constraints (constraint_name TEXT NOT NULL, constraint_type TEXT "
-            "NOT NULL, value TEXT, min NUMERIC, min_is_inclusive BOOLEAN, max NUMERIC, max_is_inclusive "
-            "BOOLEAN, description TEXT, CONSTRAINT gdcc_ntv UNIQUE (constraint_name, constraint_type, "
-            "value))",
-            doing);
-        run_or_throw(
-            "INSERT INTO gpkg_extensions (table_name, column_name, extension_name, definition, scope) "
-            "VALUES ('gpkg_data_column_constraints', NULL, 'gpkg_schema', "
-            "'http://www.geopackage.org/spec121/#extension_schema', 'read-write')",
-            doing);
-    }
+    };
+    add_table(
+        "gpkg_data_columns",
+        "table_name TEXT NOT NULL, column_name TEXT NOT NULL, name TEXT, title TEXT, description TEXT, "
+        "mime_type TEXT, constraint_name TEXT, CONSTRAINT pk_gdc PRIMARY KEY (table_name, column_name), "
+        "CONSTRAINT gdc_tn UNIQUE (table_name, name)");
+    add_table("gpkg_data_column_constraints",
+              "constraint_name TEXT NOT NULL, constraint_type TEXT NOT NULL, value TEXT, min NUMERIC, "
+              "min_is_inclusive BOOLEAN, max NUMERIC, max_is_inclusive BOOLEAN, description TEXT, CONSTRAINT "
+              "gdcc_ntv UNIQUE (constraint_name, constraint_type, value)");
     run_or_throw("DELETE FROM gpkg_data_columns WHERE lower(table_name) = lower(" + table_ + ")", doing);
     std::string rows;
     for (std::size_t i = 0; i < layer_.columns.size(); ++i) {

@@ -24,11 +24,8 @@ constexpr std::size_t bytes_per_write = std::size_t{1} << 20;
 }  // namespace
 
 struct SurfaceFile::Impl {
-    struct Close {
-        void operator()(VSILFILE* of) const { VSIFCloseL(of); }
-    };
     StagedFile staged;
-    std::unique_ptr<VSILFILE, Close> file{};
+    GdalOwner<VSILFILE*, VSIFCloseL> file{};
     std::string buffer{};
 
     explicit Impl(FileDestination place) : staged(std::move(place)) {}
