@@ -46,8 +46,9 @@ OpenedSurface open_small(const AlignedGrid& surface, BlockSize factor, const Ope
     threads.for_each_with_scratch<OpenedPart>(tiles.size(), [&](std::size_t t, OpenedPart& part) {
         const Tile cells = cells_of(tiles[t], surface, result.blocks, factor);
         open_part(surface.grid, cells, series.steps, ElementShape::rectangle, part);
+        std::vector<float> opened(static_cast<std::size_t>(cells.cols));
         for (std::int32_t i = 0; i < cells.rows; ++i) {
-            const auto opened = part.row(part.surface, i);
+            part.write_row(i, opened.data());
             const auto limits = part.limits.row(i);
             const float* z = surface.grid.row(cells.row + i).data() + cells.col;
             float* out = result.surface.row(cells.row + i).data() + cells.col;

@@ -1,6 +1,7 @@
 #include "ground/progressive_opening.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -68,6 +69,43 @@ void set_limits(OpenedPart& part, const StructuringElement& step) {
         });
 }
 
+/// Same for whole steps. Converts to metres only chunks with a cell that may have been lowered by as much.
+D2B_MULTIVERSION void set_quantized_limits(OpenedPart& part, const StructuringElement& step) {
+    constexpr std::size_t piece = 64;
+    const QuantizedElevations& values = part.quantized;
+    std::array<float, piece> old{};
+    std::array<float, piece> now{};
+    for (std::int32_t i = 0; i < part.tile.rows; ++i) {
+        const auto before = part.row(values.surface, i);
+        const auto after = part.row(values.next, i);
+        const auto limits = part.limits.row(i);
+        for_column_ranges(part, step, i, [&](std::size_t begin, std::size_t end, float rise) {
+            const int least = values.guaranteed_steps(rise);
+            for (std::size_t first = begin; first < end; first += piece) {
+                const std::size_t n = std::min(piece, end - first);
+                int cut = 0;
+                for (std::size_t j = first; j < first + n; ++j)
+                    cut |= before[j] - after[j] > least ? 1 : 0;
+                if (cut == 0)
+                    continue;
+                values.to_metres(before.subspan(first, n), old.data());
+                values.to_metres(after.subspan(first, n), now.data());
+                lower_limits(limits.subspan(first, n), old.data(), now.data(), rise);
+            }
+        });
+    }
+}
+
+void open_quantized(OpenedPart& part, std::span<const StructuringElement> steps, ElementShape element) {
+    QuantizedElevations& values = part.quantized;
+    values.workspace.gaps = values.gaps;
+    for (const StructuringElement& step : steps) {
+        open(element, values.surface, step.radius, step.outside, values.workspace, values.next);
+        set_quantized_limits(part, step);
+        std::swap(values.surface, values.next);
+    }
+}
+
 void lower_row(std::span<const float> by, std::span<float> limits) {
     for (std::size_t j = 0; j < limits.size(); ++j)
         limits[j] = std::min(limits[j], by[j]);
@@ -103,7 +141,7 @@ MetreGrid open_grid(const MetreGrid& surface, std::span<const StructuringElement
                 const Tile& tile = tiles[t - before];
                 open_part(from, tile, now, element, part);
                 for (std::int32_t i = 0; i < tile.rows; ++i) {
-                    std::ranges::copy(part.row(part.surface, i), into.row(tile.row + i).begin() + tile.col);
+                    part.write_row(i, into.row(tile.row + i).data() + tile.col);
                     const auto lowered = part.limits.row(i);
                     const auto here =
                         limits.row(tile.row + i).subspan(static_cast<std::size_t>(tile.col), lowered.size());
@@ -165,6 +203,13 @@ ElementSeries element_series(const OpeningParameters& elements, const CellSize& 
     return series;
 }
 
+void OpenedPart::write_row(std::int32_t i, float* out) const {
+    if (is_quantized)
+        quantized.to_metres(row(quantized.surface, i), out);
+    else
+        std::ranges::copy(row(surface, i), out);
+}
+
 void open_part(const MetreGrid& surface, const Tile& tile, std::span<const StructuringElement> steps,
                ElementShape element, OpenedPart& part) {
     part.tile = tile;
@@ -174,7 +219,11 @@ void open_part(const MetreGrid& surface, const Tile& tile, std::span<const Struc
     part.limits.rows = tile.rows;
     part.limits.cols = tile.cols;
     part.limits.values.assign(part.limits.index(tile.rows, 0), no_value);
+    part.is_quantized = part.quantized.take(surface, part.place);
+    if (part.is_quantized)
+        return open_quantized(part, steps, element);
     copy_tile(surface, part.place, part.surface);
+    part.workspace.gaps = part.quantized.gaps;
     for (const StructuringElement& step : steps) {
         open(element, part.surface, step.radius, step.outside, part.workspace, part.next);
         set_limits(part, step);

@@ -6,6 +6,7 @@
 
 #include "ground/aligned_grid.hpp"
 #include "ground/opening.hpp"
+#include "ground/quantized_elevations.hpp"
 
 namespace d2b::ground {
 
@@ -44,16 +45,22 @@ struct OpenedPart {
     Tile place;  ///< part with the surroundings that its elements need
     std::int32_t grid_rows = 0;
     std::int32_t grid_cols = 0;
-    MetreGrid limits;   ///< covers `tile`
+    MetreGrid limits;           ///< covers `tile`
+    bool is_quantized = false;  ///< true if the surface is stored as integers
+    QuantizedElevations quantized;
     MetreGrid surface;  ///< covers `place`, but is correct only in `tile`
     MetreGrid next;
-    Workspace workspace;
+    Workspace<float> workspace;
 
     /// Returns a row of the tile in `surface` or another grid of `place`. @param i from the tile's first row
-    [[nodiscard]] std::span<const float> row(const MetreGrid& grid, std::int32_t i) const {
+    template <typename T>
+    [[nodiscard]] std::span<const T> row(const Grid<T>& grid, std::int32_t i) const {
         return grid.row(tile.row - place.row + i)
             .subspan(static_cast<std::size_t>(tile.col - place.col), static_cast<std::size_t>(tile.cols));
     }
+    /// Writes a row of the opened surface in metres. @param i from the tile's first row @param out as many
+    /// cells
+    void write_row(std::int32_t i, float* out) const;
 };
 
 /// Progressive opening as in SMRF (Pingel, Clarke and McBride, 2013): each element opens the result of the

@@ -55,7 +55,7 @@ std::vector<Offset> line(std::int32_t radius, std::int32_t down, std::int32_t ac
 }
 
 TEST(Opening, ByARectangleIsTheDefinition) {
-    Workspace workspace;
+    Workspace<float> workspace;
     for (unsigned seed = 0; seed < 60; ++seed) {
         const MetreGrid grid = test::random_surface(seed, static_cast<std::int32_t>(1 + seed % 13),
                                                     static_cast<std::int32_t>(1 + seed % 17), 3);
@@ -68,7 +68,7 @@ TEST(Opening, ByARectangleIsTheDefinition) {
 }
 
 TEST(Opening, ByLinesIsTheSecondHighestOfFour) {
-    Workspace workspace;
+    Workspace<float> workspace;
     for (unsigned seed = 0; seed < 60; ++seed) {
         const MetreGrid grid = test::random_surface(seed, static_cast<std::int32_t>(1 + seed % 15),
                                                     static_cast<std::int32_t>(1 + seed % 11), 5);
@@ -97,7 +97,7 @@ TEST(Opening, LinesKeepTheEdgeOfATerraceAndCutABlock) {
             terrace.at(i, j) = j >= 10 ? 5.0F : 0.0F;
             block.at(i, j) = i > 7 && i < 13 && j > 7 && j < 13 ? 5.0F : 0.0F;
         }
-    Workspace workspace;
+    Workspace<float> workspace;
     MetreGrid opened;
     open(ElementShape::lines, terrace, {8, 8}, {8, 8}, workspace, opened);
     EXPECT_EQ(opened.values, terrace.values);
@@ -109,7 +109,7 @@ TEST(Closing, FillsWhatIsNarrowerThanItsWindow) {
     MetreGrid grid(9, 9, 4.0F);
     grid.at(4, 4) = 0;
     grid.at(0, 0) = no_value;
-    Workspace workspace;
+    Workspace<float> workspace;
     MetreGrid closed;
     close_rectangle(grid, {1, 1}, workspace, closed);
     EXPECT_EQ(closed.at(4, 4), 4);
@@ -118,6 +118,32 @@ TEST(Closing, FillsWhatIsNarrowerThanItsWindow) {
             grid.at(i, j) = 0;
     close_rectangle(grid, {1, 1}, workspace, closed);
     EXPECT_EQ(closed.at(4, 4), 0);
+}
+
+TEST(Opening, ClosesWholeNumbersAsItClosesFloats) {
+    Workspace<float> workspace;
+    Workspace<std::int16_t> narrow;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        const MetreGrid grid = test::random_surface(seed, static_cast<std::int32_t>(1 + seed % 13),
+                                                    static_cast<std::int32_t>(1 + seed % 19), 3);
+        Grid<std::int16_t> whole(grid.rows, grid.cols);
+        std::ranges::transform(grid.values, whole.values.begin(), [](float z) {
+            return z == no_value ? no_value_of<std::int16_t>
+                                 : static_cast<std::int16_t>(std::lround(100 * z));
+        });
+        MetreGrid hundredfold = grid;
+        for (float& z : hundredfold.values)
+            z = z == no_value ? no_value : std::round(100 * z);
+        const Radius radius{static_cast<std::int32_t>(1 + seed % 4), static_cast<std::int32_t>(1 + seed % 3)};
+        MetreGrid closed;
+        Grid<std::int16_t> closed_whole;
+        close_rectangle(hundredfold, radius, workspace, closed);
+        close_rectangle(whole, radius, narrow, closed_whole);
+        for (std::size_t k = 0; k < closed.size(); ++k) {
+            const std::int16_t z = closed_whole.values[k];
+            ASSERT_EQ(z == no_value_of<std::int16_t> ? no_value : static_cast<float>(z), closed.values[k]);
+        }
+    }
 }
 
 }  // namespace

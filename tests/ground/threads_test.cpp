@@ -76,7 +76,7 @@ constexpr OpeningParameters elements{2, 40, 0.5, 0.1, 1.4, 8};
 /// All elements on the whole grid, one after the other.
 MetreGrid limits_without_tiles(const MetreGrid& surface, const OpeningParameters& of, ElementShape element) {
     MetreGrid now = surface, next, limits(surface.rows, surface.cols, no_value);
-    Workspace workspace;
+    Workspace<float> workspace;
     for (const StructuringElement& step : element_series(of, {1, 1}).steps) {
         open(element, now, step.radius, step.outside, workspace, next);
         for (std::size_t k = 0; k < now.size(); ++k)
