@@ -55,7 +55,8 @@ struct MoveDistances {
     std::int64_t steps = 0;   ///< wanted distance, if more than the minimum gap
     GapTolerances gaps = {};  ///< minimum distance of a move
     /// Returns true if a move may change this area of the contours around it, in square steps: next to open
-    /// ground, and between contours. Empty: always. Not called for minimal moves.
+    /// ground, and between contours. A smaller area is allowed as well. Empty: always. Not called for minimal
+    /// moves.
     std::function<bool(Contours contours, double outside, double inside)> allows = {};
     /// Called for every move, including minimal ones.
     std::function<void(Contours contours, double outside)> take = {};

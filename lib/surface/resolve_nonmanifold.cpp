@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -131,6 +132,9 @@ class NonmanifoldResolver {
                                std::span<const LatticeDistance> reaches, const LatticeDistance& clearance);
     [[nodiscard]] SweptArea swept_area(std::uint32_t node, const std::vector<IncidentEdge>& arms,
                                        FinePoint place) const;
+    [[nodiscard]] SweptArea least_swept(std::uint32_t node, const std::vector<IncidentEdge>& arms,
+                                        std::int64_t reach) const;
+    [[nodiscard]] const std::vector<FinePoint>& places_at(std::int64_t reach);
     void move(std::uint32_t node, const SectorRun& run, FinePoint place, bool fills);
 
     PlanarPartition& plan_;
@@ -138,7 +142,8 @@ class NonmanifoldResolver {
     const MoveDistances& wanted_;
     const StopToken& stop_;
     PlannedDistances planned_;
-    std::optional<EdgeGrid> near_;  // built at the first move
+    std::optional<EdgeGrid> near_;                              // built at the first move
+    std::map<std::int64_t, std::vector<FinePoint>> places_at_;  // by distance
     std::vector<std::vector<IncidentEdge>> around_;
     ResolvedVertices taken_;
 };
@@ -223,6 +228,36 @@ SweptArea NonmanifoldResolver::swept_area(std::uint32_t node, const std::vector<
     return area;
 }
 
+/// Returns areas below those of a move to any place at a distance. Each is a sum of sines of angles to the
+/// arms, so it is least in the direction of one of them.
+SweptArea NonmanifoldResolver::least_swept(std::uint32_t node, const std::vector<IncidentEdge>& arms,
+                                           std::int64_t reach) const {
+    const FinePoint from = plan_.nodes[node];
+    const double rounded = std::max(0.0, static_cast<double>(reach - 1) * (1 - 1e-9));
+    std::optional<SweptArea> least;
+    for (const IncidentEdge& arm : arms) {
+        const FinePoint along = plan_.nodes[arm.end];
+        const double length =
+            std::hypot(static_cast<double>(along.row - from.row), static_cast<double>(along.col - from.col));
+        const SweptArea area = swept_area(node, arms, along);
+        const SweptArea here{rounded / length * area.outside, rounded / length * area.inside};
+        least = least
+                    ? SweptArea{std::min(least->outside, here.outside), std::min(least->inside, here.inside)}
+                    : here;
+    }
+    return *least;
+}
+
+/// Returns the places to which a corner may move at a distance, relative to it.
+const std::vector<FinePoint>& NonmanifoldResolver::places_at(std::int64_t reach) {
+    const auto [known, is_new] = places_at_.try_emplace(reach);
+    if (is_new) {
+        known->second = circle(reach);
+        std::erase_if(known->second, [&](FinePoint off) { return !wanted_.gaps.pinch.parts({}, off); });
+    }
+    return known->second;
+}
+
 void NonmanifoldResolver::move(std::uint32_t node, const SectorRun& run, FinePoint place, bool fills) {
     taken_.repairs.push_back({plan_.nodes[node], place, fills, contours_of(around_[node])});
     if (wanted_.take)
@@ -262,13 +297,16 @@ bool NonmanifoldResolver::move_by_plan(std::uint32_t node, const NonmanifoldVert
     const std::vector<std::int32_t> contours = contours_of(around_[node]);
     for (const std::int64_t reach : distances_down_from(
              planned == planned_.end() ? wanted_.steps : planned->second, wanted_.gaps.pinch)) {
-        std::vector<FinePoint> ring = circle(reach);
-        std::erase_if(ring, [&](FinePoint off) { return !wanted_.gaps.pinch.parts({}, off); });
         std::optional<std::pair<SectorRun, FinePoint>> best;
         double least = 0;
         for (const SectorRun& run : pinch.runs) {
             const std::vector<IncidentEdge> arms = bounding_half_edges(around_[node], run);
-            const auto place = place_for(node, arms, ring, wanted_.gaps.pinch);
+            // Asked first, because looking for a place costs far more and is in vain if the budget is used
+            // up.
+            if (const SweptArea least_area = least_swept(node, arms, reach);
+                wanted_.allows && !wanted_.allows(contours, least_area.outside, least_area.inside))
+                continue;
+            const auto place = place_for(node, arms, places_at(reach), wanted_.gaps.pinch);
             if (!place)
                 continue;
             const SweptArea area = swept_area(node, arms, *place);
