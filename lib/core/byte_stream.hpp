@@ -89,7 +89,7 @@ class ByteReader {
     [[nodiscard]] std::size_t take_count(std::size_t least_bytes) {
         const auto count = take<std::uint64_t>();
         if (count > left() / least_bytes)
-            throw CorruptRecord("more is announced than there is");
+            throw CorruptRecord("it holds less than it announces");
         return static_cast<std::size_t>(count);
     }
     template <typename T>
@@ -104,7 +104,7 @@ class ByteReader {
     /// Returns a view that is valid as long as this reader.
     [[nodiscard]] std::span<const std::byte> take_bytes(std::size_t size) {
         if (size > left())
-            throw CorruptRecord("it ends too soon");
+            throw CorruptRecord("it is truncated");
         const std::span<const std::byte> taken = std::span<const std::byte>(bytes_).subspan(at_, size);
         at_ += size;
         return taken;

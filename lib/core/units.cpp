@@ -38,7 +38,7 @@ constexpr std::array known_units{
 void set_vertical(UnitReport& report, const LengthUnit& unit, std::string decided_by) {
     report.vertical = unit.name;
     report.vertical_metres = unit.metres;
-    report.vertical_decided_by = std::move(decided_by);
+    report.vertical_source = std::move(decided_by);
 }
 
 void resolve_vertical(UnitReport& report, const DemInfo& info, const Crs& crs, std::string_view option) {
@@ -85,8 +85,8 @@ std::optional<LengthUnit> stated_unit(const std::string& band_unit, const std::s
         return unit;
     throw InputError(
         "The unit of " + raster + " is '" + band_unit +
-        "', which is no known unit of length; if the values are elevations, give their unit with " + option +
-        ", for example " + option + " m.");
+        "', which is not a known unit of length; if the values are elevations, give their unit with " +
+        option + ", for example " + option + " m.");
 }
 
 UnitReport resolve_units(const DemInfo& info, const Crs& crs, std::string_view vertical_option) {
@@ -94,14 +94,14 @@ UnitReport resolve_units(const DemInfo& info, const Crs& crs, std::string_view v
     if (const auto horizontal = crs.horizontal_unit()) {
         report.horizontal = horizontal->name;
         report.horizontal_metres = horizontal->metres;
-        report.horizontal_decided_by = "CRS";
+        report.horizontal_source = "CRS";
     } else if (crs.kind() == Crs::Kind::geographic) {
         report.horizontal = "degree";
         report.horizontal_metres = 0;
-        report.horizontal_decided_by = "CRS";
+        report.horizontal_source = "CRS";
     } else {
         report.horizontal = "unknown";
-        report.horizontal_decided_by = "assumption: 1 unit is 1 m";
+        report.horizontal_source = "assumption: 1 unit is 1 m";
     }
     report.areas = crs.on_ellipsoid() ? "geodesic" : "planar";
     resolve_vertical(report, info, crs, vertical_option);

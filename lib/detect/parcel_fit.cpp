@@ -215,7 +215,7 @@ std::vector<Move> belonging_to(const Moves& moves, Move best) {
 
 }  // namespace
 
-std::optional<ParcelMove> fitting_move(const ShiftCounts& counts, const CellSize& cell) {
+std::optional<ParcelMove> best_offset(const ShiftCounts& counts, const CellSize& cell) {
     const Moves moves(counts, cell);
     const Move best = best_of(moves);
     const auto on_walls = static_cast<double>(moves.on_walls(best.first, best.second));
@@ -397,17 +397,17 @@ ParcelReport parcel_report(const ParcelFit& fit, const CellSize& cell) {
     const std::int64_t beside = std::accumulate(fit.distances.begin(), fit.distances.end(), std::int64_t{0});
     ParcelReport report;
     report.cut_length_m = length * static_cast<double>(fit.cuts);
-    report.beside_length_m = length * static_cast<double>(beside);
+    report.near_wall_length_m = length * static_cast<double>(beside);
     report.median_distance_m = std::numeric_limits<double>::quiet_NaN();
     std::int64_t nearer = 0;
     for (std::size_t i = 0; i < ParcelFit::bins && 2 * nearer < beside; ++i) {
         nearer += fit.distances[i];
         report.median_distance_m = static_cast<double>(i) * bin_m;
     }
-    report.fitting_move = fitting_move(fit.shifts, cell);
+    report.best_offset = best_offset(fit.shifts, cell);
     report.building_m2 = area * static_cast<double>(fit.cells);
     report.inside_m2 = area * static_cast<double>(fit.inside);
-    report.several_m2 = area * static_cast<double>(fit.several);
+    report.overlap_m2 = area * static_cast<double>(fit.several);
     report.invalid_m2 = area * static_cast<double>(fit.invalid);
     return report;
 }

@@ -50,7 +50,7 @@ void count_shifts(const Scene& scene, const Detection& detection, const Window& 
 /// good ones, as along a straight row of houses. nullopt if no move stands out: hardly any boundary is on a
 /// wall, too few are known, or other moves are as good.
 /// @param cell cell size of the DEM
-[[nodiscard]] std::optional<ParcelMove> fitting_move(const ShiftCounts& counts, const CellSize& cell);
+[[nodiscard]] std::optional<ParcelMove> best_offset(const ShiftCounts& counts, const CellSize& cell);
 
 /// Statistics of the fit of parcels to buildings. Integer counts, so the order does not matter.
 struct ParcelFit {

@@ -210,10 +210,10 @@ SamplingReport sampling_report(const SurfaceSampling& sampling, double metres) {
     if (report.interpolated_fraction >= least_filled)
         report.points_per_cell = -std::log(report.interpolated_fraction);
     if (sampling.steps >= fewest_steps)
-        report.step_width_cells =
+        report.edge_width_cells =
             tenths * blur_of(static_cast<double>(sampling.falls) / static_cast<double>(sampling.steepest));
     if (const std::optional<double> step = value_step(sampling.values))
-        report.value_step = nearest_round_step(*step / metres);
+        report.quantization_step = nearest_round_step(*step / metres);
     return report;
 }
 

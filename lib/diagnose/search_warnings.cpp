@@ -22,9 +22,8 @@ std::string missing_ground_warning(const ValidIslands& islands, GroundMode mode,
         return {};
     return "'" + dem + "' has elevations in " + std::to_string(islands.islands) +
            " pieces as wide as buildings and NoData around them, so roofs are taken for the ground; give "
-           "-ground none where its values are heights above the ground, or a terrain model with -ground "
-           "where "
-           "they are elevations";
+           "-ground none if its values are heights above ground, or a terrain model with -ground if they are "
+           "elevations";
 }
 
 std::string empty_auxiliary_warning(const AuxiliaryCoverage& known, const Options& options) {
@@ -146,8 +145,8 @@ std::string displaced_doubt(const ParcelMove& move, double usual, const DetectOp
     if (!(length > usual))
         return {};
     return "parcels of '" + options.split_by + "' lie " + rounded(length) +
-           " m beside the walls as a whole: they fit best if they are moved " + told(move) +
-           " on the raster; compare them with the buildings, and move them where that is so";
+           " m off the walls as a whole: they fit best if they are moved " + told(move) +
+           " on the raster; compare them with the buildings, and move them if that is right";
 }
 
 }  // namespace
@@ -158,31 +157,33 @@ std::string misplaced_warning(const ParcelReport& report, const CellSize& cell,
         return "no parcel of '" + options.split_by +
                "' touches a building, so none was cut; give the parcels of the same place";
     const double usual = std::max(usual_m, usual_cells * std::sqrt(cell.area()));
-    if (report.fitting_move)
-        return displaced_doubt(*report.fitting_move, usual, options);
-    if (report.beside_length_m < least_length_m ||
-        report.beside_length_m < least_share * report.cut_length_m || !(report.median_distance_m > usual))
+    if (report.best_offset)
+        return displaced_doubt(*report.best_offset, usual, options);
+    if (report.near_wall_length_m < least_length_m ||
+        report.near_wall_length_m < least_share * report.cut_length_m || !(report.median_distance_m > usual))
         return {};
     return "cuts by '" + options.split_by + "' run " + rounded(report.median_distance_m) +
-           " m beside walls (the median of " + rounded(report.beside_length_m) +
-           " m), where half a metre is usual: the parcels may be displaced as a whole; compare them with the "
-           "buildings, and move them where that is so";
+           " m off walls (the median over " + rounded(report.near_wall_length_m) +
+           " m of cuts), and half a metre is usual: the parcels may be displaced as a whole; compare them "
+           "with the "
+           "buildings, and move them if that is right";
 }
 
 std::string overlap_warning(const ParcelReport& report, const DetectOptions& options) {
-    if (report.several_m2 <= usual_overlap * report.inside_m2)
+    if (report.overlap_m2 <= usual_overlap * report.inside_m2)
         return {};
-    return percent(report.several_m2 / report.inside_m2) + " of what parcels of '" + options.split_by +
-           "' hold of buildings lies in more than one of them, and is taken for the one with the lowest id; "
-           "leave out those that are not meant";
+    return percent(report.overlap_m2 / report.inside_m2) + " of the building area in parcels of '" +
+           options.split_by +
+           "' lies in more than one parcel and goes to the one with the lowest id; leave out the parcels "
+           "that do not apply";
 }
 
 std::string validity_warning(const ParcelReport& report, const DetectOptions& options) {
     if (report.invalid_m2 == 0)
         return {};
-    return "parcels of '" + options.split_by + "' that are not valid hold " + rounded(report.invalid_m2) +
-           " m2 of buildings, and are taken for what an odd number of their rings encloses; make them valid, "
-           "for example by ogr2ogr -makevalid";
+    return "parcels of '" + options.split_by + "' that are invalid hold " + rounded(report.invalid_m2) +
+           " m2 of buildings, and the area that an odd number of their rings encloses is used; make them "
+           "valid, for example by ogr2ogr -makevalid";
 }
 
 namespace {

@@ -90,24 +90,23 @@ std::string sparse_points_warning(const SamplingReport& report, double side) {
     return "points are thin: about " + rounded(*report.points_per_cell) + " fell into a cell of " +
            rounded(side) + " m, and none into " + percent(report.interpolated_fraction) +
            " of the cells, so roofs look rough, small houses may be missed, and crowns taken for houses; use "
-           "a "
-           "denser scan, or look through what was left out with -write_doubtful";
+           "a denser scan, or check the objects that -write_doubtful writes";
 }
 
 std::string blur_warning(const SamplingReport& report, double side) {
-    if (!report.step_width_cells || *report.step_width_cells <= widest_step)
+    if (!report.edge_width_cells || *report.edge_width_cells <= widest_step)
         return {};
-    const std::string metres = rounded(*report.step_width_cells * side) + " m";
-    return "walls are smeared: they fall over " + rounded(*report.step_width_cells) + " cells (" + metres +
-           "), as in surfaces from satellites or of finer cells than their data, so gaps and courtyards "
-           "narrower than that are closed, and corners and small houses lost; use a surface whose walls fall "
-           "within two cells";
+    const std::string metres = rounded(*report.edge_width_cells * side) + " m";
+    return "walls are blurred: they extend over " + rounded(*report.edge_width_cells) + " cells (" + metres +
+           "), as in surfaces from satellites or with cells finer than their data, so narrower gaps and "
+           "courtyards are closed, and corners and small houses are lost; use a surface whose walls extend "
+           "over at most two cells";
 }
 
 std::string rounding_warning(const SamplingReport& report, double metres) {
     constexpr double least_m = 0.5;
     constexpr double rounding = 1e-6;
-    const double step = report.value_step.value_or(0) * metres;
+    const double step = report.quantization_step.value_or(0) * metres;
     if (step < least_m - rounding)
         return {};
     return "elevations are rounded to steps of " + number_text(std::round(step * 100) / 100) +
@@ -140,11 +139,11 @@ std::string sentence(double share, const std::string& whose, double cell_size_m)
     const std::string what =
         percent(share) + " of the length of the " + whose + "' outlines keeps the staircase of the cells";
     if (cell_size_m > fine_cell_m)
-        return what + ", since walls cannot be seen in cells of " + rounded(cell_size_m) +
+        return what + ", because walls cannot be seen in cells of " + rounded(cell_size_m) +
                " m; use a finer raster, or a larger -regularize_tolerance";
     return what +
-           ", since straight walls would have left the trace or met a neighbour; -write_rejected shows these "
-           "outlines, and a larger -regularize_tolerance may straighten more";
+           ", because straight walls would have left the trace or met a neighbour; -write_rejected shows "
+           "these outlines, and a larger -regularize_tolerance may straighten more";
 }
 
 }  // namespace
@@ -169,8 +168,8 @@ std::string millions(std::int64_t points) {
 std::string what_is_seen(const SeenPoints& seen) {
     constexpr double bytes_a_point = 20;  // surface, terrain, and scratch memory for computing them
     constexpr double gib = 1 << 30;
-    return millions(seen.points) + " at a time, as parts of the raster are seen with " +
-           rounded(seen.around) + " m around them" +
+    return millions(seen.points) + " at a time, because each part of the raster has a margin of " +
+           rounded(seen.around) + " m" +
            (seen.max_building_width
                 ? " (five times -max_building_width " + number_text(*seen.max_building_width) + ")"
                 : "") +
@@ -183,14 +182,14 @@ std::string what_is_seen(const SeenPoints& seen) {
 std::string unit_memory_notice(const SeenPoints& seen) {
     if (seen.points <= SeenPoints::usual)
         return {};
-    return "ground and buildings are looked for in up to " + what_is_seen(seen);
+    return "ground and buildings are searched in up to " + what_is_seen(seen);
 }
 
 std::string unit_memory_refusal(const SeenPoints& seen) {
     if (seen.points <= SeenPoints::most)
         return {};
-    return "Ground and buildings would be looked for in " + what_is_seen(seen) + "; more than " +
-           millions(SeenPoints::most) + " are not held, so " +
+    return "Ground and buildings would be searched in " + what_is_seen(seen) + "; more than " +
+           millions(SeenPoints::most) + " exceed the limit, so " +
            (seen.max_building_width ? "give a smaller -max_building_width."
                                     : "make the cells larger with gdalwarp -tr.");
 }

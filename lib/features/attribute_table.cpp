@@ -70,18 +70,16 @@ FieldValue floors(double height_m) {
 }
 
 constexpr std::string_view status_words =
-    "the least form that more than a twentieth of the outline has: regularized, simplified (lines through "
-    "the middles of the cells' borders, or -simplify), traced, kept_traced (as traced: another form would "
-    "have broken it), or repaired";
+    "worst form of more than 5 % of the outline: regularized, simplified (through midpoints of cell borders, "
+    "or by -simplify), traced, kept_traced (other forms would be invalid) or repaired";
 
 constexpr std::array building_table{
     Attribute<BuildingRecord>{"id", "Building", FieldType::integer, Unit::none,
-                              "number of the building, from 1 in scan order",
+                              "number of the building, from 1, in scan order",
                               [](const BuildingRecord& r) -> FieldValue { return r.id; }},
     Attribute<BuildingRecord>{"ground", "Ground", FieldType::real, Unit::vertical,
-                              "elevation of the ground: a low percentile of the terrain under and beside the "
-                              "outline; in the thesis preset "
-                              "the lowest point within a cell outside it",
+                              "elevation of the ground: a low percentile of the terrain under and around the "
+                              "outline; in the thesis preset the lowest point at most a cell outside it",
                               [](const BuildingRecord& r) { return number(r.ground); }},
     Attribute<BuildingRecord>{"roof", "Roof", FieldType::real, Unit::vertical,
                               "elevation of the highest point",
@@ -120,29 +118,28 @@ constexpr std::array building_table{
                               [](const BuildingRecord& r) -> FieldValue { return r.points; }},
     Attribute<BuildingRecord>{"n_cells", "Cells", FieldType::integer, Unit::none, "cells of the DEM in it",
                               [](const BuildingRecord& r) -> FieldValue { return r.cells; }},
-    Attribute<BuildingRecord>{"nodata", "Not valid", FieldType::real, Unit::none,
+    Attribute<BuildingRecord>{"nodata", "No data", FieldType::real, Unit::none,
                               "share of its cells without a valid point; NULL with -trace points",
                               [](const BuildingRecord& r) { return nodata_share(r); }},
     Attribute<BuildingRecord>{
         "confidence", "Confidence", FieldType::real, Unit::none,
-        "how certain it is that this is a building, 0 to 1; NULL in the thesis preset",
+        "certainty that this is a building, 0 to 1; NULL in the thesis preset",
         [](const BuildingRecord& r) { return number(floor_to_hundredths(r.confidence)); }},
     Attribute<BuildingRecord>{"doubt", "Doubt", FieldType::text, Unit::none,
-                              "the strongest sign against a building, where confidence is below 0.9",
+                              "strongest sign against a building, if confidence is below 0.9",
                               [](const BuildingRecord& r) { return doubt(r); }},
     Attribute<BuildingRecord>{
         "at_edge", "At the edge", FieldType::integer, Unit::none,
-        "1 if it touches the edge of the part of the raster that is used, else 0",
+        "1 if it touches the edge of the used part of the raster, else 0",
         [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.at_edge ? 1 : 0}; }},
-    Attribute<BuildingRecord>{
-        "area_m2", "Area", FieldType::real, Unit::square_metre,
-        "area of the footprint less its courtyards, on the ellipsoid where the CRS has one",
-        [](const BuildingRecord& r) { return measure(r.area_m2); }},
+    Attribute<BuildingRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
+                              "area of the footprint without courtyards, on the ellipsoid if the CRS has one",
+                              [](const BuildingRecord& r) { return measure(r.area_m2); }},
     Attribute<BuildingRecord>{"volume_m3", "Volume", FieldType::real, Unit::cubic_metre,
-                              "between its surface and the level of the ground",
+                              "volume between its surface and the ground level",
                               [](const BuildingRecord& r) { return measure(r.area_m2 * r.mean_m); }},
     Attribute<BuildingRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
-                              "length of all rings, on the ellipsoid where the CRS has one",
+                              "length of all rings, on the ellipsoid if the CRS has one",
                               [](const BuildingRecord& r) { return measure(r.perimeter_m); }},
     Attribute<BuildingRecord>{
         "status", "Outline", FieldType::text, Unit::none, status_words,
@@ -151,14 +148,14 @@ constexpr std::array building_table{
                               "largest distance between the regularized outline and its trace",
                               [](const BuildingRecord& r) { return measure(r.deviation_m); }},
     Attribute<BuildingRecord>{"area_chg", "Area change", FieldType::real, Unit::none,
-                              "change of the area by straight walls, as a share of the traced area",
+                              "relative change of the traced area by straight walls",
                               [](const BuildingRecord& r) { return number(r.area_change); }},
-    Attribute<BuildingRecord>{"parcel", "Parcel", FieldType::text, Unit::none,
-                              "identifier of the polygon of -split_by that holds most of it; there only with "
-                              "that option, NULL for lines",
-                              [](const BuildingRecord& r) {
-                                  return r.parcel.empty() ? FieldValue{} : FieldValue{std::string(r.parcel)};
-                              }},
+    Attribute<BuildingRecord>{
+        "parcel", "Parcel", FieldType::text, Unit::none,
+        "identifier of the -split_by polygon that holds most of it; only with that option, NULL for lines",
+        [](const BuildingRecord& r) {
+            return r.parcel.empty() ? FieldValue{} : FieldValue{std::string(r.parcel)};
+        }},
 };
 
 constexpr std::array contour_table{
@@ -192,7 +189,7 @@ constexpr std::array contour_table{
                              "base of this part above the ground of its building; NULL in level 0",
                              [](const ContourRecord& r) { return number(r.min_height_m); }},
     Attribute<ContourRecord>{"tier_z", "Tier", FieldType::real, Unit::vertical,
-                             "mean elevation of the points that no child holds; NULL where there is none",
+                             "mean elevation of the points outside its children; NULL if there are none",
                              [](const ContourRecord& r) { return number(r.tier_z); }},
     Attribute<ContourRecord>{"n_points", "Points", FieldType::integer, Unit::none,
                              "points of the DEM in it that exceed its threshold",
@@ -211,10 +208,10 @@ constexpr std::array contour_table{
         "confidence of its building, 0 to 1; NULL in the thesis preset",
         [](const ContourRecord& r) { return number(floor_to_hundredths(r.confidence)); }},
     Attribute<ContourRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
-                             "area less holes, on the ellipsoid where the CRS has one",
+                             "area without holes, on the ellipsoid if the CRS has one",
                              [](const ContourRecord& r) { return number(r.area_m2); }},
     Attribute<ContourRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
-                             "length of all rings, on the ellipsoid where the CRS has one",
+                             "length of all rings, on the ellipsoid if the CRS has one",
                              [](const ContourRecord& r) { return number(r.perimeter_m); }},
     Attribute<ContourRecord>{
         "status", "Outline", FieldType::text, Unit::none, status_words,
@@ -324,13 +321,13 @@ constexpr std::array rejected_table{
                               "id of the contour that has this traced outline",
                               [](const RejectedRecord& r) { return id_or_null(r.contour); }},
     Attribute<RejectedRecord>{"level", "Level", FieldType::integer, Unit::none,
-                              "level of the contour, or of the one that has the hole",
+                              "level of the contour, or of the contour with the hole",
                               [](const RejectedRecord& r) -> FieldValue { return std::int64_t{r.level}; }},
     Attribute<RejectedRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
-                              "area less holes, on the ellipsoid where the CRS has one",
+                              "area without holes, on the ellipsoid if the CRS has one",
                               [](const RejectedRecord& r) -> FieldValue { return r.area_m2; }},
     Attribute<RejectedRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
-                              "length of all rings, on the ellipsoid where the CRS has one",
+                              "length of all rings, on the ellipsoid if the CRS has one",
                               [](const RejectedRecord& r) -> FieldValue { return r.perimeter_m; }},
 };
 
@@ -347,29 +344,24 @@ using Unit = AttributeUnit;
 constexpr std::array problem_table{
     Attribute<ProblemRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
                              [](const ProblemRecord& r) -> FieldValue { return r.id; }},
-    Attribute<ProblemRecord>{"kind", "Kind", FieldType::text, Unit::none,
-                             "surface_corner_cut, surface_notch_filled: corners that touched, and how far "
-                             "they are apart now, in m; "
-                             "surface_lost: a building that is not in the surface, and its area in m2; "
-                             "flow_wall, flow_gap, flow_neck: a "
-                             "wall, a gap or a narrow part of a building that is shorter or narrower than "
-                             "-flow_ready, in m; flow_angle: a "
-                             "corner that is too sharp, in degrees; flow_touch: corners that touched, and "
-                             "how far they are apart now, in m; "
-                             "flow_crossing: outlines that cross; flow_step: roofs beside each other that "
-                             "differ by less than -min_wall, "
-                             "in m",
-                             [](const ProblemRecord& r) -> FieldValue { return std::string(r.kind); }},
+    Attribute<ProblemRecord>{
+        "kind", "Kind", FieldType::text, Unit::none,
+        "surface_corner_cut, surface_notch_filled, flow_touch: corners that touched, and their distance now, "
+        "in m; surface_lost: a building that is not in the surface, and its area in m2; flow_wall, flow_gap, "
+        "flow_neck: a wall, gap or part of a building that is shorter or narrower than -flow_ready, in m; "
+        "flow_angle: a corner that is too sharp, in degrees; flow_crossing: outlines that cross; flow_step: "
+        "adjacent roofs that differ by less than -min_wall, in m",
+        [](const ProblemRecord& r) -> FieldValue { return std::string(r.kind); }},
     Attribute<ProblemRecord>{"building", "Building", FieldType::integer, Unit::none,
-                             "id of the building; of the lowest, where there are several",
+                             "id of the building; the lowest if there are several",
                              [](const ProblemRecord& r) { return id_or_null(r.building); }},
-    Attribute<ProblemRecord>{"other", "Other building", FieldType::integer, Unit::none, "id of the next one",
+    Attribute<ProblemRecord>{"other", "Other building", FieldType::integer, Unit::none,
+                             "id of the next building",
                              [](const ProblemRecord& r) { return id_or_null(r.other); }},
     Attribute<ProblemRecord>{"before", "Size before", FieldType::real, Unit::none,
-                             "what was measured, in the unit of its kind",
+                             "size in the unit of its kind",
                              [](const ProblemRecord& r) -> FieldValue { return r.before; }},
-    Attribute<ProblemRecord>{"after", "Size after", FieldType::real, Unit::none,
-                             "the same in what is written",
+    Attribute<ProblemRecord>{"after", "Size after", FieldType::real, Unit::none, "the same in the output",
                              [](const ProblemRecord& r) -> FieldValue { return r.after; }},
     Attribute<ProblemRecord>{
         "state", "State", FieldType::text, Unit::none, "changed or left",

@@ -211,7 +211,7 @@ FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
     made.cells = std::exchange(cells_, {});
     made.split_by_projection = split_by_projection_;
     if (made.split_by_projection)
-        tally_.count(Reason::outline_torn);
+        tally_.count(Reason::outline_split);
     const StageClock clock(tally_, Stage::attributes);
     made.measure = measured(made, parts);
     return made;

@@ -21,7 +21,7 @@ constexpr std::int64_t max_invalid_named = 10;
 std::string outcome(const FeaturePolygon& made) {
     if (made.parts.empty())
         return "it is not written";
-    return made.status == OutlineStatus::repaired ? "it is written repaired"
+    return made.status == OutlineStatus::repaired ? "a repaired one is written"
                                                   : "it is written as it was traced";
 }
 
@@ -59,13 +59,12 @@ void ProjectionSplitWarnings::finish(const std::string& target, Context& context
     const RunReport& report = context.report;
     if (report.buildings + report.contours + report.doubtful == 0)
         throw split_by_projection_error(report.input, target);
-    std::string text =
-        count_ == 1 ? "1 feature is left out, which '" + target + "' tears apart"
-                    : std::to_string(count_) + " features are left out, which '" + target + "' tears apart";
-    text += " or stretches beyond use: " + names_;
+    std::string text = (count_ == 1 ? "1 feature is" : std::to_string(count_) + " features are") +
+                       " left out, because '" + target + "' splits or distorts " +
+                       (count_ == 1 ? "it" : "them") + ": " + names_;
     if (count_ > max_splits_named)
         text += " and " + std::to_string(count_ - max_splits_named) + " more";
-    context.warn(text + "; choose a -t_srs that is made for the area to have them.");
+    context.warn(text + "; choose a -t_srs that suits the area.");
 }
 
 namespace {

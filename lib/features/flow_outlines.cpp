@@ -148,14 +148,13 @@ void replace_outlines(Outliner& outliner, ChangedContours& changed, bool footpri
 }
 
 void warn_of_remaining(Context& context) {
-    const std::int64_t left = context.report.counted(Reason::flow_left);
+    const std::int64_t left = context.report.counted(Reason::flow_unchanged);
     if (left == 0)
         return;
     context.warn(std::to_string(left) + (left == 1 ? " place falls" : " places fall") +
                  " short of -flow_ready and " + (left == 1 ? "is" : "are") +
-                 " left, since mending would change more than 1 % of a block, or cross a neighbour or "
-                 "the border of the terrain; "
-                 "-write_problems shows where.");
+                 " left, because a repair would change more than 1 % of a block, or cross a neighbour or the "
+                 "border of the terrain; -write_problems shows where.");
 }
 
 constexpr std::array<std::string_view, 6> kind_names{"flow_wall", "flow_angle", "flow_gap",
@@ -204,7 +203,7 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
                     for (std::int32_t& contour : problem.contours)
                         contour =
                             static_cast<std::int32_t>(drawn_numbers[k][static_cast<std::size_t>(contour)]);
-                    context.report.count(problem.changed ? Reason::flow_changed : Reason::flow_left);
+                    context.report.count(problem.changed ? Reason::flow_changed : Reason::flow_unchanged);
                     problems.push_back(std::move(problem));
                 }
             });

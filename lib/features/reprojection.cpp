@@ -266,11 +266,10 @@ std::string display_name(const Crs& crs, const std::string& given) {
 }
 
 InputError split_by_projection_error(const std::string& input, const std::string& target) {
-    return InputError(
-        "'" + input + "' cannot be converted to '" + target +
-        "', which tears its area apart or stretches it beyond use (as across 180 degrees, over a "
-        "pole or far from where a projection is made for); choose another -t_srs, such as the "
-        "UTM zone of the area, or use a part of the raster (-srcwin, -projwin or -te).");
+    return InputError("'" + input + "' cannot be converted to '" + target +
+                      "', which splits the area or distorts it too much (for example across 180 degrees, "
+                      "over a pole or far from the area of use); choose another -t_srs, such as the UTM zone "
+                      "of the area, or use a part of the raster (-srcwin, -projwin or -te).");
 }
 
 }  // namespace d2b

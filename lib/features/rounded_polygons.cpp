@@ -211,7 +211,7 @@ void RoundedPolygons::finish() {
     }
     const bool decimals = rounding_.to == CoordinateRounding::To::decimals;
     throw OptionError(
-        rounding_.cause + " rounds coordinates so far that " +
+        rounding_.cause + " rounds coordinates so much that " +
         (harm.count == 1
              ? "a polygon is lost or runs into another: "
              : std::to_string(harm.count) + " polygons are lost or run into others, the first of them ") +

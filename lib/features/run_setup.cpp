@@ -48,7 +48,7 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
     if (write.problems && sink.takes_points()) {
         specs.indices.problems =
             add(LayerRole::problems, "Problems",
-                "Places at which outlines stood in the way of a surface, and what became of them, from ",
+                "Places where outlines were unfit for a surface, and whether they were changed, from ",
                 field_specs(problem_attributes(), vertical_unit), false);
         specs.layers.back().points = true;
         specs.layers.back().with_z = false;
@@ -94,9 +94,9 @@ Provenance make_provenance(const RunSetup& setup, const RunReport& report) {
         {"D2B_MINIMUM", number_text(report.minimum)},
         {"D2B_MAXIMUM", number_text(report.maximum)},
         {"D2B_VERTICAL_UNIT", report.units.vertical},
-        {"D2B_VERTICAL_UNIT_FROM", report.units.vertical_decided_by},
+        {"D2B_VERTICAL_UNIT_FROM", report.units.vertical_source},
         {"D2B_HORIZONTAL_UNIT", report.units.horizontal},
-        {"D2B_HORIZONTAL_UNIT_FROM", report.units.horizontal_decided_by},
+        {"D2B_HORIZONTAL_UNIT_FROM", report.units.horizontal_source},
         {"D2B_AREAS", report.units.areas},
     };
     provenance.metadata.merge(decisions(plan));

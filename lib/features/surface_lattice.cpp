@@ -33,10 +33,9 @@ double metres_of(const Crs& crs) {
 
 void require_lengths(const Crs& crs, std::string_view option_name) {
     if (crs.turn() > 0)
-        throw OptionError(std::string(option_name) +
-                          " needs coordinates in a unit of length, and those of '" + crs.name() +
-                          "' are angles; bring them to a projected CRS with -t_srs, such as the UTM zone of "
-                          "the area.");
+        throw OptionError(
+            std::string(option_name) + " needs coordinates in a unit of length, and those of '" + crs.name() +
+            "' are angles; convert them to a projected CRS with -t_srs, such as the UTM zone of the area.");
 }
 
 /// Returns the size of a lattice cell at a place; nullopt if the place is outside of the CRS's domain.
@@ -172,7 +171,7 @@ void SurfaceLattice::require_single_precision() const {
     const std::string size = std::to_string(cells);
     throw OptionError("-surface has coordinates up to " + number_text(std::ceil(reach_)) +
                       " m from their origin, where single precision, in which OBJ, STL and glTF are read, "
-                      "does not tell steps of " +
+                      "cannot resolve steps of " +
                       number_text(step) + " m apart; use a window of at most " + size + " x " + size +
                       " cells (-srcwin, -projwin or -te)" +
                       (terms_.origin ? " with an origin in its middle (-surface_origin)." : "."));
@@ -184,7 +183,7 @@ void SurfaceLattice::require_single_precision(double lowest, double highest) con
         if (const double z = elevation * frame_.vertical_metres - frame_.origin[2]; !(std::abs(z) <= reach))
             throw OptionError("-surface has heights " + number_text(std::ceil(std::abs(z))) +
                               " m from their origin, where single precision, in which OBJ, STL and glTF are "
-                              "read, does not tell millimetres apart; give an origin within " +
+                              "read, cannot resolve millimetres; give an origin within " +
                               number_text(reach) + " m of them with -surface_origin.");
 }
 

@@ -32,7 +32,7 @@ class Strange {
     void warn_of_set_aside(std::int64_t cells) const;
 
   private:
-    /// "outside of the elevations of land, -500 to 9000 m"
+    /// "outside the range of land, -500 to 9000 m"
     [[nodiscard]] std::string not_in_range() const;
     /// Returns the remedy if a value stands for no data.
     [[nodiscard]] std::string nodata_advice(double elevation) const;
@@ -47,7 +47,7 @@ class Strange {
 std::string Strange::not_in_range() const {
     if (const auto& range = options_.elevation_range)
         return "outside of -zrange " + number_text((*range)[0]) + " " + number_text((*range)[1]);
-    std::string text = "outside of the elevations of land, " + number_text(land_elevations.lowest) + " to " +
+    std::string text = "outside the range of land, " + number_text(land_elevations.lowest) + " to " +
                        number_text(land_elevations.highest) + " m";
     if (const UnitReport& units = context_.report.units; units.vertical_metres != 1)
         text += ", in the unit " + units.vertical;
@@ -123,10 +123,9 @@ void Strange::warn_of_set_aside(std::int64_t cells) const {
     if (cells == 0 || options_.ignore_nodata || !info_.overridden_nodata)
         return;
     const std::string value = value_text(*info_.overridden_nodata);
-    context_.warn(
-        cells_have(cells, name_) + "the elevation " + value +
-        ", the NoData value that the file declares and that -snodata takes the place of; if it stands for no "
-        "data, leave out -snodata.");
+    context_.warn(cells_have(cells, name_) + "the elevation " + value +
+                  ", the NoData value that the file declares and -snodata overrides; if it stands for no "
+                  "data, leave out -snodata.");
 }
 
 }  // namespace
@@ -136,9 +135,9 @@ void report_suspicious_values(const SuspiciousValues& suspicious, std::int64_t v
                               const ReadOptions& options, Context& context) {
     RunReport& report = context.report;
     report.count(Reason::elevation_outside_range, suspicious.outside.cells());
-    report.count(Reason::elevation_undeclared, suspicious.undeclared.cells());
-    report.count(Reason::elevation_above_neighbours, suspicious.spikes.cells());
-    report.count(Reason::elevation_not_roof, suspicious.spires);
+    report.count(Reason::elevation_undeclared_nodata, suspicious.undeclared.cells());
+    report.count(Reason::elevation_spike, suspicious.spikes.cells());
+    report.count(Reason::roof_spike, suspicious.spires);
     const Strange of(info, options, context);
     const std::int64_t within = valid + suspicious.spikes.cells();
     of.refuse_most(suspicious.outside, within);
@@ -197,7 +196,7 @@ std::vector<std::string> ImplausibleHeights::warnings() const {
                             whole_metres(high_.height_m) + "," + advice(high_.elevation));
     if (low_.buildings > 0)
         sentences.push_back(who(low_.buildings, low_.id, " has", " have") +
-                            " a negative volume, being lower than the ground on average: building " +
+                            " a negative volume, because it is lower than the ground on average: building " +
                             std::to_string(low_.id) + advice(low_.elevation));
     return sentences;
 }

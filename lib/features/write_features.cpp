@@ -110,8 +110,7 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
         layers[*indices.rejected].style =
             reason_style("Dropped, filled or kept as traced", "reason", contour_label_scale);
     if (indices.problems)
-        layers[*indices.problems].style =
-            reason_style("In the way of a surface", "kind", contour_label_scale);
+        layers[*indices.problems].style = reason_style("Unfit for a surface", "kind", contour_label_scale);
     for (LayerSpec& layer : layers) {
         layer.style.metre_scale = 1 / map_metres(input);
         layer.style.vertical_scale = vertical_metres / map_metres(input);

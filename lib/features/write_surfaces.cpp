@@ -224,7 +224,7 @@ void SurfaceWriter::warn_of_lost(const std::vector<LostBuilding>& lost) {
 void SurfaceWriter::add(GroupSurfaces&& group) {
     count(group.made);
     context_.report.count(Reason::flow_changed, group.steps_changed);
-    context_.report.count(Reason::flow_left, group.steps_left);
+    context_.report.count(Reason::flow_unchanged, group.steps_left);
     steps_left_ += group.steps_left;
     warn_of_lost(group.lost);
     if (input_.problems != nullptr)
@@ -244,11 +244,10 @@ void SurfaceWriter::finish() {
         context_.warn(std::to_string(lost_ - max_lost_named) + " more buildings are not in the " + whole() +
                       ".");
     if (steps_left_ > 0)
-        context_.warn(
-            std::to_string(steps_left_) +
-            (steps_left_ == 1 ? " step between roofs is" : " steps between roofs are") +
-            " lower than -min_wall and left, since one roof would move more than 1 % of the volume of a "
-            "block; -write_problems shows where.");
+        context_.warn(std::to_string(steps_left_) +
+                      (steps_left_ == 1 ? " step between roofs is" : " steps between roofs are") +
+                      " lower than -min_wall and left, because one roof would move more than 1 % of the "
+                      "volume of a block; -write_problems shows where.");
     for (SurfaceWorker& worker : workers_)
         context_.report.merge(worker.tally);
     if (has_closed())

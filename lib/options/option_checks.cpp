@@ -17,7 +17,7 @@ constexpr std::string_view one_window = "give one of -srcwin, -projwin and -te";
 constexpr std::string_view sweep_levels = "the levels of a sweep are those of its lod";
 constexpr std::string_view own_values = "the sweep names the values itself";
 constexpr std::string_view no_layers = "a sweep writes no layers and no rasters";
-constexpr std::string_view round_walls = "round walls come from -regularize auto alone";
+constexpr std::string_view round_walls = "only -regularize auto makes round walls";
 constexpr std::string_view thesis_walls = "its outlines stay as traced unless -regularize auto is given";
 
 constexpr std::string_view flow_walls = "arcs are short walls, which are merged";
@@ -45,8 +45,8 @@ constexpr OptionRule no_effect(OptionCondition one, OptionCondition other, std::
 
 constexpr std::array rules{
     exclude(given("fl"), given("i"), "list the levels or give an interval"),
-    exclude(given("lod"), given("fl"), "the listed levels take the place of those of -lod"),
-    exclude(given("lod"), given("i"), "the interval takes the place of -lod"),
+    exclude(given("lod"), given("fl"), "the listed levels replace those of -lod"),
+    exclude(given("lod"), given("i"), "the interval replaces -lod"),
     exclude(given("sweep"), given("fl"), sweep_levels),
     exclude(given("sweep"), given("i"), sweep_levels),
     exclude(given("srcwin"), given("projwin"), one_window),
@@ -74,17 +74,17 @@ constexpr std::array rules{
     no_effect(given("wall_inset"), is("preset", "thesis"), thesis_walls, given("regularize")),
     no_effect(given("arcs"), is("regularize", "right"), round_walls),
     no_effect(given("arcs"), is("regularize", "free"), round_walls),
-    no_effect(given("arcs"), given("t_srs"), "a circle in one CRS is no circle in another"),
+    no_effect(given("arcs"), given("t_srs"), "a circle in one CRS is not a circle in another"),
     no_effect(given("arcs"), is("preset", "thesis"), thesis_walls, given("regularize")),
     no_effect(given("arcs"), is_not("flow_ready", "0"), flow_walls),
     no_effect(given("arcs"), given("min_gap"), flow_walls),
     no_effect(given("arcs"), given("min_wall"), flow_walls),
     no_effect(given("regularize_tolerance"), is("preset", "thesis"), thesis_walls, given("regularize")),
     no_effect(given("disjoint"), is("layers", "buildings"),
-              "contours alone become bands, with -layers contours or both"),
+              "only contours become bands, with -layers contours or both"),
     no_effect(is_not("fields", "own"), is("layers", "contours"), "only fields of buildings have other names",
               given("write_doubtful")),
-    no_effect(given("split_field"), is("layers", "contours"), "only buildings say whose parcel they are",
+    no_effect(given("split_field"), is("layers", "contours"), "only buildings have the field parcel",
               given("write_doubtful")),
     no_effect(given("write_doubtful"), is("min_confidence", "0"), "nothing is doubtful then"),
     no_effect(given("max_building_width"), is_not("ground", "auto"),
@@ -124,18 +124,18 @@ constexpr std::array needs{
     OptionDependency{"off", "i", "it is the elevation that the intervals count from"},
     OptionDependency{"cutline_layer", "cutline", "it names the layer of its polygons"},
     OptionDependency{"preview_size", "preview", "it is the size of its picture"},
-    OptionDependency{"surface_of", "surface", "it says what the surface is made of"},
+    OptionDependency{"surface_of", "surface", "it is the model of the surface"},
     OptionDependency{"surface_roof", "surface", "it is the height of its flat roofs"},
     OptionDependency{"surface_solids", "surface", "it says how many objects an OBJ has, or solids an STL"},
-    OptionDependency{"surface_origin", "surface", "its coordinates begin there"},
+    OptionDependency{"surface_origin", "surface", "it is the origin of its coordinates"},
     OptionDependency{"write_problems",
                      "surface",
-                     "what it writes was in the way of a surface or a flow solver",
+                     "it writes the problems of a surface or a flow solver",
                      {"flow_ready", "min_gap", "min_wall"}},
     OptionDependency{"mask_layer", "mask", "it names the layer of its polygons"},
     OptionDependency{"split_layer", "split_by", "it names the layer of the parcels"},
     OptionDependency{"split_field", "split_by", "it is a field of the parcels"},
-    OptionDependency{"split_width", "split_by", "it is the width of what parcels cut off"},
+    OptionDependency{"split_width", "split_by", "it is the width of parts that parcels cut off"},
 };
 
 }  // namespace

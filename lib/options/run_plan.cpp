@@ -14,12 +14,11 @@ void refuse_for_layers(const Options& options, Layers layers) {
     const WriteOptions& write = options.write;
     if (options.outline.disjoint && layers == Layers::buildings)
         throw OptionError(
-            "-disjoint has no effect where the buildings alone are written; use -layers contours, "
-            "or a format that holds both layers, such as GeoPackage.");
+            "-disjoint has no effect if only buildings are written; use -layers contours, or a format that "
+            "holds both layers, such as GeoPackage.");
     if (write.fields != FieldNames::own && layers == Layers::contours && !write.doubtful)
         throw OptionError(
-            "-fields has no effect where the contours alone are written; only fields of buildings "
-            "have other names.");
+            "-fields has no effect if only contours are written; only fields of buildings have other names.");
 }
 
 }  // namespace

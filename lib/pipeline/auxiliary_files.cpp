@@ -51,7 +51,7 @@ AuxiliarySinks open_scene_rasters(const Options& options, const DemInfo& dem, co
     AuxiliarySinks sinks;
     sinks.ground = open(names.ground, "elevation of the ground", true);
     sinks.height = open(names.height, "height above the ground", false);
-    sinks.canopy = open(names.canopy, "height of everything that is no building", false);
+    sinks.canopy = open(names.canopy, "height of everything that is not a building", false);
     return sinks;
 }
 

@@ -35,7 +35,7 @@ void start_threads(const RunOptions& options, Context& context) {
     context.report.threads = started;
     if (started < wanted)
         context.warn("Only " + std::to_string(started) + " of " + std::to_string(wanted) +
-                     " threads are at work, since the system allows no more; the result is the same, but "
+                     " threads are running, because the system allows no more; the result is the same, but "
                      "takes longer.");
 }
 

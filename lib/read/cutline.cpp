@@ -111,11 +111,11 @@ std::vector<PixelPolygon> read_cutline(const PolygonSource& source, const DemInf
     });
     if (invalid == 1)
         warnings.add("A polygon of the " + name +
-                     " is not valid, and is taken for what an odd number of its rings encloses; make it "
+                     " is not valid, so the area that an odd number of its rings encloses is used; make it "
                      "valid, for example by ogr2ogr -makevalid.");
     else if (invalid > 1)
         warnings.add(std::to_string(invalid) + " polygons of the " + name +
-                     " are not valid, and are taken for what an odd number of their rings encloses; make "
+                     " are not valid, so the area that an odd number of their rings encloses is used; make "
                      "them valid, for example by ogr2ogr -makevalid.");
     if (!any)
         throw InputError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + name +

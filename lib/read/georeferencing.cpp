@@ -108,8 +108,9 @@ void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& i
     require_plane(crs, user_crs.empty() ? "" : "-a_srs " + one_line(user_crs), info.name);
     if (!info.georeferenced && user_crs.empty() && crs.kind() == Crs::Kind::geographic) {
         info.crs_wkt.clear();
-        warnings.add("'" + info.name + "' has a coordinate reference system in degrees, which columns and " +
-                     "rows are not; it is left out.");
+        warnings.add("'" + info.name +
+                     "' has a coordinate reference system in degrees, but its coordinates are columns and " +
+                     "rows; it is ignored.");
         return;
     }
     if (info.crs_wkt.empty())

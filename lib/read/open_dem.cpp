@@ -158,8 +158,7 @@ void require_array_options(const ReadOptions& options, const std::string& name) 
                               : !options.drivers.empty()      ? "-if"
                                                               : "";
     if (!given.empty())
-        throw OptionError(given + " says how a file is read and means nothing for '" + name +
-                          "'; leave it out.");
+        throw OptionError(given + " is for files and has no effect on '" + name + "'; leave it out.");
 }
 
 DemInfo describe(const ElevationArray& array, const ReadOptions& options, Warnings& warnings) {

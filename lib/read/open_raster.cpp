@@ -67,7 +67,7 @@ std::string metadata(GDALMajorObjectH object, const char* name, const char* doma
 }
 
 [[noreturn]] void throw_truncated(const std::string& name, std::uint64_t bytes, const std::string& needed) {
-    throw InputError("'" + name + "' has " + std::to_string(bytes) + " bytes where its header promises " +
+    throw InputError("'" + name + "' has " + std::to_string(bytes) + " bytes, but its header promises " +
                      needed + "; it is truncated, so copy it again.");
 }
 
@@ -119,7 +119,7 @@ void check_text(const OpenRaster& raster, const Header& header, std::uint64_t by
         throw_truncated(name, bytes, std::to_string(needed) + " at least");
     if (const std::uint64_t words = count_words(raster.dataset.get(), cells); words < cells)
         throw InputError("'" + name + "' has at most " + std::to_string(words) +
-                         " values where its header promises " + std::to_string(cells) +
+                         " values, but its header promises " + std::to_string(cells) +
                          "; it is truncated, so copy it again.");
 }
 
@@ -173,7 +173,7 @@ void check_options(const ReadOptions& options) {
     for (const std::string& name : options.drivers)
         if (GDALGetDriverByName(name.c_str()) == nullptr)
             throw OptionError("-if " + name +
-                              " names no format of this GDAL; gdalinfo --formats lists them.");
+                              " is not a format of this GDAL; gdalinfo --formats lists them.");
     for (const std::string& option : options.open_options)
         if (option.find('=', 1) == std::string::npos)
             throw OptionError("-oo " + option + " must have the form NAME=VALUE.");
@@ -225,7 +225,7 @@ void check_kind(GDALRasterBandH band, const ReadOptions& options, Warnings& warn
     const std::string name = "Band " + std::to_string(options.band) + " of '" + options.source + "'";
     if (GDALDataTypeIsComplex(GDALGetRasterDataType(band)) != FALSE)
         throw InputError(name +
-                         " holds complex numbers, which are no elevations; choose another band with -b.");
+                         " holds complex numbers, which are not elevations; choose another band with -b.");
     if (GDALGetRasterColorInterpretation(band) == GCI_PaletteIndex &&
         GDALGetRasterColorTable(band) != nullptr)
         warnings.add(name + " holds indices into a colour table; they are taken as elevations.");

@@ -320,7 +320,7 @@ std::string_view ParcelReader::name(std::int64_t parcel) {
         const FeatureOwner feature(OGR_L_GetFeature(layer_, parcel));
         if (!feature)
             throw InputError("Feature " + std::to_string(parcel) + " of the " + source_.name() +
-                             " is there no more: it has changed meanwhile.");
+                             " no longer exists: the dataset has changed meanwhile.");
         known = names_.emplace(parcel, text_of(feature.get())).first;
     }
     return known->second;

@@ -39,9 +39,9 @@ std::vector<std::string> read_raster_list(const std::string& list) {
     }
     if (!file.is_open() || file.bad() || (names.empty() && errno != 0))
         throw InputError("'" + list + "' cannot be read: " + std::generic_category().message(errno) +
-                         "; give a text file with the name of a raster a line.");
+                         "; give a text file with one raster name per line.");
     if (names.empty())
-        throw InputError("'" + list + "' names no raster; write the name of one a line into it.");
+        throw InputError("'" + list + "' names no raster; write one raster name per line.");
     return names;
 }
 
@@ -103,7 +103,7 @@ MosaicRaster read_mosaic_raster(const std::string& name, int band) {
     GDALDatasetH dataset = raster.dataset.get();
     std::array<double, 6> to{};
     if (GDALGetGeoTransform(dataset, to.data()) != CE_None)
-        refuse(name, "it does not say where it lies", "give it corners with gdal_translate -a_ullr");
+        refuse(name, "it has no georeferencing", "give it corners with gdal_translate -a_ullr");
     if (to[2] != 0 || to[4] != 0 || !(to[1] > 0) || !(to[5] < 0))
         refuse(name, "it is rotated or upside down", "bring it onto the grid of the others with gdalwarp");
     MosaicRaster here;
@@ -150,7 +150,7 @@ void require_same_grid(const MosaicRaster& first, const MosaicRaster& other) {
         refuse(
             other.name,
             "it says that its unit is '" + other.unit + "', not '" + first.unit + "' as '" + first.name + "'",
-            "say what holds with gdal_edit.py -units");
+            "set the right one with gdal_edit.py -units");
 }
 
 /// Value that stands for NoData if no raster declares one.
@@ -250,7 +250,7 @@ void build_mosaic(const std::string& path, const std::vector<std::string>& raste
     mosaic.reset();  // writes the file
     if (messages.failed())
         throw OutputError("'" + path + "' cannot be written: " + messages.reason() +
-                          "; make room in the work folder, or give another one.");
+                          "; free some space in the work folder, or give another one.");
 }
 
 }  // namespace d2b

@@ -87,7 +87,7 @@ RingProjector::RingProjector(OGRCoordinateTransformationH transform, const Affin
     : transform_(transform), name_(std::move(name)) {
     AffineTransform forward = grid;  // GDALInvGeoTransform() takes no const argument
     if (GDALInvGeoTransform(forward.data(), to_cells_.data()) == 0)
-        throw InputError("The transform of the DEM cannot be inverted, so that the " + name_ +
+        throw InputError("The transform of the DEM cannot be inverted, so the " + name_ +
                          " cannot be placed.");
 }
 
@@ -99,7 +99,7 @@ Position RingProjector::to_pixel(Position source) const {
     const AffineTransform& g = to_cells_;
     const Position pixel{g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
     if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y))
-        throw InputError("The " + name_ + " has a position without an image in the DEM's coordinate " +
+        throw InputError("The " + name_ + " has a position that has no counterpart in the DEM's coordinate " +
                          "reference system (" + number_text(source.x) + ", " + number_text(source.y) +
                          "); clip it to the surroundings of the DEM.");
     return pixel;

@@ -75,8 +75,8 @@ std::string open_failure_advice(const std::string& path) {
     const GdalMessages quiet;
     const std::string head = header_of(path);
     if (is_points(path, head))
-        return "; it is a cloud of points, of which a raster of the highest points must be made first, for "
-               "example with tools/points/highest_points.js of dem2buildings or with PDAL (writers.gdal)";
+        return "; it is a point cloud, so make a raster of its highest points first, for example with "
+               "tools/points/highest_points.js of dem2buildings or with PDAL (writers.gdal)";
     if (const std::string_view prefix = archive_prefix(path, head); !prefix.empty()) {
         const std::string raster = raster_within(std::string(prefix) + path);
         return raster.empty() ? "; it is an archive without a raster that GDAL reads"

@@ -93,7 +93,7 @@ StandardInputCopy::StandardInputCopy(const std::string& source)
     while (const std::size_t got = VSIFReadL(buffer.data(), 1, chunk, from.get()))
         file_.append(std::span(buffer).first(got));
     if (file_.size() == 0)
-        throw InputError("Nothing came in on the standard input; send a raster to it or give a file.");
+        throw InputError("The standard input is empty; pipe a raster into it or give a file.");
 }
 
 std::unique_ptr<StandardInputCopy> copy_standard_input(const std::string& source) {

@@ -121,7 +121,7 @@ void reject_archive(const std::string& name) {
     if (std::ranges::any_of(archives, begins))
         throw OptionError(
             in_quotes(name) +
-            " lies in an archive, into which nothing is written; give a file, and pack it then.");
+            " is in an archive, which cannot be written to; give a file, and pack it afterwards.");
     if (std::ranges::any_of(read_only, begins))
         throw OptionError(in_quotes(name) + " can only be read; give a file.");
 }

@@ -37,13 +37,13 @@ struct FormatWords {
 FormatWords format_words(FileKind format) {
     switch (format) {
         case FileKind::picture:
-            return {"a picture is written as", "no PNG, SVG or PDF"};
+            return {"a picture is written as", "not a PNG, SVG or PDF"};
         case FileKind::surface:
-            return {"a surface is written as", "no surface of this format"};
+            return {"a surface is written as", "not a surface of this format"};
         case FileKind::materials:
-            return {"the materials of an OBJ are written as", "no library of materials (MTL)"};
+            return {"the materials of an OBJ are written as", "not a material library (MTL)"};
         case FileKind::page:
-            return {"a page is written as", "no page of dem2buildings"};
+            return {"a page is written as", "not a page of dem2buildings"};
         case FileKind::geotiff:
             break;
     }
@@ -90,7 +90,7 @@ void reject_in_use(const FileTarget& target, const std::string& path, bool exist
     for (const std::string& other : target.in_use)
         if (!other.empty() && (same_file(path, other) || (exists && belongs_to_dataset(path, other))))
             throw OptionError(quoted(target.destination) +
-                              " is read or written by this run already; choose another name.");
+                              " is already read or written by this run; choose another name.");
 }
 
 std::string first_bytes_of(const std::string& path) {

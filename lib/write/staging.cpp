@@ -139,7 +139,7 @@ StagingFolder::StagingFolder(std::string name, fs::path destination)
     // Leave out the extension, because /vsizip/ would take "a.ods" anywhere in a path for an archive.
     std::string pattern = (parent / ".dem2buildings.XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr)
-        throw cannot_write(name_, "the folder \"" + parent.string() + "\" takes no new files (" +
+        throw cannot_write(name_, "no file can be created in \"" + parent.string() + "\" (" +
                                       std::generic_category().message(errno) +
                                       "); choose another destination");
     folder_ = pattern;
@@ -173,7 +173,7 @@ void StagingFolder::seal() {
         return std::pair(a == main, a) < std::pair(b == main, b);
     });
     if (result_.empty() || result_.back() != main)
-        throw cannot_write(name_, "the driver has written no file of this name");
+        throw cannot_write(name_, "the driver did not write a file of this name");
     for (const fs::path& file : result_)
         take_permissions(parent_of(destination_) / file, folder_ / file);
 }
@@ -221,7 +221,7 @@ std::string StagingFolder::roll_back() {
             keeps_old_ = true;
     if (keeps_old_)
         return "old files of \"" + name_ + "\" lie in \"" + folder_.string() + "\" now";
-    return fs::exists(destination_, ignored) ? "\"" + name_ + "\" is there already" : "";
+    return fs::exists(destination_, ignored) ? "\"" + name_ + "\" already exists" : "";
 }
 
 void StagingFolder::publish_folder(bool replaces) {
@@ -263,16 +263,15 @@ void PendingFiles::check() {
 void PendingFiles::confirm() {
     const std::string doubt = staging_->confirm();
     if (!doubt.empty())
-        warnings_.add("\"" + name_ +
-                      "\" is written, but may be gone after a power failure: the disk does not confirm its "
-                      "name (" +
-                      doubt + ").");
+        warnings_.add(
+            "\"" + name_ +
+            "\" is written, but may be lost after a power failure: the disk does not confirm its name (" +
+            doubt + ").");
 }
 
 void require_unchanged(const std::string& name, const ReplacedFiles& old) {
     if (!old.files.empty() && stamp_of(old.files) != old.stamp)
-        throw OutputError("\"" + name +
-                          "\" has changed while this run was going on and is left alone; run again.");
+        throw OutputError("\"" + name + "\" changed during this run and was left alone; run again.");
 }
 
 namespace {
@@ -328,7 +327,7 @@ PendingTextFile::~PendingTextFile() {
 
 void PendingTextFile::fail(const std::system_error& error) const {
     throw OutputError("\"" + path_.string() + "\" cannot be written: " + error.code().message() +
-                      "; make room for it, or let it be written to.");
+                      "; free some space, or allow writing to it.");
 }
 
 void PendingTextFile::show() {

@@ -16,7 +16,7 @@ std::string zlib_compressed(std::string_view bytes) {
     const std::unique_ptr<void, decltype(&VSIFree)> packed(
         CPLZLibDeflate(bytes.data(), bytes.size(), smallest, nullptr, 0, &size), &VSIFree);
     if (!packed)
-        throw OutputError("There is no memory to pack the page; use a smaller window (-te).");
+        throw OutputError("There is not enough memory to pack the page; use a smaller window (-te).");
     return {static_cast<const char*>(packed.get()), size};
 }
 

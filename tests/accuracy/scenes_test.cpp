@@ -57,7 +57,7 @@ TEST(AccuracyOfScenes, RowsOfHousesAreFoundWhole) {
     EXPECT_EQ(score.object_completeness, 1);
     EXPECT_EQ(score.object_correctness, 1);
     EXPECT_LT(score.outline_rms_m.value(), 0.3);
-    EXPECT_LT(score.sampling.step_width_cells.value(), 1);
+    EXPECT_LT(score.sampling.edge_width_cells.value(), 1);
     EXPECT_EQ(score.warnings.size(), 0U);
 }
 
@@ -68,7 +68,7 @@ TEST(AccuracyOfScenes, FarmsAmongThinPointsAreFoundByHalf) {
     EXPECT_GE(score.object_correctness, 0.9);
     const double points = 0.3 * 2.5 * 2.5;  // a cell
     EXPECT_NEAR(score.sampling.points_per_cell.value(), points, 0.25 * points);
-    EXPECT_LT(score.sampling.step_width_cells.value(), 1);
+    EXPECT_LT(score.sampling.edge_width_cells.value(), 1);
     ASSERT_EQ(score.warnings.size(), 1U);
     EXPECT_TRUE(score.warnings[0].starts_with("Points are thin: about ")) << score.warnings[0];
 }
@@ -76,10 +76,10 @@ TEST(AccuracyOfScenes, FarmsAmongThinPointsAreFoundByHalf) {
 TEST(AccuracyOfScenes, ABlurIsSeenForWhatItIs) {
     const Scored score = scored("rows_satellite");
     const double width = 2.563 * 2;  // of a normal distribution of 2 m, between a tenth and nine tenths
-    EXPECT_NEAR(score.sampling.step_width_cells.value(), width, 0.15 * width);
+    EXPECT_NEAR(score.sampling.edge_width_cells.value(), width, 0.15 * width);
     EXPECT_EQ(score.sampling.points_per_cell, std::nullopt);
     ASSERT_EQ(score.warnings.size(), 1U);
-    EXPECT_TRUE(score.warnings[0].starts_with("Walls are smeared: they fall over ")) << score.warnings[0];
+    EXPECT_TRUE(score.warnings[0].starts_with("Walls are blurred: they extend over ")) << score.warnings[0];
 }
 
 }  // namespace

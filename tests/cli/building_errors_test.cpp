@@ -92,17 +92,17 @@ TEST_F(BuildingErrors, refusesToOverwriteWhatItReadsOrWrites) {
     write(path("dtm.tif"), town_raster(MadeTown::terrain()));
     for (const char* option : {"-write_ground", "-write_height", "-write_canopy"}) {
         refused(2, {"-overwrite", option, "dem.tif"},
-                "\"dem.tif\" is read or written by this run already; choose another name.");
+                "\"dem.tif\" is already read or written by this run; choose another name.");
         refused(2, {"-overwrite", "-ground", "dtm.tif", option, "./dtm.tif"},
-                "\"./dtm.tif\" is read or written by this run already; choose another name.");
+                "\"./dtm.tif\" is already read or written by this run; choose another name.");
         refused(2, {option, "dtm.tif"},
                 "\"dtm.tif\" exists; give another name, or -overwrite to replace it.");
         refused(2, {option, "out.png"},
                 "Rasters are written as GeoTIFF; give \"out.png\" a name that ends in .tif.");
-        refused(1, {option, "no/such/g.tif"}, "the folder \"no/such\" takes no new files (");
+        refused(1, {option, "no/such/g.tif"}, "no file can be created in \"no/such\" (");
     }
     refused(2, {"-write_ground", "a.tif", "-write_height", "a.tif"},
-            "\"a.tif\" is read or written by this run already; choose another name.");
+            "\"a.tif\" is already read or written by this run; choose another name.");
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST_F(InputErrors, truncatedEnvi) {
     spec.driver = "ENVI";
     write(path("grid.img"), spec);
     write_text(path("grid.img"), read_bytes(path("grid.img")).substr(0, 2000));
-    failed("'grid.img' has 2000 bytes where its header promises 2400; it is truncated, so copy it again.",
+    failed("'grid.img' has 2000 bytes, but its header promises 2400; it is truncated, so copy it again.",
            "grid.img");
 }
 
@@ -59,7 +59,7 @@ TEST_F(InputErrors, complexBand) {
     spec.type = GDT_CFloat32;
     write(path("complex.tif"), spec);
     failed(
-        "Band 1 of 'complex.tif' holds complex numbers, which are no elevations; choose another band with "
+        "Band 1 of 'complex.tif' holds complex numbers, which are not elevations; choose another band with "
         "-b.",
         "complex.tif");
 }
@@ -132,8 +132,8 @@ TEST_F(InputErrors, targetsThatTearTheDemApart) {
     spec.crs = "EPSG:4326";
     spec.transform = std::array<double, 6>{179.9999, 1e-5, 0, -17, 0, -1e-5};
     write(path("fiji.tif"), spec);
-    failed("'fiji.tif' cannot be converted to 'WGS 84 / Pseudo-Mercator', which tears its area apart",
-           "fiji.tif", {"-t_srs", "EPSG:3857"});
+    failed("'fiji.tif' cannot be converted to 'WGS 84 / Pseudo-Mercator', which splits the area", "fiji.tif",
+           {"-t_srs", "EPSG:3857"});
     run_well({"-q", "-t_srs", "EPSG:32760", "fiji.tif", "fiji.gpkg"});
 }
 
@@ -176,7 +176,7 @@ TEST_F(InputErrors, scaleOfNothing) {
 }
 
 TEST_F(InputErrors, nothingOnStdin) {
-    failed("Nothing came in on the standard input; send a raster to it or give a file.", "/vsistdin/");
+    failed("The standard input is empty; pipe a raster into it or give a file.", "/vsistdin/");
 }
 
 TEST_F(InputErrors, stdinWithoutRoom) {

@@ -41,8 +41,8 @@ TEST_F(Messages, swappedFileNames) {
 
 TEST_F(Messages, sourcesThatAreNoRasters) {
     const std::string points =
-        "; it is a cloud of points, of which a raster of the highest points must be made first, for example "
-        "with tools/points/highest_points.js of dem2buildings or with PDAL (writers.gdal).";
+        "; it is a point cloud, so make a raster of its highest points first, for example with "
+        "tools/points/highest_points.js of dem2buildings or with PDAL (writers.gdal).";
     write_text(path("scan.laz"), "LASF\x00\x00");
     write_text(path("scan"), "LASF and so on");
     write_text(path("SCAN.LAS"), "");
@@ -93,9 +93,8 @@ TEST_F(Messages, formatsThatCannotHoldTheLayers) {
 
 TEST_F(Messages, namesThatDatabasesKeepForThemselves) {
     for (const std::string name : {"layer_styles", "sqlite_master", "GPKG_contents", "rtree_buildings_geom"})
-        refused(
-            2, "-nln: a table \"" + name + "\" of a GPKG file has a meaning of its own; choose another name.",
-            {"-layers", "buildings", "-nln", name, "dem.tif", "out.gpkg"});
+        refused(2, "-nln: a table \"" + name + "\" of a GPKG file is reserved; choose another name.",
+                {"-layers", "buildings", "-nln", name, "dem.tif", "out.gpkg"});
     for (const std::string option : {"GEOMETRY_NAME=id", "geometry_name=Roof"})
         refused(2,
                 "-lco " + option + " is the name of a field of the layer \"buildings\"; choose another name.",
@@ -108,25 +107,24 @@ TEST_F(Messages, namesThatDatabasesKeepForThemselves) {
 }
 
 TEST_F(Messages, placesThatKeepNothing) {
-    refused(2,
-            "The destination '/vsimem/x.gpkg' lies in memory and is gone when the program ends; give a file.",
+    refused(2, "The destination '/vsimem/x.gpkg' is in memory and lost when the program ends; give a file.",
             {"dem.tif", "/vsimem/x.gpkg"});
     const std::string archive = "/vsizip/" + path("z.zip") + "/";
     const std::string rest =
-        "\" lies in an archive, into which nothing is written; give a file, and pack it then.";
+        "\" is in an archive, which cannot be written to; give a file, and pack it afterwards.";
     refused(2, '"' + archive + "x.gpkg" + rest, {"dem.tif", archive + "x.gpkg"});
     refused(2, "\"/vsicurl/http://localhost/x.gpkg\" can only be read; give a file.",
             {"dem.tif", "/vsicurl/http://localhost/x.gpkg"});
-    refused(2, "'/vsimem/g.png' lies in memory", {"-preview", "/vsimem/g.png", "dem.tif", "out.gpkg"});
+    refused(2, "'/vsimem/g.png' is in memory", {"-preview", "/vsimem/g.png", "dem.tif", "out.gpkg"});
     refused(2, '"' + archive + "g.png" + rest, {"-preview", archive + "g.png", "dem.tif", "out.gpkg"});
 }
 
 TEST_F(Messages, fieldsThatAFormatWouldCut) {
-    const std::string rest = ", which no other program finds; write a GeoPackage.";
-    for (const auto& [fields, cut] : std::vector<std::pair<std::string, std::string>>{
-             {"urock", "ROOF_HEIGH in place of ROOF_HEIGHT"},
-             {"city4cfd", "base_heigh in place of base_height"},
-             {"osm", "building_l in place of building:levels"}}) {
+    const std::string rest = ", which no other program would find; write a GeoPackage.";
+    for (const auto& [fields, cut] :
+         std::vector<std::pair<std::string, std::string>>{{"urock", "ROOF_HEIGH instead of ROOF_HEIGHT"},
+                                                          {"city4cfd", "base_heigh instead of base_height"},
+                                                          {"osm", "building_l instead of building:levels"}}) {
         refused(2, "-fields: \"out.shp\" would hold a field " + cut + rest,
                 {"-layers", "buildings", "-fields", fields, "dem.tif", "out.shp"});
         refused(2, "-fields: \"folder\" would hold a field " + cut + rest,
@@ -136,7 +134,7 @@ TEST_F(Messages, fieldsThatAFormatWouldCut) {
 }
 
 TEST_F(Messages, bandsWhereTheFormatHoldsBuildingsAlone) {
-    expect_error(2, "-disjoint has no effect where the buildings alone are written; use -layers contours, or",
+    expect_error(2, "-disjoint has no effect if only buildings are written; use -layers contours, or",
                  {"-disjoint", "dem.tif", "out.geojson"}, {}, 1);
 }
 

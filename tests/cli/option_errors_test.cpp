@@ -26,7 +26,7 @@ TEST_F(OptionErrors, saysWhatIsMissingOrTooMuch) {
                  {"dem.tif", "a.gpkg", "b.gpkg"});
     expect_error(2, "The destination 'dem.tif' is the source; give another name.", {"dem.tif", "dem.tif"});
     expect_error(2, "A file name is empty" + usage, {"dem.tif", ""});
-    expect_error(2, "'-' is no file name here; write /vsistdin/ or /vsistdout/.", {"-", "out.gpkg"});
+    expect_error(2, "'-' is not a file name here; write /vsistdin/ or /vsistdout/.", {"-", "out.gpkg"});
 }
 
 TEST_F(OptionErrors, printsTheUsageWhereThereAreNoArguments) {
@@ -131,7 +131,7 @@ TEST_F(OptionErrors, refusesWhatDoesNotFitTheInput) {
             "-off 1e+17 is too far away to count intervals of 1 from; give a base near the elevations.");
     refused({"-a_srs", "EPSG:nothing"}, "-a_srs EPSG:nothing is not a coordinate reference system");
     refused({"-t_srs", "EPSG:nothing"}, "EPSG:nothing");
-    refused({"-if", "NoSuch"}, "-if NoSuch names no format of this GDAL; gdalinfo --formats lists them.");
+    refused({"-if", "NoSuch"}, "-if NoSuch is not a format of this GDAL; gdalinfo --formats lists them.");
 }
 
 TEST_F(OptionErrors, refusesMapWindowsOnTurnedGrids) {

@@ -179,7 +179,7 @@ TEST_F(OptionEffect, min_wall__makesOneRoofOfTwo) {
         return layer("out.gpkg", "problems");
     };
     const std::string reason =
-        " lower than -min_wall and left, since one roof would move more than 1 % of the volume of a block; "
+        " lower than -min_wall and left, because one roof would move more than 1 % of the volume of a block; "
         "-write_problems shows where.";
     const Layer problems = run_on("one.tif", "Warning: 1 step between roofs is" + reason);
     ASSERT_EQ(problems.records.size(), 2U);

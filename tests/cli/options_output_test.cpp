@@ -107,10 +107,9 @@ TEST_F(OptionEffect, lco__thatRoundsCoordinates) {
     };
     const ToolResult refused = run_with("0");
     EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(
-        refused.err,
-        "ERROR: -lco COORDINATE_PRECISION=0 rounds coordinates so far that a polygon is lost or runs into "
-        "another: contour 3; the coarsest precision that keeps all is 1 decimal.\n");
+    EXPECT_EQ(refused.err,
+              "ERROR: -lco COORDINATE_PRECISION=0 rounds coordinates so much that a polygon is lost or runs "
+              "into another: contour 3; the coarsest precision that keeps all is 1 decimal.\n");
     EXPECT_FALSE(std::filesystem::exists(path("out.geojson")));
     const ToolResult kept = run_with("1");
     EXPECT_EQ(kept.status, 0) << kept.err;

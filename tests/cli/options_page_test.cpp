@@ -12,15 +12,15 @@ class PageErrors : public TownErrors {};
 
 TEST_F(PageErrors, names) {
     refused(2, "Pages are written as HTML; give \"a.htm\" a name that ends in .html.", {"-page", "a.htm"});
-    refused(1, "the folder \"no/such\" takes no new files (", {"-page", "no/such/a.html"});
+    refused(1, "no file can be created in \"no/such\" (", {"-page", "no/such/a.html"});
     std::ofstream(path("other.html")) << "<!DOCTYPE html>\n<p>Dear diary\n";
     refused(2, "\"other.html\" exists; give another name, or -overwrite to replace it.",
             {"-page", "other.html"});
-    refused(2, "\"other.html\" exists and is no page of dem2buildings; remove it first.",
+    refused(2, "\"other.html\" exists and is not a page of dem2buildings; remove it first.",
             {"-overwrite", "-page", "other.html"});
     std::filesystem::create_directory(path("folder.html"));
     refused(2, "is a folder, and a page is written as a file", {"-page", "folder.html"});
-    refused(2, "'/vsimem/a.html' lies in memory and is gone when the program ends; give a file.",
+    refused(2, "'/vsimem/a.html' is in memory and lost when the program ends; give a file.",
             {"-page", "/vsimem/a.html"});
 }
 
@@ -55,8 +55,8 @@ TEST_F(OptionEffect, page) {
 
 TEST_F(PageErrors, coordinates) {
     refused(2,
-            "-page needs coordinates in a unit of length, and those of 'WGS 84' are angles; bring them to a "
-            "projected CRS with -t_srs, such as the UTM zone of the area.",
+            "-page needs coordinates in a unit of length, and those of 'WGS 84' are angles; convert them to "
+            "a projected CRS with -t_srs, such as the UTM zone of the area.",
             {"-page", "a.html", "-t_srs", "EPSG:4326"});
 }
 

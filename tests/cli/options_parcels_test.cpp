@@ -121,11 +121,11 @@ class ParcelWarnings : public OptionEffect {
 
 /// The second lot reaches three metres into the first.
 TEST_F(ParcelWarnings, overlap) {
-    warned({"lots", {{rectangle(0, 0, flat_middle, 50)}, {rectangle(flat_middle - 3, 0, 60, 50)}}, 25833},
-           " % of what parcels of 'lots.gpkg' hold of buildings lies in more than one of them, and is taken "
-           "for the "
-           "one with the lowest id; ",
-           4);
+    warned(
+        {"lots", {{rectangle(0, 0, flat_middle, 50)}, {rectangle(flat_middle - 3, 0, 60, 50)}}, 25833},
+        " % of the building area in parcels of 'lots.gpkg' lies in more than one parcel and goes to the one "
+        "with the lowest id; ",
+        4);
 }
 
 /// A ring around the house that crosses itself beside it.
@@ -134,7 +134,7 @@ TEST_F(ParcelWarnings, notValid) {
     for (const auto& [x, y] : std::vector<std::pair<double, double>>{
              {0, 0}, {60, 0}, {60, 50}, {3, 50}, {0, 53}, {3, 53}, {0, 50}, {0, 0}})
         ring += (ring.empty() ? "" : ",") + number_text(391000 + x) + " " + number_text(5820000 - y);
-    warned({"lots", {{"POLYGON((" + ring + "))"}}, 25833}, "Parcels of 'lots.gpkg' that are not valid hold ",
+    warned({"lots", {{"POLYGON((" + ring + "))"}}, 25833}, "Parcels of 'lots.gpkg' that are invalid hold ",
            3);
 }
 

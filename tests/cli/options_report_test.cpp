@@ -30,7 +30,7 @@ TEST_F(OptionEffect, json) {
     EXPECT_EQ(report["input"]["points"], 600);
     EXPECT_EQ(report["input"]["maximum"], 20);
     EXPECT_NEAR(report["input"]["mean"].get<double>(), 1.84, 1e-12);
-    EXPECT_EQ(report["units"]["vertical_decided_by"], "horizontal unit of the CRS");
+    EXPECT_EQ(report["units"]["vertical_source"], "horizontal unit of the CRS");
     EXPECT_EQ(report["units"]["areas"], "geodesic");
     ASSERT_EQ(report["levels"].size(), 3U);
     EXPECT_EQ(report["levels"][2]["threshold"], 15);

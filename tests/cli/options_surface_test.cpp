@@ -395,20 +395,20 @@ TEST_F(SurfaceErrors, names) {
         "Surfaces are written as CityJSON, OBJ, STL or glTF; give \"a.ply\" a name that ends in .city.json, "
         ".obj, .stl or .glb.",
         {"-surface", "a.ply"});
-    refused(2, "\"a.obj\" is read or written by this run already; choose another name.",
+    refused(2, "\"a.obj\" is already read or written by this run; choose another name.",
             {"-surface", "a.obj", "-surface", "a.obj"});
-    refused(1, "the folder \"no/such\" takes no new files (", {"-surface", "no/such/a.obj"});
+    refused(1, "no file can be created in \"no/such\" (", {"-surface", "no/such/a.obj"});
     std::ofstream(path("there.obj")) << "# made by hand\nv 1 2 3\n";
     refused(2, "\"there.obj\" exists; give another name, or -overwrite to replace it.",
             {"-surface", "there.obj"});
     std::ofstream(path("other.obj")) << "Dear diary\n";
-    refused(2, "\"other.obj\" exists and is no surface of this format; remove it first.",
+    refused(2, "\"other.obj\" exists and is not a surface of this format; remove it first.",
             {"-overwrite", "-surface", "other.obj"});
     for (const std::string name : {"other.stl", "other.glb", "other.city.json"}) {
         std::ofstream(path(name)) << "Dear diary\n";
         refused(2, "\"" + name + "\" exists; give another name, or -overwrite to replace it.",
                 {"-append", "-surface", name});
-        refused(2, "\"" + name + "\" exists and is no surface of this format; remove it first.",
+        refused(2, "\"" + name + "\" exists and is not a surface of this format; remove it first.",
                 {"-overwrite", "-surface", name});
     }
     std::filesystem::create_directory(path("folder.obj"));
@@ -440,17 +440,15 @@ TEST_F(SurfaceErrors, append) {
 
 /// CityJSON has one unit for all three coordinates.
 TEST_F(SurfaceErrors, units) {
-    refused(
-        2,
-        "CityJSON has heights in the unit of x and y, which is the metre in 'ETRS89 / UTM zone 33N', and the "
-        "elevations are in the unit 'foot'; give a CRS in that unit with -t_srs, or with -zunit the unit "
-        "that "
-        "they are in.",
-        {"-surface", "a.city.json", "-zunit", "ft"});
+    refused(2,
+            "CityJSON has heights in the unit of x and y, which is the metre in 'ETRS89 / UTM zone 33N', and "
+            "the elevations are in the unit 'foot'; give a CRS in that unit with -t_srs, or their true unit "
+            "with -zunit.",
+            {"-surface", "a.city.json", "-zunit", "ft"});
     RasterSpec nowhere = town_raster(MadeTown::surface());
     nowhere.crs = "";
     write(path("nowhere.tif"), nowhere);
-    expect_error(2, "that of the elevations is not known; give it with -zunit",
+    expect_error(2, "the unit of the elevations is unknown; give it with -zunit",
                  {"-preset", "buildings", "-q", "-surface", "a.city.json", "--", "nowhere.tif", "o.gpkg"}, {},
                  1);
     run_warned({"-preset", "buildings", "-q", "-surface", "a.city.json", "-zunit", "m", "--", "nowhere.tif",
@@ -463,15 +461,15 @@ TEST_F(SurfaceErrors, units) {
 
 TEST_F(SurfaceErrors, coordinates) {
     refused(2,
-            "-surface needs coordinates in a unit of length, and those of 'WGS 84' are angles; bring them to "
-            "a projected CRS with -t_srs, such as the UTM zone of the area.",
+            "-surface needs coordinates in a unit of length, and those of 'WGS 84' are angles; convert them "
+            "to a projected CRS with -t_srs, such as the UTM zone of the area.",
             {"-surface", "a.obj", "-t_srs", "EPSG:4326"});
-    refused(2,
-            "-surface has coordinates up to 391170 m from their origin, where single precision, in which "
-            "OBJ, STL and glTF are read, does not tell steps of 0.0009765625 m apart; use a window of at "
-            "most 16382 x 16382 cells (-srcwin, -projwin or -te) with an origin in its middle "
-            "(-surface_origin).",
-            {"-surface", "a.obj", "-surface_origin", "0", "5820000", "0"});
+    refused(
+        2,
+        "-surface has coordinates up to 391170 m from their origin, where single precision, in which OBJ, "
+        "STL and glTF are read, cannot resolve steps of 0.0009765625 m apart; use a window of at most 16382 "
+        "x 16382 cells (-srcwin, -projwin or -te) with an origin in its middle (-surface_origin).",
+        {"-surface", "a.obj", "-surface_origin", "0", "5820000", "0"});
     for (const std::string name : {"a.stl", "a.glb"}) {
         refused(2, "-surface has coordinates up to 391170 m from their origin",
                 {"-surface", "a.city.json", "-surface", name, "-surface_origin", "0", "5820000", "0"});
@@ -493,8 +491,8 @@ TEST_F(SurfaceErrors, coordinates) {
     refused(2, "-surface_roof needs -surface <file>; it is the height of its flat roofs.",
             {"-surface_roof", "p90"});
     refused(2,
-            "-write_problems needs -surface <file>, -flow_ready <m>, -min_gap <m> or -min_wall <m>; what it "
-            "writes was in the way of a surface or a flow solver.",
+            "-write_problems needs -surface <file>, -flow_ready <m>, -min_gap <m> or -min_wall <m>; it "
+            "writes the problems of a surface or a flow solver.",
             {"-write_problems"});
     refused(2,
             "-surface_solids needs -surface <file>; it says how many objects an OBJ has, or solids an STL.",
@@ -512,13 +510,12 @@ TEST_F(SurfaceErrors, nothingFound) {
     run_warned({"-preset", "buildings", "-q", "-min_building_height", "80", "-surface", "none.obj", "--",
                 "town.tif", "o.gpkg"},
                {"No building was found"});
-    run_warned(
-        {"-preset", "buildings", "-q", "-overwrite", "-min_building_height", "80", "-surface", "none.stl",
-         "-surface", "none.glb", "-surface", "none.city.json", "--", "town.tif", "o.gpkg"},
-        {"No building was found",
-         "There is no building for \"none.stl\", and an STL without a solid is none; no file is written.",
-         "There is no building for \"none.glb\", and a glTF without a mesh shows nothing; no file is "
-         "written."});
+    run_warned({"-preset", "buildings", "-q", "-overwrite", "-min_building_height", "80", "-surface",
+                "none.stl", "-surface", "none.glb", "-surface", "none.city.json", "--", "town.tif", "o.gpkg"},
+               {"No building was found",
+                "There is no building for \"none.stl\", and an STL needs a solid; no file is written.",
+                "There is no building for \"none.glb\", and a glTF without a mesh shows nothing; no file is "
+                "written."});
     EXPECT_FALSE(std::filesystem::exists(path("none.stl")));
     EXPECT_FALSE(std::filesystem::exists(path("none.glb")));
     EXPECT_TRUE(read_cityjson(path("none.city.json")).solids.empty());

@@ -42,12 +42,12 @@ class OutputErrors : public CliTest {
 };
 
 TEST_F(OutputErrors, destinationsThatCannotBe) {
-    failed(1, R"(Cannot write "no/out.gpkg": the folder "no" takes no new files (No such file or directory))",
+    failed(1, R"(Cannot write "no/out.gpkg": no file can be created in "no" (No such file or directory))",
            "no/out.gpkg");
-    failed(1, R"(the folder "dem.tif" takes no new files (Not a directory))", "dem.tif/out.gpkg");
-    failed(2, R"(The name "out.xyz" does not tell its format; give it an extension such as .gpkg, or say)",
+    failed(1, R"(no file can be created in "dem.tif" (Not a directory))", "dem.tif/out.gpkg");
+    failed(2, R"(The name "out.xyz" does not show its format; give it an extension such as .gpkg, or give)",
            "out.xyz");
-    failed(2, R"(The name "out" does not tell its format)", "out");
+    failed(2, R"(The name "out" does not show its format)", "out");
     failed(
         2,
         R"(Format "NoSuch" cannot hold a new vector dataset; -f takes, among others: GPKG, ESRI Shapefile)",
@@ -107,7 +107,7 @@ TEST_F(OutputErrors, appendsNothingThatDoesNotFit) {
     failed_at_once(
         R"(Cannot append to "out.gpkg": its layer "buildings" is in "ETRS89 / UTM zone 33N" and the result in "WGS 84")",
         "out.gpkg", {"-append", "-t_srs", "EPSG:4326"});
-    failed_at_once("has no Z, and the result has; write to another destination.", "out.gpkg",
+    failed_at_once("has no Z, but the result has it; write to another destination.", "out.gpkg",
                    {"-append", "-3d"});
     failed_at_once(R"(has D2B_VERTICAL_UNIT "metre" and the result "foot"; write to another destination.)",
                    "out.gpkg", {"-append", "-zunit", "ft"});
@@ -141,12 +141,12 @@ TEST_F(OutputErrors, formatsThatTakeNoPolygonsOrGiveNoneBack) {
     for (const char* tiles : {"MVT", "PMTiles", "MBTiles"})
         if (GDALGetDriverByName(tiles) != nullptr &&
             GDALGetMetadataItem(GDALGetDriverByName(tiles), GDAL_DCAP_CREATE_LAYER, nullptr) != nullptr)
-            failed(2,
-                   "\"out.tiles\" would hold tiles (format " + std::string(tiles) +
-                       "), which cut polygons at their borders and move corners onto a coarse grid, so that "
-                       "nothing can be read back as it was; write a GeoPackage, and make tiles of it with "
-                       "ogr2ogr.",
-                   "out.tiles", {"-f", tiles});
+            failed(
+                2,
+                "\"out.tiles\" would hold tiles (format " + std::string(tiles) +
+                    "), which cut polygons at their borders and move corners onto a coarse grid, so nothing "
+                    "can be read back unchanged; write a GeoPackage, and make tiles of it with ogr2ogr.",
+                "out.tiles", {"-f", tiles});
 }
 
 TEST_F(OutputErrors, foldersWithForeignFiles) {
@@ -161,7 +161,7 @@ TEST_F(OutputErrors, foldersWithForeignFiles) {
 }
 
 TEST_F(OutputErrors, folderThatTakesNoFiles) {
-    failed(1, R"(Cannot write "/proc/out.gpkg": the folder "/proc" takes no new files)", "/proc/out.gpkg");
+    failed(1, R"(Cannot write "/proc/out.gpkg": no file can be created in "/proc")", "/proc/out.gpkg");
 }
 
 TEST_F(OutputErrors, folderWithoutPermission) {
@@ -172,7 +172,7 @@ TEST_F(OutputErrors, folderWithoutPermission) {
     const ToolResult result = run({"-q", "dem.tif", "closed/out.gpkg"});
     std::filesystem::permissions(path("closed"), std::filesystem::perms::owner_all);
     EXPECT_EQ(result.status, 1);
-    expect_has(result.err, "takes no new files (Permission denied)");
+    expect_has(result.err, "\" (Permission denied)");
 }
 
 TEST_F(OutputErrors, creationOptionsThatFail) {

@@ -152,13 +152,12 @@ TEST_F(TilesTool, leavesNothingOfListsThatItRefuses) {
     };
     expect_refused(1, "'nothing.tif' cannot be opened as a raster: No such file or directory.",
                    plan("list.txt", "a.gpkg", "work"));
-    expect_refused(
-        1,
-        "'none.txt' cannot be read: No such file or directory; give a text file with the name of a "
-        "raster a line.",
-        plan("none.txt", "a.gpkg", "work"));
+    expect_refused(1,
+                   "'none.txt' cannot be read: No such file or directory; give a text file with one raster "
+                   "name per line.",
+                   plan("none.txt", "a.gpkg", "work"));
     std::ofstream(path("empty.txt")) << "\n";
-    expect_refused(1, "'empty.txt' names no raster; write the name of one a line into it.",
+    expect_refused(1, "'empty.txt' names no raster; write one raster name per line.",
                    plan("empty.txt", "a.gpkg", "work"));
     std::ofstream(path("town.txt")) << sample("town.tif") << '\n';
     std::ofstream(path("file")) << "no folder";
@@ -176,11 +175,10 @@ TEST_F(TilesTool, leavesNothingOfListsThatItRefuses) {
     std::filesystem::copy(sample("town.tif"), path("copy.tif"));
     std::ofstream(path("town.txt")) << "copy.tif\n";
     const std::string mosaic = read_bytes(path("work/source.vrt"));
-    expect_refused(
-        2,
-        "'work' holds another plan, or one of a source that has changed; give another work folder, "
-        "or delete this one.",
-        plan("town.txt", "b.gpkg", "work"));
+    expect_refused(2,
+                   "'work' holds another plan, or the plan of a source that has changed; give another work "
+                   "folder, or delete this one.",
+                   plan("town.txt", "b.gpkg", "work"));
     EXPECT_EQ(read_bytes(path("work/source.vrt")), mosaic);
 }
 
@@ -207,11 +205,10 @@ TEST_F(TilesTool, writesPartsWithTheNumbersOfOneRun) {
     expect_refused(
         1, "'" + path("work") + "/merge/0' cannot be read: No such file or directory; run 'merge' first.",
         {"write", "work", "0"});
-    expect_refused(
-        2,
-        "A folder to which each tile adds its files is a new one; give another name, or delete that one, "
-        "without -append and -overwrite.",
-        {"plan", "-overwrite", "-f", "FlatGeobuf", sample("town.tif"), "parts", "again"});
+    expect_refused(2,
+                   "The folder to which tiles add their files must be new; give another name, or delete it, "
+                   "and leave out -append and -overwrite.",
+                   {"plan", "-overwrite", "-f", "FlatGeobuf", sample("town.tif"), "parts", "again"});
 }
 
 /// A mosaic finds its parts by the bytes of their names.
@@ -232,7 +229,7 @@ TEST_F(TilesTool, writesNoPartsOfOneFile) {
     well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
     expect_refused(
         1,
-        "'work' is the plan of one file, which merge writes; -f FlatGeobuf and a folder make one of parts.",
+        "'work' is the plan of one file, which merge writes; use -f FlatGeobuf and a folder to write parts.",
         {"write", "work", "0"});
 }
 
@@ -267,13 +264,12 @@ TEST_F(TilesTool, worksFromAnyFolder) {
 }
 
 TEST_F(TilesTool, refusesWhatItCannotDo) {
+    expect_refused(2,
+                   "-write_canopy in tiles is one file per tile and a VRT that joins them; give the name of "
+                   "the VRT on a disk, such as a.vrt, not \"a.tif\".",
+                   {"plan", "-write_canopy", "a.tif", sample("town.tif"), "a.gpkg", "work"});
     expect_refused(
-        2,
-        "-write_canopy in tiles is a file a tile and a VRT that shows them as one; give it the name "
-        "of the VRT on a disk, such as a.vrt, not \"a.tif\".",
-        {"plan", "-write_canopy", "a.tif", sample("town.tif"), "a.gpkg", "work"});
-    expect_refused(
-        2, "-page does not work in tiles: a page is made of the whole; leave it out, or run dem2buildings.",
+        2, "-page does not work in tiles: a page needs the whole area; leave it out, or run dem2buildings.",
         {"plan", "-page", "a.html", sample("town.tif"), "a.gpkg", "work"});
     expect_refused(2, "There is no tile to find; usage: dem2buildings_tiles find <work> <tile>....",
                    {"find", "work"});
@@ -295,13 +291,13 @@ TEST_F(TilesTool, refusesPlansThatAreNone) {
                            "; run 'dem2buildings_tiles plan' with a new work folder.",
                        {"join", "work"});
     };
-    expect("", "is no plan, or a part of one");
-    expect("[]", "is no plan, or a part of one");
-    expect(R"({"program": 1})", "is no plan, or a part of one");
+    expect("", "is not a complete plan");
+    expect("[]", "is not a complete plan");
+    expect(R"({"program": 1})", "is not a complete plan");
     expect(R"({"program": "dem2buildings_tiles", "version": "0.0.0"})",
            "was written by another version of dem2buildings");
     expect(R"({"program": "dem2buildings_tiles", "version": ")" D2B_VERSION R"("})",
-           "is no plan, or a part of one");
+           "is not a complete plan");
 }
 
 TEST_F(TilesTool, refusesAPlanThatWasChanged) {
@@ -316,7 +312,7 @@ TEST_F(TilesTool, refusesAPlanThatWasChanged) {
     for (const Arguments& step : {Arguments{"find", "work", "6"}, Arguments{"join", "work"}})
         expect_refused(1,
                        "'" + path("work") +
-                           "/plan.json' has been changed: it says 7 tiles, and its options make 1; run "
+                           "/plan.json' has been changed: it has 7 tiles, and its options make 1; run "
                            "'dem2buildings_tiles plan' with a new work folder.",
                        step);
     for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
@@ -328,8 +324,7 @@ TEST_F(TilesTool, refusesAPlanThatWasChanged) {
         expect_refused(
             1,
             "'" + path("work") +
-                "/plan.json' is no plan, or a part of one; run 'dem2buildings_tiles plan' with a new "
-                "work folder.",
+                "/plan.json' is not a complete plan; run 'dem2buildings_tiles plan' with a new work folder.",
             {"join", "work"});
     }
 }
@@ -345,11 +340,10 @@ TEST_F(TilesTool, refusesASourceThatHasChanged) {
     std::ofstream(path("town.tif"), std::ios::app | std::ios::binary) << "more";
     expect_refused(1, "'town.tif' has changed since the plan was made; plan again, with a new work folder.",
                    {"find", "work", "0"});
-    expect_refused(
-        2,
-        "'work' holds another plan, or one of a source that has changed; give another work folder, or "
-        "delete this one.",
-        {"plan", "town.tif", "a.gpkg", "work"});
+    expect_refused(2,
+                   "'work' holds another plan, or the plan of a source that has changed; give another work "
+                   "folder, or delete this one.",
+                   {"plan", "town.tif", "a.gpkg", "work"});
 }
 
 TEST_F(TilesTool, refusesWhatLiesBesideASourceAndHasChanged) {
@@ -369,8 +363,8 @@ TEST_F(TilesTool, losesNothingOnADiskThatIsFull) {
         setup);
     EXPECT_EQ(full.status, 1);
     EXPECT_EQ(full.err, "ERROR: '" + path("work/find/0") +
-                            "' cannot be written: File too large; make room in the work folder or let it be "
-                            "written to, and run the step again.\n");
+                            "' cannot be written: File too large; free some space in the work folder or "
+                            "allow writing to it, and run the step again.\n");
     EXPECT_TRUE(std::filesystem::is_empty(path("work/find")));
     well({"find", "work", "0"});
 }

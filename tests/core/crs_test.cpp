@@ -317,14 +317,14 @@ TEST(CoordinateTransform, NamesTheFirstPositionWithoutImageAndChangesNone) {
     const std::string end = "check which coordinate reference system the coordinates are in.";
     CoordinateTransform mercator(Crs("EPSG:4326"), Crs("EPSG:3857"), {});
     EXPECT_EQ(failure(mercator, {{1, 2}, {8, 5300000}, {nan_value, 3}}),
-              "Position (8, 5300000) of 'WGS 84' has no image in 'WGS 84 / Pseudo-Mercator'; " + end);
+              "Position (8, 5300000) of 'WGS 84' has no counterpart in 'WGS 84 / Pseudo-Mercator'; " + end);
     EXPECT_EQ(failure(mercator, {{1, 2}, {nan_value, 3}}),
-              "Position (nan, 3) of 'WGS 84' has no image in 'WGS 84 / Pseudo-Mercator'; " + end);
+              "Position (nan, 3) of 'WGS 84' has no counterpart in 'WGS 84 / Pseudo-Mercator'; " + end);
     EXPECT_EQ(failure(mercator, {{1, -infinity}}),
-              "Position (1, -inf) of 'WGS 84' has no image in 'WGS 84 / Pseudo-Mercator'; " + end);
+              "Position (1, -inf) of 'WGS 84' has no counterpart in 'WGS 84 / Pseudo-Mercator'; " + end);
     CoordinateTransform same(Crs("EPSG:4326"), Crs("EPSG:4326"), {});
     EXPECT_EQ(failure(same, {{infinity, 3}}),
-              "Position (inf, 3) of 'WGS 84' has no image in 'WGS 84'; " + end);
+              "Position (inf, 3) of 'WGS 84' has no counterpart in 'WGS 84'; " + end);
 }
 
 TEST(CoordinateTransform, RefusesWhatCannotBe) {
@@ -335,11 +335,11 @@ TEST(CoordinateTransform, RefusesWhatCannotBe) {
     const std::string choose =
         "; choose a coordinate reference system that the coordinates can be converted to.";
     EXPECT_EQ(message(Crs(local_feet), geographic),
-              "PROJ knows no operation from 'site grid' to 'WGS 84'" + choose);
+              "PROJ has no operation from 'site grid' to 'WGS 84'" + choose);
     EXPECT_EQ(message(geographic, Crs(local_feet)),
-              "PROJ knows no operation from 'WGS 84' to 'site grid'" + choose);
+              "PROJ has no operation from 'WGS 84' to 'site grid'" + choose);
     EXPECT_EQ(message(Crs(unknown_projection), geographic),
-              "PROJ knows no operation from 'odd' to 'WGS 84'" + choose);
+              "PROJ has no operation from 'odd' to 'WGS 84'" + choose);
     EXPECT_EQ(
         message(Crs(), geographic),
         "There is no coordinate reference system to transform from; state which one the coordinates are in.");

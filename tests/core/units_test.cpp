@@ -40,7 +40,7 @@ TEST(Units, TheFirstSourceThatKnowsDecides) {
         const UnitReport report = resolve_units(with_band_unit(c.band), Crs(c.crs), c.option);
         EXPECT_EQ(report.vertical, c.vertical);
         EXPECT_EQ(report.vertical_metres, parse_length_unit(c.vertical)->metres);
-        EXPECT_EQ(report.vertical_decided_by, c.decided_by);
+        EXPECT_EQ(report.vertical_source, c.decided_by);
     }
     EXPECT_EQ(resolve_units(with_band_unit(""), Crs("EPSG:2253+5703"), "").horizontal_metres, 0.3048);
     const UnitReport degrees = resolve_units(with_band_unit(""), Crs("EPSG:4326"), "");
@@ -56,8 +56,8 @@ TEST(Units, WhatIsNoLengthIsRefusedUnlessTheOptionSaysWhatItIs) {
         EXPECT_EQ(test::error_of<InputError>(
                       [&] { static_cast<void>(resolve_units(info, Crs("EPSG:25832"), "")); }),
                   "The unit of 'dem.tif' is '" + std::string(unit) +
-                      "', which is no known unit of length; if the values are elevations, give "
-                      "their unit with -zunit, for example -zunit m.");
+                      "', which is not a known unit of length; if the values are elevations, give their unit "
+                      "with -zunit, for example -zunit m.");
         EXPECT_EQ(resolve_units(info, Crs("EPSG:25832"), "ft").vertical, "foot");
     }
 }

@@ -130,7 +130,7 @@ class Toolbox(DeskCase):
         texts = [algorithm.shortHelpString(), *(one.help() for one in algorithm.parameterDefinitions())]
         for text in texts:
             self.assertNotRegex(text, r"(?<![\w-])--?[a-z][a-z0-9_]+")
-        self.assertIn('in place of those of "Number of levels in a building"', " ".join(texts))
+        self.assertIn('instead of those of "Number of levels in a building"', " ".join(texts))
 
     def test_provider_and_algorithm_have_an_icon(self):
         algorithm = self.algorithm()
@@ -282,7 +282,7 @@ class Toolbox(DeskCase):
 
     def test_warnings_are_shown(self):
         _, log = self.log_of(min_height=500)
-        self.assertIn('Warning: No building was found: "Height above the ground where a building begins" 500 ', log)
+        self.assertIn('Warning: No building was found: "Height above ground at which a building begins" 500 ', log)
 
     def test_without_the_program_the_dialog_says_so(self):
         os.environ["DEM2BUILDINGS"] = "/nowhere/dem2buildings"

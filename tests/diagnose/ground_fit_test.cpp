@@ -99,11 +99,10 @@ TEST(ValidIslands, AreHousesWithoutTheirGround) {
     EXPECT_EQ(islands.cells, 6 * 12 * 16);
     EXPECT_EQ(islands.narrow, islands.cells);
     EXPECT_EQ(islands.largest, 12 * 16);
-    EXPECT_EQ(
-        missing_ground_warning(islands, GroundMode::automatic, "dem.tif"),
-        "'dem.tif' has elevations in 6 pieces as wide as buildings and NoData around them, so roofs are "
-        "taken for the ground; give -ground none where its values are heights above the ground, or a "
-        "terrain model with -ground where they are elevations");
+    EXPECT_EQ(missing_ground_warning(islands, GroundMode::automatic, "dem.tif"),
+              "'dem.tif' has elevations in 6 pieces as wide as buildings and NoData around them, so roofs "
+              "are taken for the ground; give -ground none if its values are heights above ground, or a "
+              "terrain model with -ground if they are elevations");
     EXPECT_EQ(missing_ground_warning(islands, GroundMode::none, "dem.tif"), "");
     EXPECT_EQ(missing_ground_warning(islands, GroundMode::given, "dem.tif"), "");
 }

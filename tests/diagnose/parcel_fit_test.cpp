@@ -46,7 +46,7 @@ struct Quarter {
         return counts;
     }
     [[nodiscard]] std::optional<ParcelMove> move() const {
-        return fitting_move(counts({0, 0, surface.rows, surface.cols}), cell);
+        return best_offset(counts({0, 0, surface.rows, surface.cols}), cell);
     }
 
     CellSize cell;

@@ -74,10 +74,10 @@ Found crowns(double points) {
 
 TEST(SurfaceSampling, WallsAreAsWideAsTheyWereBlurred) {
     for (const double blur : {1.0, 1.5, 2.0, 2.5}) {
-        const double width = blurred_block(blur).report().step_width_cells.value();
+        const double width = blurred_block(blur).report().edge_width_cells.value();
         EXPECT_NEAR(width, 2.563 * blur, 0.15 * 2.563 * blur) << blur;
     }
-    EXPECT_LT(blurred_block(0.01).report().step_width_cells.value(), 0.1) << "a wall between two cells";
+    EXPECT_LT(blurred_block(0.01).report().edge_width_cells.value(), 0.1) << "a wall between two cells";
 }
 
 TEST(SurfaceSampling, StepsAreThoseOfBuildingsThatStandFree) {
@@ -86,7 +86,7 @@ TEST(SurfaceSampling, StepsAreThoseOfBuildingsThatStandFree) {
     Found doubtful = block;
     doubtful.detection.buildings = 0;
     EXPECT_EQ(doubtful.counted().steps, 0);
-    EXPECT_EQ(doubtful.report().step_width_cells, std::nullopt);
+    EXPECT_EQ(doubtful.report().edge_width_cells, std::nullopt);
     Found beside = block;
     for (std::int32_t r = 0; r < side; ++r)
         beside.detection.labels.at(r, 72) = 2;

@@ -163,26 +163,23 @@ TEST(SamplingDoubt, IsNoneOfADenseScan) {
 }
 
 TEST(SamplingDoubt, IsOfThinPoints) {
-    EXPECT_EQ(
-        sparse_points_warning({0.197, 1.62, 0.8, {}}, 2.5),
-        "points are thin: about 1.6 fell into a cell of 2.5 m, and none into 20 % of the cells, so roofs "
-        "look "
-        "rough, small houses may be missed, and crowns taken for houses; use a denser scan, or look through "
-        "what was left out with -write_doubtful");
+    EXPECT_EQ(sparse_points_warning({0.197, 1.62, 0.8, {}}, 2.5),
+              "points are thin: about 1.6 fell into a cell of 2.5 m, and none into 20 % of the cells, so "
+              "roofs look rough, small houses may be missed, and crowns taken for houses; use a denser scan, "
+              "or check the objects that -write_doubtful writes");
 }
 
 TEST(SamplingDoubt, IsOfSmearedWalls) {
-    EXPECT_EQ(
-        blur_warning({0, {}, 4.42, {}}, 2),
-        "walls are smeared: they fall over 4.4 cells (8.8 m), as in surfaces from satellites or of finer "
-        "cells than their data, so gaps and courtyards narrower than that are closed, and corners and small "
-        "houses lost; use a surface whose walls fall within two cells");
+    EXPECT_EQ(blur_warning({0, {}, 4.42, {}}, 2),
+              "walls are blurred: they extend over 4.4 cells (8.8 m), as in surfaces from satellites or with "
+              "cells finer than their data, so narrower gaps and courtyards are closed, and corners and "
+              "small houses are lost; use a surface whose walls extend over at most two cells");
 }
 
 TEST(SamplingDoubt, IsOfRoundedElevations) {
     const auto doubt = [](double step, double metres) {
         SamplingReport report;
-        report.value_step = step;
+        report.quantization_step = step;
         return rounding_warning(report, metres);
     };
     EXPECT_EQ(rounding_warning({}, 1), "");
@@ -215,9 +212,8 @@ TEST(ScaleDoubt, ToleranceOfMoreThanAHundredCells) {
 }
 
 const std::string fine_cells =
-    ", since straight walls would have left the trace or met a neighbour; -write_rejected shows these "
-    "outlines, and a larger -regularize_tolerance may "
-    "straighten more";
+    ", because straight walls would have left the trace or met a neighbour; -write_rejected shows these "
+    "outlines, and a larger -regularize_tolerance may straighten more";
 
 TEST(TracedDoubt, FromFivePerCentOfTheBuildingsOn) {
     EXPECT_EQ(traced_warning({}, {}, 0.5), "") << "nothing was written";
@@ -225,7 +221,7 @@ TEST(TracedDoubt, FromFivePerCentOfTheBuildingsOn) {
     EXPECT_EQ(traced_warning({900, 40, 60}, {}, 0.5),
               "6 % of the length of the buildings' outlines keeps the staircase of the cells" + fine_cells);
     EXPECT_EQ(traced_warning({30, 0, 970}, {30, 0, 970}, 2.5),
-              "97 % of the length of the buildings' outlines keeps the staircase of the cells, since walls "
+              "97 % of the length of the buildings' outlines keeps the staircase of the cells, because walls "
               "cannot be seen in cells of 2.5 m; use a finer raster, or a larger -regularize_tolerance");
 }
 
@@ -246,7 +242,7 @@ DetectOptions by_lots() {
 ParcelReport usual() {
     ParcelReport report;
     report.cut_length_m = 400;
-    report.beside_length_m = 300;
+    report.near_wall_length_m = 300;
     report.median_distance_m = 0.5;
     report.building_m2 = report.inside_m2 = 1000;
     return report;
@@ -263,30 +259,30 @@ TEST(ParcelDoubt, IsOfParcelsThatLieBesideWalls) {
     ParcelReport report = usual();
     report.median_distance_m = 2.25;
     EXPECT_TRUE(misplaced_warning(report, {}, by_lots())
-                    .starts_with("cuts by 'lots' run 2.3 m beside walls (the median of 300 m)"));
+                    .starts_with("cuts by 'lots' run 2.3 m off walls (the median over 300 m of cuts)"));
     EXPECT_EQ(misplaced_warning(report, {2, 2, 1}, by_lots()), "");  // hardly more than a cell
     report.cut_length_m = 1000;
     EXPECT_EQ(misplaced_warning(report, {}, by_lots()), "");  // by chance
-    report.beside_length_m = 140;
+    report.near_wall_length_m = 140;
     EXPECT_EQ(misplaced_warning(report, {}, by_lots()), "");
     report.median_distance_m = std::numeric_limits<double>::quiet_NaN();
-    report.beside_length_m = 0;
+    report.near_wall_length_m = 0;
     EXPECT_EQ(misplaced_warning(report, {}, by_lots()), "");
 }
 
 /// Where it is known how they would fit, that is said, and not what is beside them.
 TEST(ParcelDoubt, SaysHowParcelsHaveToBeMoved) {
     ParcelReport report = usual();
-    report.fitting_move = {-1, 0};
+    report.best_offset = {-1, 0};
     report.median_distance_m = 2.25;
     EXPECT_EQ(misplaced_warning(report, {}, by_lots()), "");
-    report.fitting_move = {-3, 4};
+    report.best_offset = {-3, 4};
     EXPECT_EQ(
         misplaced_warning(report, {}, by_lots()),
-        "parcels of 'lots' lie 5 m beside the walls as a whole: they fit best if they are moved 3 m to the "
-        "left and 4 m down on the raster; compare them with the buildings, and move them where that is so");
+        "parcels of 'lots' lie 5 m off the walls as a whole: they fit best if they are moved 3 m to the left "
+        "and 4 m down on the raster; compare them with the buildings, and move them if that is right");
     EXPECT_EQ(misplaced_warning(report, {4, 4, 1}, by_lots()), "");  // hardly more than a cell
-    report.fitting_move = {0, -2.5};
+    report.best_offset = {0, -2.5};
     EXPECT_NE(misplaced_warning(report, {}, by_lots()).find("are moved 2.5 m up on"), std::string::npos);
 }
 
@@ -301,15 +297,15 @@ TEST(ParcelDoubt, IsOfParcelsElsewhere) {
 
 TEST(ParcelDoubt, IsOfOverlapsAndInvalidPolygons) {
     ParcelReport report = usual();
-    report.several_m2 = 10;
+    report.overlap_m2 = 10;
     EXPECT_EQ(overlap_warning(report, by_lots()), "");
-    report.several_m2 = 120;
+    report.overlap_m2 = 120;
     EXPECT_TRUE(
         overlap_warning(report, by_lots())
-            .starts_with("12 % of what parcels of 'lots' hold of buildings lies in more than one of them"));
+            .starts_with("12 % of the building area in parcels of 'lots' lies in more than one parcel"));
     report.invalid_m2 = 40;
     EXPECT_TRUE(validity_warning(report, by_lots())
-                    .starts_with("parcels of 'lots' that are not valid hold 40 m2 of buildings"));
+                    .starts_with("parcels of 'lots' that are invalid hold 40 m2 of buildings"));
 }
 
 TEST(ParcelFit, AddsUpAndIsReportedInMetres) {
@@ -325,9 +321,9 @@ TEST(ParcelFit, AddsUpAndIsReportedInMetres) {
     const ParcelReport report = parcel_report(fit, {0.5, 0.5, 1});
     EXPECT_EQ(report.building_m2, 100);
     EXPECT_EQ(report.inside_m2, 75);
-    EXPECT_EQ(report.several_m2, 2);
+    EXPECT_EQ(report.overlap_m2, 2);
     EXPECT_NEAR(report.cut_length_m, 39.3, 0.1);
-    EXPECT_NEAR(report.beside_length_m, 19.6, 0.1);
+    EXPECT_NEAR(report.near_wall_length_m, 19.6, 0.1);
     EXPECT_NEAR(report.median_distance_m, 0.5, 1e-9);
     EXPECT_TRUE(std::isnan(parcel_report({}, {}).median_distance_m));
 }
@@ -335,28 +331,26 @@ TEST(ParcelFit, AddsUpAndIsReportedInMetres) {
 TEST(UnitMemory, IsToldWhereItIsMoreThanUsual) {
     EXPECT_EQ(unit_memory_notice({48 << 20, 300, 60}), "");
     // 20 bytes a point.
-    EXPECT_EQ(
-        unit_memory_notice({53'687'091, 300, 60}),
-        "ground and buildings are looked for in up to 54 million points at a time, as parts of the raster "
-        "are seen with 300 m around them (five times -max_building_width 60), which takes some 1 GiB of "
-        "memory");
+    EXPECT_EQ(unit_memory_notice({53'687'091, 300, 60}),
+              "ground and buildings are searched in up to 54 million points at a time, because each part of "
+              "the raster has a margin of 300 m (five times -max_building_width 60), which takes "
+              "some 1 GiB of memory");
     EXPECT_EQ(unit_memory_notice({1 << 30, 7.5, {}}),
-              "ground and buildings are looked for in up to 1074 million points at a time, as parts of the "
-              "raster are seen with 7.5 m around them, which takes some 20 GiB of memory");
+              "ground and buildings are searched in up to 1074 million points at a time, because each part "
+              "of the raster has a margin of 7.5 m, which takes some 20 GiB of memory");
 }
 
 TEST(UnitMemory, IsRefusedWhereItIsTooMuch) {
     EXPECT_EQ(unit_memory_refusal({1 << 30, 3000, 600}), "");
-    EXPECT_EQ(
-        unit_memory_refusal({2'000'000'000, 25000, 5000}),
-        "Ground and buildings would be looked for in 2000 million points at a time, as parts of the raster "
-        "are seen with 25000 m around them (five times -max_building_width 5000), which takes some 37 GiB "
-        "of memory; more than 1074 million points are not held, so give a smaller -max_building_width.");
-    EXPECT_EQ(
-        unit_memory_refusal({2'000'000'000, 300, {}}),
-        "Ground and buildings would be looked for in 2000 million points at a time, as parts of the raster "
-        "are seen with 300 m around them, which takes some 37 GiB of memory; more than 1074 million points "
-        "are not held, so make the cells larger with gdalwarp -tr.");
+    EXPECT_EQ(unit_memory_refusal({2'000'000'000, 25000, 5000}),
+              "Ground and buildings would be searched in 2000 million points at a time, because each part of "
+              "the raster has a margin of 25000 m (five times -max_building_width 5000), which "
+              "takes some 37 GiB of memory; more than 1074 million points exceed the limit, so give a "
+              "smaller -max_building_width.");
+    EXPECT_EQ(unit_memory_refusal({2'000'000'000, 300, {}}),
+              "Ground and buildings would be searched in 2000 million points at a time, because each part of "
+              "the raster has a margin of 300 m, which takes some 37 GiB of memory; more than "
+              "1074 million points exceed the limit, so make the cells larger with gdalwarp -tr.");
 }
 
 TEST(Words, NumbersForPeople) {

@@ -27,8 +27,8 @@ TEST(InvalidWarnings, FeaturesAreNamedWithWhatBecameOfThem) {
                   "Building 7 would not have been a valid polygon (Ring Self-intersection[3 4]); it is "
                   "written as it "
                   "was traced.",
-                  "Contour 19 would not have been a valid polygon (Self-intersection[1 1]); it is written "
-                  "repaired.",
+                  "Contour 19 would not have been a valid polygon (Self-intersection[1 1]); a repaired one "
+                  "is written.",
                   "Contour 20 would not have been a valid polygon (Too few points); it is not written."}));
 }
 

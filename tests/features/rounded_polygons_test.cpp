@@ -58,7 +58,7 @@ TEST(RoundedPolygons, WhatIsLostIsRefusedWithTheCoarsestPrecisionThatKeepsAll) {
     Parts small{{{{9.1, 9.1}, {9.14, 9.1}, {9.14, 9.14}, {9.1, 9.14}}, {}}};
     polygons.round(Layer::buildings, 2, 0, "building 2", small);
     EXPECT_EQ(refusal(polygons),
-              "-lco COORDINATE_PRECISION=0 rounds coordinates so far that a polygon is lost or runs into "
+              "-lco COORDINATE_PRECISION=0 rounds coordinates so much that a polygon is lost or runs into "
               "another: building 2; the coarsest precision that keeps all is 2 decimals.");
 }
 
@@ -73,7 +73,7 @@ TEST(RoundedPolygons, AContourThatLeavesItsParentIsRefused) {
     parts = child;
     polygons.round(Layer::contours, 2, 1, "contour 2", parts);
     EXPECT_EQ(refusal(polygons),
-              "-lco COORDINATE_PRECISION=0 rounds coordinates so far that a polygon is lost or runs into "
+              "-lco COORDINATE_PRECISION=0 rounds coordinates so much that a polygon is lost or runs into "
               "another: contour 2; the coarsest precision that keeps all is 1 decimal.");
     // Not where it stands on nothing that is written.
     RoundedPolygons alone(whole, true, {});
@@ -90,7 +90,7 @@ TEST(RoundedPolygons, BuildingsThatRunIntoEachOtherAreRefused) {
     Parts above{{{{7, 9}, {8, 6.2}, {9, 9}}, {}}};
     polygons.round(Layer::buildings, 2, 0, "building 2", above);
     EXPECT_EQ(refusal(polygons),
-              "-lco COORDINATE_PRECISION=0 rounds coordinates so far that a polygon is lost or runs into "
+              "-lco COORDINATE_PRECISION=0 rounds coordinates so much that a polygon is lost or runs into "
               "another: building 1; the coarsest precision that keeps all is 1 decimal.");
 }
 
@@ -113,10 +113,9 @@ TEST(RoundedPolygons, WhereNoPrecisionHelpsAnotherFormatDoes) {
     RoundedPolygons polygons({To::significant_digits, 1, "The format X"}, true, {});
     Parts parts{{{{1.5, 1.5}, {1.5, 1.5}, {1.5, 1.5}}, {}}};
     polygons.round(Layer::buildings, 1, 0, "building 1", parts);
-    EXPECT_EQ(
-        refusal(polygons),
-        "The format X rounds coordinates so far that a polygon is lost or runs into another: building 1; "
-        "write another format, such as GeoPackage.");
+    EXPECT_EQ(refusal(polygons),
+              "The format X rounds coordinates so much that a polygon is lost or runs into another: building "
+              "1; write another format, such as GeoPackage.");
 }
 
 }  // namespace

@@ -92,12 +92,11 @@ void expect_torn(const AffineTransform& transform, const std::string& crs, const
         run_on(source, options, result);
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(
-            error.what(),
-            "'memory' cannot be converted to '" + Crs(target).name() +
-                "', which tears its area apart or stretches it beyond use (as across 180 degrees, over a "
-                "pole or far from where a projection is made for); choose another -t_srs, such as the "
-                "UTM zone of the area, or use a part of the raster (-srcwin, -projwin or -te).");
+        EXPECT_EQ(error.what(),
+                  "'memory' cannot be converted to '" + Crs(target).name() +
+                      "', which splits the area or distorts it too much (for example across 180 degrees, "
+                      "over a pole or far from the area of use); choose another -t_srs, such as the UTM zone "
+                      "of the area, or use a part of the raster (-srcwin, -projwin or -te).");
     }
     EXPECT_EQ(source.reads, 0);  // before the work
     EXPECT_TRUE(result.sink.layers.empty());
@@ -146,7 +145,7 @@ TEST(Pipeline, RepairedOutlinesHaveTheAreasOfTheGround) {
         Result there;
         run_on(source, options, there);
         repaired += there.report.counted(Reason::polygon_repaired);
-        EXPECT_EQ(there.report.counted(Reason::outline_torn), 0);
+        EXPECT_EQ(there.report.counted(Reason::outline_split), 0);
         const auto area_by_id = [](const Result& result) {
             std::map<std::int64_t, double> areas;
             for (std::size_t i = 0; i < result.sink.features[contours].size(); ++i)
@@ -196,17 +195,16 @@ TEST_F(ProjectionSplitWarnings, areLeftOutAndNamed) {
     EXPECT_LT(left, 2500U);
     EXPECT_GT(left, 2450U);
     EXPECT_EQ(some.report.buildings, static_cast<std::int64_t>(left));
-    EXPECT_GE(some.report.counted(Reason::outline_torn), static_cast<std::int64_t>(2500 - left));
-    EXPECT_EQ(all.report.counted(Reason::outline_torn), 0);
+    EXPECT_GE(some.report.counted(Reason::outline_split), static_cast<std::int64_t>(2500 - left));
+    EXPECT_EQ(all.report.counted(Reason::outline_split), 0);
     ASSERT_FALSE(some.report.warnings.empty());
     const std::string& warning = some.report.warnings.back();
     EXPECT_NE(
-        warning.find(" features are left out, which 'WGS 84 / Pseudo-Mercator' tears apart or stretches "
-                     "beyond use: "),
+        warning.find(" features are left out, because 'WGS 84 / Pseudo-Mercator' splits or distorts them: "),
         std::string::npos)
         << warning;
     EXPECT_NE(warning.find("building 1"), std::string::npos) << warning;
-    EXPECT_TRUE(warning.ends_with("; choose a -t_srs that is made for the area to have them.")) << warning;
+    EXPECT_TRUE(warning.ends_with("; choose a -t_srs that suits the area.")) << warning;
     // Areas and volumes are those on the ground, whatever the map makes of them.
     for (std::size_t i = 0, k = 0; i < left; ++i, ++k) {
         while (all.sink.whole(0, k, "id") != some.sink.whole(0, i, "id"))

@@ -116,9 +116,9 @@ TEST_P(OddValues, aUnitThatIsNoLengthIsRefused) {
         GDALClose(dataset);
         Arguments arguments = GetParam().arguments;
         arguments.insert(arguments.end(), {"-q", "--", "dem.tif", "out.gpkg"});
-        expect_error(1,
-                     "The unit of 'dem.tif' is '" + std::string(unit) + "', which is no known unit of length",
-                     arguments);
+        expect_error(
+            1, "The unit of 'dem.tif' is '" + std::string(unit) + "', which is not a known unit of length",
+            arguments);
     }
 }
 
@@ -179,7 +179,7 @@ TEST_P(OddValues, complexOnesAreRefused) {
     write(path("complex.tif"), spec);
     Arguments arguments = GetParam().arguments;
     arguments.insert(arguments.end(), {"--", "complex.tif", "out.gpkg"});
-    expect_error(1, "Band 1 of 'complex.tif' holds complex numbers, which are no elevations", arguments);
+    expect_error(1, "Band 1 of 'complex.tif' holds complex numbers, which are not elevations", arguments);
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ TEST_F(TooLarge, moreThanTheMemoryHolds) {
 
 TEST_F(TooLarge, moreThanAUnitMaySee) {
     write_large("1073741824", "1048576");
-    expect_error(2, "are not held, so give a smaller -max_building_width.", {"-q", "large.vrt", "out.gpkg"});
+    expect_error(2, "exceed the limit, so give a smaller -max_building_width.",
+                 {"-q", "large.vrt", "out.gpkg"});
 }
 
 // 2^60 doubles: the library refuses them before it asks for memory.

@@ -43,7 +43,7 @@ TEST_F(MeshGround, standsOnAPlate) {
     EXPECT_GE(mesh.smallest_plan_angle(), 20.7);
     EXPECT_EQ(report["ground"]["cells"], 40 * 30 - 75);
     EXPECT_EQ(report["ground"]["largest_error_m"], 0);
-    EXPECT_EQ(report["ground"]["lifted"].size(), 0U);
+    EXPECT_EQ(report["ground"]["lifted_roofs"].size(), 0U);
     EXPECT_EQ(report["origin"][2], -8);
 }
 
@@ -66,7 +66,7 @@ TEST_F(MeshGround, followsAHillWithinTheError) {
         EXPECT_TRUE(mesh.is_closed());
         EXPECT_LE(report["ground"]["largest_error_m"],
                   std::stoi(error) == 1 ? 1.0 : (error[2] == '2' ? 0.25 : 0.05));
-        EXPECT_EQ(report["ground"]["cells_farther_off"].size(), 0U);
+        EXPECT_EQ(report["ground"]["cells_beyond_tolerance"].size(), 0U);
         EXPECT_GT(mesh.points.size(), before);
         EXPECT_GE(mesh.smallest_plan_angle(), 20.7);
         before = mesh.points.size();
@@ -102,7 +102,7 @@ TEST_F(MeshGround, followsACliffWithinTheError) {
     };
     ground(cliff);
     const nlohmann::json report = mesh_well(on_ground_);
-    EXPECT_EQ(report["ground"]["cells_farther_off"].size(), 0U);
+    EXPECT_EQ(report["ground"]["cells_beyond_tolerance"].size(), 0U);
     EXPECT_LE(report["ground"]["largest_error_m"], 0.25);
     const ReadMesh mesh = read("out.obj");
     EXPECT_TRUE(mesh.is_closed());
@@ -117,14 +117,14 @@ TEST_F(MeshGround, followsACliffWithinTheError) {
 TEST_F(MeshGround, liftsRoofsThatTheTerrainComesNear) {
     city(two_boxes());
     ground([](double, double) { return 3.75; });
-    const nlohmann::json lifted = mesh_well(on_ground_)["ground"]["lifted"];
+    const nlohmann::json lifted = mesh_well(on_ground_)["ground"]["lifted_roofs"];
     ASSERT_EQ(lifted.size(), 1U);
     EXPECT_EQ(lifted[0]["building"], "building_2");
     EXPECT_NEAR(lifted[0]["metres"], 0.25, 1e-6);
     EXPECT_TRUE(read("out.obj").is_closed());
     EXPECT_NEAR(read("out.obj").volume(), 40 * 30 * 10 + 50 * 5.25 + 25 * 0.5, 1e-2);
     EXPECT_EQ(mesh_well({"-overwrite", "-min_wall", "0.2", "-ground", "g.tif", "in.city.json",
-                         "out.obj"})["ground"]["lifted"]
+                         "out.obj"})["ground"]["lifted_roofs"]
                   .size(),
               0U);
 }
@@ -252,7 +252,7 @@ TEST_F(MeshGround, refusesTerrainElsewhereWhateverTheSystems) {
 TEST_F(MeshGround, refusesTerrainWithoutElevations) {
     city(two_boxes());
     ground([](double, double) { return std::numeric_limits<double>::quiet_NaN(); });
-    expect_refused(1, "The terrain 'g.tif' has no elevations; give one that -write_ground has written.",
+    expect_refused(1, "The terrain 'g.tif' has no elevations; give one that -write_ground wrote.",
                    on_ground_);
     const ToolResult missing = mesh({"-ground", "none.tif", "in.city.json", "out.obj"});
     EXPECT_EQ(missing.status, 1);

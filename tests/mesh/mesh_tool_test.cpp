@@ -20,7 +20,7 @@ TEST_F(MeshTool, makesOneClosedSurfaceOfTouchingBuildings) {
     EXPECT_EQ(report["buildings"], 2);
     EXPECT_EQ(report["points"], mesh.points.size());
     EXPECT_EQ(report["triangles"], mesh.triangles.size());
-    EXPECT_EQ(report["small"].size(), 0U);
+    EXPECT_EQ(report["small_angles"].size(), 0U);
     EXPECT_NEAR(report["smallest_angle"], mesh.smallest_plan_angle(), 1e-6);
     EXPECT_EQ(report["origin"], (std::vector<double>{500008, 5800004, 0}));
     EXPECT_EQ(report["ground"], nullptr);
@@ -40,14 +40,14 @@ TEST_F(MeshTool, keepsEdgesShortEverywhere) {
 TEST_F(MeshTool, refusesEdgesTooShortForAnyMemory) {
     city(two_boxes());
     expect_refused(2,
-                   "-max_edge 0.001 would take more than 20 million points; give a greater one, or a smaller "
+                   "-max_edge 0.001 would take more than 20 million points; give a larger one, or a smaller "
                    "part of the city.",
                    {"-max_edge", "0.001", "in.city.json", "out.obj"});
 }
 
 TEST_F(MeshTool, keepsThirtyDegreesOnRightAngles) {
     city(two_boxes());
-    EXPECT_EQ(mesh_well({"-min_angle", "30", "in.city.json", "out.obj"})["small"].size(), 0U);
+    EXPECT_EQ(mesh_well({"-min_angle", "30", "in.city.json", "out.obj"})["small_angles"].size(), 0U);
     EXPECT_GE(read("out.obj").smallest_plan_angle(), 30);
 }
 
@@ -55,18 +55,18 @@ TEST_F(MeshTool, namesAnglesOfTheInput) {
     // A wedge with a tip of 11.3 degrees at 0 0.
     city({{"building_1", {{0, 0}, {400, 0}, {400, 80}}, 0, 3000}});
     const nlohmann::json report = mesh_well(to_obj);
-    ASSERT_EQ(report["small"].size(), 1U);
-    EXPECT_EQ(report["small"][0]["x"], 500000);
-    EXPECT_EQ(report["small"][0]["y"], 5800000);
-    EXPECT_EQ(report["small"][0]["building"], "building_1");
-    EXPECT_NEAR(report["small"][0]["degrees"], std::atan(0.2) * 180 / 3.14159265358979, 1e-4);
+    ASSERT_EQ(report["small_angles"].size(), 1U);
+    EXPECT_EQ(report["small_angles"][0]["x"], 500000);
+    EXPECT_EQ(report["small_angles"][0]["y"], 5800000);
+    EXPECT_EQ(report["small_angles"][0]["building"], "building_1");
+    EXPECT_NEAR(report["small_angles"][0]["degrees"], std::atan(0.2) * 180 / 3.14159265358979, 1e-4);
 }
 
 TEST_F(MeshTool, namesPinchesThatItTakesApart) {
     city({made_box("building_1", 0, 0, 80, 80, 9000), made_box("building_2", 80, 80, 160, 160, 7000)});
     const nlohmann::json report = mesh_well(to_obj);
     EXPECT_TRUE(read("out.obj").is_closed());
-    EXPECT_EQ(report["pinches"], nlohmann::json::parse(R"([{"x": 500005.0, "y": 5800005.0}])"));
+    EXPECT_EQ(report["separated_points"], nlohmann::json::parse(R"([{"x": 500005.0, "y": 5800005.0}])"));
 }
 
 TEST_F(MeshTool, takesAnOrigin) {
@@ -116,16 +116,15 @@ TEST_F(MeshTool, refusesDegreesAndUnknownSystems) {
     city["metadata"]["referenceSystem"] = "https://www.opengis.net/def/crs/EPSG/0/4326";
     write_text(path("in.city.json"), city.dump());
     expect_refused(1,
-                   "'in.city.json' is in degrees, which are no lengths; make it again with -t_srs and a "
+                   "'in.city.json' is in degrees, which are not lengths; make it again with -t_srs and a "
                    "projected coordinate reference system.",
                    to_obj);
     city["metadata"]["referenceSystem"] = "nowhere";
     write_text(path("in.city.json"), city.dump());
-    expect_refused(
-        1,
-        "'in.city.json' has a referenceSystem that PROJ does not know, 'nowhere'; give a file that "
-        "-surface has written.",
-        to_obj);
+    expect_refused(1,
+                   "'in.city.json' has a referenceSystem that PROJ does not know, 'nowhere'; give a file "
+                   "that -surface wrote.",
+                   to_obj);
 }
 
 TEST_F(MeshTool, refusesCornersThatSinglePrecisionMerges) {
@@ -133,7 +132,7 @@ TEST_F(MeshTool, refusesCornersThatSinglePrecisionMerges) {
     city(two_boxes());
     const ToolResult far = mesh({"-origin", "100000000", "0", "0", "in.city.json", "out.obj"});
     EXPECT_EQ(far.status, 1);
-    expect_has(far.err, "would be one in single precision; give an -origin near them");
+    expect_has(far.err, "would coincide in single precision; give an -origin near them");
 }
 
 TEST_F(MeshTool, leavesNothingWhereThereIsNoRoom) {

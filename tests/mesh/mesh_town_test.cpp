@@ -34,11 +34,11 @@ class MeshTown : public MeshTool {
             ASSERT_EQ(result.status, 0) << result.err;
             const nlohmann::json report = nlohmann::json::parse(result.out);
             EXPECT_TRUE(read("out.obj").is_closed());
-            EXPECT_EQ(report["pinches"].size(), 0U);
+            EXPECT_EQ(report["separated_points"].size(), 0U);
             expect_forced_angles();
             if (more.empty()) {
-                EXPECT_EQ(report["small"].size(), forced);
-                EXPECT_LE(report["plan_points"], 5 * report["plan_points_before"].get<int>());
+                EXPECT_EQ(report["small_angles"].size(), forced);
+                EXPECT_LE(report["plan_points"], 5 * report["footprint_points"].get<int>());
             }
         }
     }

@@ -83,19 +83,19 @@ TEST_P(DamagedCity, isRefusedInASentence) {
     EXPECT_EQ(said_of(city.dump()), "'x' " + GetParam().said);
 }
 
-const std::string give = "; give a file that -surface has written.";
+const std::string give = "; give a file that -surface wrote.";
 const std::string damaged = "; the file is damaged.";
 
 INSTANTIATE_TEST_SUITE_P(
     ReadCity, DamagedCity,
     ::testing::
         Values(
-            Damage{"version", [](json& c) { c["version"] = "1.1"; }, "is no CityJSON 2.0" + give},
+            Damage{"version", [](json& c) { c["version"] = "1.1"; }, "is not CityJSON 2.0" + give},
             Damage{"noTransform", [](json& c) { c.erase("transform"); }, "has no 'transform' in it" + give},
             Damage{"noObjects", [](json& c) { c["CityObjects"] = 3; },
-                   "has a 'CityObjects' in it that is no object" + give},
+                   "has a 'CityObjects' in it that is not an object" + give},
             Damage{"noVertices", [](json& c) { c["vertices"] = 3; },
-                   "has a 'vertices' in it that is no list" + give},
+                   "has a 'vertices' in it that is not a list" + give},
             Damage{"twoScales",
                    [](json& c) {
                        c["transform"]["scale"] = {1, 1};
@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
             Damage{"nullScale", [](json& c) { c["transform"]["scale"][1] = nullptr; },
                    "has a 'scale' that is not three numbers" + damaged},
             Damage{"zeroScale", [](json& c) { c["transform"]["scale"][1] = 0; },
-                   "has a 'scale' that places nothing" + damaged},
+                   "has a 'scale' that is unusable" + damaged},
             Damage{"halfVertex", [](json& c) { c["vertices"][0][1] = 0.5; },
                    "has a vertex that is not three whole numbers" + damaged},
             Damage{"shortVertex",
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
             Damage{"farVertex", [](json& c) { c["vertices"][0][1] = std::int64_t{1} << 50; },
                    "has a vertex farther away than any city" + damaged},
             Damage{"systemIsNoText", [](json& c) { c["metadata"]["referenceSystem"] = 3; },
-                   "has a 'referenceSystem' in its metadata that is no text" + give},
+                   "has a 'referenceSystem' in its metadata that is not a text" + give},
             Damage{"bridge", [](json& c) { c["CityObjects"]["building_1"]["type"] = "Bridge"; },
                    "has 'building_1', which is neither a Building nor a BuildingPart" + give},
             Damage{"orphan", [](json& c) { c["CityObjects"]["building_1"]["type"] = "BuildingPart"; },
@@ -125,17 +125,17 @@ INSTANTIATE_TEST_SUITE_P(
                        c["CityObjects"]["building_1"]["type"] = "BuildingPart";
                        c["CityObjects"]["building_1"]["parents"] = {"whole_1"};
                    },
-                   "has 'building_1', a part of a building that is not there" + damaged},
+                   "has 'building_1', a part of a missing building" + damaged},
             Damage{"nothingOfItsOwn", [](json& c) { c["CityObjects"]["building_1"].erase("geometry"); },
                    "has no 'geometry' in building_1" + give},
             Damage{"noGeometry", [](json& c) { c["CityObjects"]["building_1"]["geometry"] = json::array(); },
-                   "has not one geometry in building_1" + give},
+                   "does not have exactly one geometry in building_1" + give},
             Damage{"surface", [](json& c) { solid(c)["type"] = "MultiSurface"; },
-                   "has a geometry in building_1 that is no Solid" + give},
+                   "has a geometry in building_1 that is not a Solid" + give},
             Damage{"twoShells", [](json& c) { solid(c)["boundaries"].push_back(json::array()); },
-                   "has not one shell in building_1" + give},
+                   "does not have exactly one shell in building_1" + give},
             Damage{"fewKinds", [](json& c) { solid(c)["semantics"]["values"][0].erase(0); },
-                   "does not say of each face of building_1 what it is" + damaged},
+                   "does not give for each face of building_1 its kind" + damaged},
             Damage{"noKind", [](json& c) { solid(c)["semantics"]["surfaces"][0]["type"] = "Window"; },
                    "has a face in building_1 that is neither roof nor wall nor ground" + give},
             Damage{"kindOutOfRange", [](json& c) { solid(c)["semantics"]["values"][0][0] = 3; },
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
             Damage{"negativeIndex", [](json& c) { solid(c)["boundaries"][0][0][0][0] = -1; },
                    "has an index in building_1 that is out of range" + damaged},
             Damage{"ringIsANumber", [](json& c) { solid(c)["boundaries"][0][0][0] = 5; },
-                   "has a ring in building_1 that is no list" + damaged},
+                   "has a ring in building_1 that is not a list" + damaged},
             Damage{"noRing", [](json& c) { solid(c)["boundaries"][0][0] = json::array(); },
                    "has a face in building_1 without a ring" + damaged},
             Damage{"twoCorners",
@@ -188,11 +188,11 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& city) { return city.param.name; });
 
 TEST(ReadCity, refusesWhatIsNoJson) {
-    const std::string no_json = "'x' is no JSON, or not all of it" + give;
+    const std::string no_json = "'x' is not complete JSON" + give;
     EXPECT_EQ(said_of(""), no_json);
     EXPECT_EQ(said_of("{\"type\":"), no_json);
     EXPECT_EQ(said_of("[1, NaN]"), no_json);
-    EXPECT_EQ(said_of("3"), "'x' is no CityJSON 2.0" + give);
+    EXPECT_EQ(said_of("3"), "'x' is not CityJSON 2.0" + give);
     EXPECT_EQ(said_of(std::string(100000, '[')),
               "'x' is nested deeper than any CityJSON of buildings" + give);
 }

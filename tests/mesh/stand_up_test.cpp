@@ -36,7 +36,7 @@ TEST(StandUp, namesAWallThatStaysTooLong) {
         FAIL() << "no wall is named";
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "Edges of a wall at 0.000 0.000 stay longer than -max_edge; give a greater one.");
+                     "Edges of a wall at 0.000 0.000 stay longer than -max_edge; give a larger one.");
     }
 }
 

@@ -95,11 +95,11 @@ TEST(OptionRules, refuseInEitherOrderWithOneSentence) {
 TEST(OptionRules, sayWhichTwoAndWhatToDo) {
     for (const auto& [words, message] : std::vector<std::pair<Texts, std::string>>{
              {{"-arcs", "-regularize", "off"},
-              "-arcs has no effect with -regularize off; round walls come from -regularize auto alone."},
+              "-arcs has no effect with -regularize off; only -regularize auto makes round walls."},
              {{"-wall_inset", "0.3", "-regularize", "off"},
               "-wall_inset has no effect with -regularize off; it moves straight walls."},
              {{"-disjoint", "-layers", "buildings"},
-              "-disjoint has no effect with -layers buildings; contours alone become bands, with -layers "
+              "-disjoint has no effect with -layers buildings; only contours become bands, with -layers "
               "contours or both."},
              {{"-simplify", "0.5", "-regularize", "right"},
               "-simplify 0.5 cannot be used together with -regularize right; straight walls need no "
@@ -114,9 +114,10 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
              {{"-mask_layer", "roofs"},
               "-mask_layer needs -mask <raster or polygons>; it names the layer of its polygons."},
              {{"-split_width", "2"},
-              "-split_width needs -split_by <polygons or lines>; it is the width of what parcels cut off."},
+              "-split_width needs -split_by <polygons or lines>; it is the width of parts that parcels cut "
+              "off."},
              {{"-split_by", "p.gpkg", "-split_field", "no", "-layers", "contours"},
-              "-split_field has no effect with -layers contours; only buildings say whose parcel they are."}})
+              "-split_field has no effect with -layers contours; only buildings have the field parcel."}})
         EXPECT_EQ(refusal_of(words), message);
 }
 
@@ -372,16 +373,14 @@ TEST(RunPlan, RefusesWhatStandsInLayersThatAreNotWritten) {
     options.outline.disjoint = true;
     for (const Layers layers : {Layers::both, Layers::contours})
         EXPECT_EQ(refusal(options, layers), "(no error)");
-    EXPECT_EQ(
-        refusal(options, Layers::buildings),
-        "-disjoint has no effect where the buildings alone are written; use -layers contours, or a format "
-        "that holds both layers, such as GeoPackage.");
+    EXPECT_EQ(refusal(options, Layers::buildings),
+              "-disjoint has no effect if only buildings are written; use -layers contours, or a format that "
+              "holds both layers, such as GeoPackage.");
     options = {};
     options.write.fields = FieldNames::osm;
     EXPECT_EQ(
         refusal(options, Layers::contours),
-        "-fields has no effect where the contours alone are written; only fields of buildings have other "
-        "names.");
+        "-fields has no effect if only contours are written; only fields of buildings have other names.");
     options.write.doubtful = true;
     EXPECT_EQ(refusal(options, Layers::contours), "(no error)");
 }

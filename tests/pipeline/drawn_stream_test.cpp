@@ -115,7 +115,7 @@ TEST_F(DrawnStreamTest, RefusesBytesOfNoContour) {
     blocks[0].bytes.size -= 1;
     blocks[0].bytes.digest = digest_of(drawn.bytes().first(drawn.bytes().size() - 1));
     DrawnStream stream(write(drawn), blocks);
-    EXPECT_NE(error_of(stream).find("damaged: it ends too soon; delete"), std::string::npos);
+    EXPECT_NE(error_of(stream).find("damaged: it is truncated; delete"), std::string::npos);
 }
 
 }  // namespace

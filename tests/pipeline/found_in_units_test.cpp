@@ -283,7 +283,8 @@ TEST(UnitsOfAWindow, ReadWhatLiesBesideTheDem) {
     find(scenery, options, {0, 110}, 2, units);
     same_cells(whole, units);
     expect_same_rasters(whole, units);
-    EXPECT_TRUE(units.buildings.scene.sides.terrain && units.buildings.scene.sides.mask && units.buildings.scene.sides.ndvi);
+    EXPECT_TRUE(units.buildings.scene.sides.terrain && units.buildings.scene.sides.mask &&
+                units.buildings.scene.sides.ndvi);
 }
 
 TEST(UnitsOfAWindow, OfOneColumnAndOfNothing) {
@@ -339,12 +340,11 @@ TEST(UnitsOfAWindow, SayHowMuchMemoryTheyNeed) {
     options.ground.max_building_width = 50;  // 6,000 own cells a side, and 500 around: 49 million
     EXPECT_EQ(told(24000, options), Told{"nothing to read"});
     options.ground.max_building_width = 60;
-    EXPECT_EQ(
-        told(24000, options),
-        (Told{"Ground and buildings are looked for in up to 52 million points at a time, as parts of the "
-              "raster are seen with 300 m around them (five times -max_building_width 60), which takes "
-              "some 1 GiB of memory.",
-              "nothing to read"}));
+    EXPECT_EQ(told(24000, options),
+              (Told{"Ground and buildings are searched in up to 52 million points at a time, because each "
+                    "part of the raster has a margin of 300 m (five times -max_building_width "
+                    "60), which takes some 1 GiB of memory.",
+                    "nothing to read"}));
     options.preset = Preset::thesis;
     options.ground = {};
     EXPECT_EQ(told(24000, options), Told{"nothing to read"});
@@ -353,13 +353,12 @@ TEST(UnitsOfAWindow, SayHowMuchMemoryTheyNeed) {
 TEST(UnitsOfAWindow, AreRefusedWhereTheyAreTooLarge) {
     Options options;
     options.ground.max_building_width = 2000;  // 6,000 own cells a side, and 20,000 around
-    EXPECT_EQ(
-        told(60000, options),
-        std::vector<std::string>{
-            "Ground and buildings would be looked for in 2116 million points at a time, as parts of the "
-            "raster are seen with 10000 m around them (five times -max_building_width 2000), which takes "
-            "some 39 GiB of memory; more than 1074 million points are not held, so give a smaller "
-            "-max_building_width."});
+    EXPECT_EQ(told(60000, options),
+              std::vector<std::string>{
+                  "Ground and buildings would be searched in 2116 million points at a time, because each "
+                  "part of the raster has a margin of 10000 m (five times -max_building_width "
+                  "2000), which takes some 39 GiB of memory; more than 1074 million points exceed the limit, "
+                  "so give a smaller -max_building_width."});
     options.ground.max_building_width = 1000;
     EXPECT_EQ(told(60000, options).size(), 2U);
 }

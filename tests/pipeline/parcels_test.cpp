@@ -188,7 +188,7 @@ TEST(Parcels, AreReported) {
     const RunReport& report = run.result.report;
     ASSERT_TRUE(report.parcels);
     EXPECT_EQ(report.parcels->inside_m2, report.parcels->building_m2);
-    EXPECT_EQ(report.parcels->several_m2, 0);
+    EXPECT_EQ(report.parcels->overlap_m2, 0);
     EXPECT_EQ(report.parcels->invalid_m2, 0);
     EXPECT_GT(report.parcels->cut_length_m, 500);
     EXPECT_GT(report.counted(Reason::part_merged), 0);
@@ -217,8 +217,8 @@ TEST(Parcels, CutTheSameInTilesAsInOneRun) {
             ASSERT_TRUE(tiles.report.parcels);
             EXPECT_EQ(tiles.report.parcels->cut_length_m, whole.report.parcels->cut_length_m);
             EXPECT_EQ(tiles.report.parcels->median_distance_m, whole.report.parcels->median_distance_m);
-            ASSERT_EQ(tiles.report.parcels->fitting_move.has_value(),
-                      whole.report.parcels->fitting_move.has_value());
+            ASSERT_EQ(tiles.report.parcels->best_offset.has_value(),
+                      whole.report.parcels->best_offset.has_value());
             EXPECT_EQ(tiles.report.counted(Reason::part_merged), whole.report.counted(Reason::part_merged));
         }
     }
@@ -269,7 +269,7 @@ TEST(Parcels, AreDoubtedWhereTheyAreDisplaced) {
     };
     EXPECT_EQ(warning_of(moved(0)), "");
     EXPECT_TRUE(warning_of(moved(3)).starts_with(
-        "Parcels of 'lots' lie 3 m beside the walls as a whole: they fit best if they are moved 3 m up on "));
+        "Parcels of 'lots' lie 3 m off the walls as a whole: they fit best if they are moved 3 m up on "));
     EXPECT_TRUE(warning_of([](std::int32_t, std::int32_t) {
                     return ParcelCell::no_parcel;
                 }).starts_with("No parcel of 'lots' touches a building, so none was cut; "));

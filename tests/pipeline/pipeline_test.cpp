@@ -172,7 +172,7 @@ TEST(Pipeline, ThreadsThatCannotBeStartedAreDoneWithout) {
     EXPECT_EQ(result.sink.features[buildings].size(), 1U);
     EXPECT_EQ(result.report.threads, 1);
     EXPECT_EQ(result.report.warnings,
-              std::vector<std::string>{"Only 1 of 16 threads are at work, since the system allows no more; "
+              std::vector<std::string>{"Only 1 of 16 threads are running, because the system allows no more; "
                                        "the result is the same, but takes longer."});
 }
 

@@ -127,7 +127,7 @@ TEST(SearchWarnings, ElevationsThatWereRounded) {
         each = std::floor(each);
     TownRun rounded(z);
     rounded.run();
-    EXPECT_EQ(rounded.report.sampling.value().value_step, 1);
+    EXPECT_EQ(rounded.report.sampling.value().quantization_step, 1);
     EXPECT_TRUE(std::ranges::any_of(rounded.report.warnings, [](const std::string& said) {
         return said.starts_with("Elevations are rounded to steps of 1 m");
     }));
@@ -262,7 +262,7 @@ TEST(SearchWarnings, OutlinesThatStayAsTraced) {
     const Texts& warnings = coarse.report.warnings;
     ASSERT_EQ(warnings.size(), 1U);
     EXPECT_NE(warnings[0].find(" % of the length of the buildings' outlines keeps the staircase of the "
-                               "cells, since walls cannot be seen in cells of 2.5 m"),
+                               "cells, because walls cannot be seen in cells of 2.5 m"),
               std::string::npos)
         << warnings[0];
     double length = 0;

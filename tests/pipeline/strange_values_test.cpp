@@ -89,11 +89,12 @@ TEST_P(NoElevation, IsAsIfItWereDeclared) {
             EXPECT_EQ(report.valid_points, clean.report.valid_points);
             ASSERT_EQ(report.warnings.size(), 1U);
             const std::string value = value_text(GetParam());
-            EXPECT_EQ(report.warnings[0], "2 cells of 'town.tif' have the elevation " + value +
-                                              ", which is outside of the elevations of land, -500 to 9000 m, "
-                                              "and are treated as no data; if " +
-                                              value + " stands for no data, give -snodata " + value +
-                                              ", and if not, the range with -zrange.");
+            EXPECT_EQ(
+                report.warnings[0],
+                "2 cells of 'town.tif' have the elevation " + value +
+                    ", which is outside the range of land, -500 to 9000 m, and are treated as no data; if " +
+                    value + " stands for no data, give -snodata " + value +
+                    ", and if not, the range with -zrange.");
         }
     }
 }
@@ -142,9 +143,8 @@ TEST(SuspiciousValues, WhereMostAreNoElevationsTheRunIsRefused) {
         const std::string text = error.what();
         EXPECT_TRUE(text.starts_with("23800 cells of 'town.tif' have elevations from ")) << text;
         EXPECT_TRUE(text.ends_with(
-            ", which is outside of the elevations of land, -500 to 9000 m, and these are more than half of "
-            "all; give the unit of "
-            "the elevations with -zunit, the range in which they lie with -zrange."))
+            ", which is outside the range of land, -500 to 9000 m, and these are more than half of all; give "
+            "the unit of the elevations with -zunit, the range in which they lie with -zrange."))
             << text;
     }
     Result in_millimetres;
@@ -182,9 +182,8 @@ TEST(SuspiciousValues, ADeclaredValueThatComesBackIsSaidSo) {
     run_on(town, options, result);
     ASSERT_EQ(result.report.warnings.size(), 1U);
     EXPECT_EQ(result.report.warnings[0],
-              "1 cell of 'town.tif' has the elevation 99, the NoData value that the file declares and that "
-              "-snodata "
-              "takes the place of; if it stands for no data, leave out -snodata.");
+              "1 cell of 'town.tif' has the elevation 99, the NoData value that the file declares and "
+              "-snodata overrides; if it stands for no data, leave out -snodata.");
 }
 
 TEST(SuspiciousValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
@@ -197,10 +196,9 @@ TEST(SuspiciousValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
         run_on(town, options, result);
         ASSERT_EQ(result.report.warnings.size(), 1U);
         EXPECT_EQ(result.report.warnings[0],
-                  std::string("1 cell of 'town.tif' has the elevation -9999, which is outside of the "
-                              "elevations of land, -500 to 9000 m, and is treated as no data; it is the "
-                              "NoData value that the file declares, so leave "
-                              "out ") +
+                  std::string("1 cell of 'town.tif' has the elevation -9999, which is outside the range of "
+                              "land, -500 to 9000 m, and is treated as no data; it is the NoData value that "
+                              "the file declares, so leave out ") +
                       (ignoring ? "-inodata." : "-snodata."));
     }
 }
@@ -217,7 +215,7 @@ TEST(SuspiciousValues, ASpikeIsNoElevationOrNoRoof) {
     Result invalid_above;
     run_on(high, {}, invalid_above);
     expect_same_features(invalid_above, hole);
-    EXPECT_EQ(invalid_above.report.counted(Reason::elevation_above_neighbours), 1);
+    EXPECT_EQ(invalid_above.report.counted(Reason::elevation_spike), 1);
     ASSERT_EQ(invalid_above.report.warnings.size(), 1U);
     EXPECT_NE(invalid_above.report.warnings[0].find(
                   ", more than 100 m above all cells around, and is treated as no data; if "),
@@ -226,7 +224,7 @@ TEST(SuspiciousValues, ASpikeIsNoElevationOrNoRoof) {
     TownWith mast({in_flat_roof}, roof + 50);
     Result no_roof;
     run_on(mast, {}, no_roof);
-    EXPECT_EQ(no_roof.report.counted(Reason::elevation_not_roof), 1);
+    EXPECT_EQ(no_roof.report.counted(Reason::roof_spike), 1);
     EXPECT_EQ(no_roof.report.valid_points, clean.report.valid_points);
     EXPECT_EQ(no_roof.report.warnings, std::vector<std::string>());
     for (const char* field : {"height", "roof", "p95", "p50"}) {
@@ -247,7 +245,7 @@ TEST(SuspiciousValues, ASpikeIsNoElevationOrNoRoof) {
     thesis.preset = Preset::thesis;
     Result taken;
     run_on(high, thesis, taken);
-    EXPECT_EQ(taken.report.counted(Reason::elevation_above_neighbours), 0);
+    EXPECT_EQ(taken.report.counted(Reason::elevation_spike), 0);
     EXPECT_EQ(taken.report.maximum, roof + 101);
 }
 
@@ -278,7 +276,7 @@ TEST(SuspiciousValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesTh
     for (std::size_t i = 0; i < deep.sink.features[test::buildings].size(); ++i)
         if (deep.sink.number(test::buildings, i, "volume_m3") < 0) {
             EXPECT_TRUE(std::ranges::any_of(deep.report.warnings, [](const std::string& said) {
-                return said.find("has a negative volume, being lower than the ground on average") !=
+                return said.find("has a negative volume, because it is lower than the ground on average") !=
                            std::string::npos &&
                        said.find(" has an elevation of -30; ") != std::string::npos;
             }));
@@ -333,7 +331,7 @@ TEST_P(Collar, IsAsIfItWereDeclared) {
             Result result;
             run_on(undeclared, options, result);
             expect_same_features(result, clean);
-            EXPECT_EQ(result.report.counted(Reason::elevation_undeclared), TownWithCollar::cells);
+            EXPECT_EQ(result.report.counted(Reason::elevation_undeclared_nodata), TownWithCollar::cells);
             EXPECT_EQ(result.report.valid_points, clean.report.valid_points);
             const std::string value = value_text(GetParam());
             ASSERT_EQ(result.report.warnings.size(), 1U);
@@ -352,7 +350,7 @@ TEST(SuspiciousValues, ACollarStaysWithInodata) {
     TownWithCollar town(0);
     Result result;
     run_on(town, options, result);
-    EXPECT_EQ(result.report.counted(Reason::elevation_undeclared), 0);
+    EXPECT_EQ(result.report.counted(Reason::elevation_undeclared_nodata), 0);
     EXPECT_EQ(result.report.minimum, 0);
     EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
 }

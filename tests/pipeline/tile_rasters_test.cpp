@@ -180,7 +180,7 @@ TEST_F(RastersOfATown, NeedAFolder) {
     std::ofstream(path("ground")) << "no folder";
     EXPECT_EQ(refusal([&] { steps().find(0); }),
               "\"" + path("ground") +
-                  "\" cannot be made: Not a directory; make room for it, or let it be written to.");
+                  "\" cannot be made: Not a directory; free some space, or allow writing to it.");
 }
 
 TEST_F(RastersOfATown, HaveNamesOfTheirOwn) {
@@ -195,17 +195,15 @@ TEST_F(RastersOfATown, HaveNamesOfTheirOwn) {
     EXPECT_EQ(said(path("a.vrt"), path("a.vrt")),
               "\"" + path("a.vrt") + "\" is the name of two rasters; give each its own.");
     for (const std::string name : {"a.tif", "/vsimem/a.vrt"})
-        EXPECT_EQ(
-            said(name, ""),
-            "-write_ground in tiles is a file a tile and a VRT that shows them as one; give it the name "
-            "of the VRT on a disk, such as a.vrt, not \"" +
-                name + "\".");
+        EXPECT_EQ(said(name, ""),
+                  "-write_ground in tiles is one file per tile and a VRT that joins them; give the name of "
+                  "the VRT on a disk, such as a.vrt, not \"" +
+                      name + "\".");
     EXPECT_TRUE(said("", "a.tif").starts_with("-write_height in tiles is "));
     fs::create_directory(path("there"));
     EXPECT_EQ(said(path("there.vrt"), ""),
               "\"" + path("there") +
-                  "\" exists, and a raster that tiles write is new; give another name, or "
-                  "delete it.");
+                  "\" exists, and tiles do not replace rasters; give another name, or delete it.");
 }
 
 }  // namespace

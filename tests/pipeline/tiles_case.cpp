@@ -66,8 +66,8 @@ void expect_same(const RunReport& a, const RunReport& b) {
     if (a.sampling) {
         EXPECT_EQ(a.sampling->interpolated_fraction, b.sampling->interpolated_fraction);
         EXPECT_EQ(a.sampling->points_per_cell, b.sampling->points_per_cell);
-        EXPECT_EQ(a.sampling->step_width_cells, b.sampling->step_width_cells);
-        EXPECT_EQ(a.sampling->value_step, b.sampling->value_step);
+        EXPECT_EQ(a.sampling->edge_width_cells, b.sampling->edge_width_cells);
+        EXPECT_EQ(a.sampling->quantization_step, b.sampling->quantization_step);
     }
     ASSERT_EQ(a.levels.size(), b.levels.size());
     for (std::size_t i = 0; i < a.levels.size(); ++i) {

@@ -72,7 +72,7 @@ TEST(Tiles, UndeclaredNoDataIsThatOfOneRun) {
     test::place_in_utm(collared, 1);
     Result whole;
     test::expect_same_in_tiles({collared}, options_of(3), {0, 90}, {2, true, false, 2}, whole);
-    EXPECT_EQ(whole.report.counted(Reason::elevation_undeclared), 150 * 151 / 2);
+    EXPECT_EQ(whole.report.counted(Reason::elevation_undeclared_nodata), 150 * 151 / 2);
 }
 
 class RandomTownInTiles : public testing::TestWithParam<unsigned> {};
@@ -430,12 +430,12 @@ TEST_F(TilesOfATown, RefuseFilesThatAreNotTheirs) {
         return text;
     };
     EXPECT_EQ(said([](std::string& bytes) { bytes.resize(20); }),
-              name("find/2") + " is damaged: it ends too soon" + again);
+              name("find/2") + " is damaged: it is truncated" + again);
     EXPECT_EQ(said([](std::string& bytes) { bytes.pop_back(); }),
               name("find/2") + " is damaged: it is " + std::to_string(whole.size() - 1) +
                   " bytes long and should be of another length" + again);
     EXPECT_EQ(said([](std::string& bytes) { bytes[bytes.size() / 2] ^= 1; }),
-              name("find/2") + " is damaged: its bytes are not those that were written" + again);
+              name("find/2") + " is damaged: its bytes have changed since it was written" + again);
     EXPECT_EQ(said([](std::string& bytes) { bytes[0] = 'x'; }),
               name("find/2") + " is not the file that 'find' of tile 2 writes" + again);
     EXPECT_EQ(said([&](std::string& bytes) { bytes = bytes_of("find/1"); }),
@@ -459,8 +459,8 @@ TEST_F(TilesOfATown, RefuseDrawnContoursThatAreDamaged) {
     Result again;
     EXPECT_EQ(refusal([&] { steps().merge(again); }),
               name("draw/2") +
-                  " is damaged: its bytes are not those that were written; delete it and run 'draw' of tile "
-                  "2 again.");
+                  " is damaged: its bytes have changed since it was written; delete it and run 'draw' of "
+                  "tile 2 again.");
     EXPECT_FALSE(again.sink.finished);
 }
 
@@ -475,18 +475,17 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
               "-preset thesis does not work in tiles, because a contour may fill the whole raster; run "
               "dem2buildings -preset thesis.");
     EXPECT_EQ(said([](Options& o) { o.outline.simplify = 1; }),
-              "-simplify does not work in tiles: borders are simplified that the whole shares; leave it out, "
-              "or run "
-              "dem2buildings.");
-    const std::string flow = "outlines are changed for the sake of others that may be far away";
+              "-simplify does not work in tiles: simplified borders may be shared by all tiles; leave it "
+              "out, or run dem2buildings.");
+    const std::string flow = "changes of outlines depend on others that may be far away";
     const std::vector<std::tuple<std::string, std::string, std::function<void(Options&)>>> refused{
         {"-flow_ready", flow, [](Options& o) { o.outline.flow_ready = 1; }},
         {"-min_gap", flow, [](Options& o) { o.outline.min_gap = 1; }},
         {"-min_wall", flow, [](Options& o) { o.outline.min_wall = 1; }},
-        {"-preview", "a picture is drawn of the whole", [](Options& o) { o.write.preview = "a.png"; }},
-        {"-surface", "a surface is made of the whole", [](Options& o) { o.write.surfaces = {"a.obj"}; }},
-        {"-page", "a page is made of the whole", [](Options& o) { o.write.page = "a.html"; }},
-        {"-write_rejected", "what is dropped is kept in one run alone",
+        {"-preview", "a picture needs the whole area", [](Options& o) { o.write.preview = "a.png"; }},
+        {"-surface", "a surface needs the whole area", [](Options& o) { o.write.surfaces = {"a.obj"}; }},
+        {"-page", "a page needs the whole area", [](Options& o) { o.write.page = "a.html"; }},
+        {"-write_rejected", "only a run without tiles keeps dropped contours",
          [](Options& o) { o.write.rejected = true; }}};
     for (const auto& [option, why, ask] : refused)
         EXPECT_EQ(said(ask),

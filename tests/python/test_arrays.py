@@ -155,7 +155,7 @@ class Arrays(PythonCase):
     def test_options_of_files(self):
         for option in ({"b": 2}, {"oo": "A=B"}, {"input_format": "GTiff"}):
             name = next(iter(option))
-            with self.assertRaisesRegex(dem2buildings.OptionError, f"^{name}= says how a file is read"):
+            with self.assertRaisesRegex(dem2buildings.OptionError, f"^{name}= is for files"):
                 find(block(), **option)
 
 

@@ -419,9 +419,9 @@ TEST_F(ReadClaims, aTruncatedEnviFile) {
     write(path("dem.img"), spec);
     expect_values(values("dem.img"), spec.values);
     write_text(path("dem.img"), read_bytes(path("dem.img")).substr(0, 216000));
-    EXPECT_EQ(message<InputError>("dem.img"), quoted("dem.img") +
-                                                  " has 216000 bytes where its header promises 360000; it is "
-                                                  "truncated, so copy it again.");
+    EXPECT_EQ(message<InputError>("dem.img"),
+              quoted("dem.img") +
+                  " has 216000 bytes, but its header promises 360000; it is truncated, so copy it again.");
 }
 
 TEST_F(ReadClaims, aTruncatedEnviFileOfBands) {
@@ -438,16 +438,15 @@ TEST_F(ReadClaims, aTruncatedEnviFileOfBands) {
     EXPECT_EQ(
         message<InputError>("dem.img"),
         quoted("dem.img") +
-            " has 7199 bytes where its header promises 3 times 2400; it is truncated, so copy it again.");
+            " has 7199 bytes, but its header promises 3 times 2400; it is truncated, so copy it again.");
 }
 
 TEST_F(ReadClaims, aTextGridThatClaimsATrillionCells) {
     write_text(path("claim.asc"),
                "ncols 1000000\nnrows 1000000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n");
-    EXPECT_EQ(message<InputError>("claim.asc"),
-              quoted("claim.asc") +
-                  " has 69 bytes where its header promises 1999999999999 at least; it is truncated, "
-                  "so copy it again.");
+    EXPECT_EQ(message<InputError>("claim.asc"), quoted("claim.asc") +
+                                                    " has 69 bytes, but its header promises 1999999999999 at "
+                                                    "least; it is truncated, so copy it again.");
 }
 
 // GDAL would look for the rows that are missing until the end of days.
@@ -459,7 +458,7 @@ TEST_F(ReadClaims, aTruncatedTextGrid) {
     EXPECT_EQ(
         message<InputError>("cut.asc"),
         quoted("cut.asc") +
-            " has at most 1010 values where its header promises 2000; it is truncated, so copy it again.");
+            " has at most 1010 values, but its header promises 2000; it is truncated, so copy it again.");
 }
 
 // 60,000 columns of 60,000 bands in 5 rows: 67 GiB that GDAL would ask for.

@@ -136,18 +136,19 @@ TEST_F(ReadCutline, whatIsNotValidIsTakenByTheEvenOddRuleWithAWarning) {
         "[600000,5538690]]";
     write_cutline({polygon(tie)});
     EXPECT_EQ(valid().size(), 18U);
-    EXPECT_EQ(warnings_,
-              (std::vector<std::string>{
-                  "A polygon of the cutline '" + path("cut.geojson") +
-                  "' is not valid, and is taken for what an odd number of its rings encloses; make "
-                  "it valid, for example by ogr2ogr -makevalid."}));
+    EXPECT_EQ(
+        warnings_,
+        (std::vector<std::string>{"A polygon of the cutline '" + path("cut.geojson") +
+                                  "' is not valid, so the area that an odd number of its rings encloses is "
+                                  "used; make it valid, for example by ogr2ogr -makevalid."}));
     warnings_.clear();
     write_cutline({polygon(tie), polygon(tie), polygon(far_tie)});
     EXPECT_EQ(valid().size(), 18U);
-    EXPECT_EQ(warnings_, (std::vector<std::string>{
-                             "2 polygons of the cutline '" + path("cut.geojson") +
-                             "' are not valid, and are taken for what an odd number of their rings encloses; "
-                             "make them valid, for example by ogr2ogr -makevalid."}));
+    EXPECT_EQ(
+        warnings_,
+        (std::vector<std::string>{"2 polygons of the cutline '" + path("cut.geojson") +
+                                  "' are not valid, so the area that an odd number of their rings encloses "
+                                  "is used; make them valid, for example by ogr2ogr -makevalid."}));
     warnings_.clear();
     // Polygons of one feature may overlap: each is taken by itself.
     const std::string box_west = box("500000", "5538670", "500030", "5538690");
@@ -408,8 +409,8 @@ TEST_F(ReadCutline, hasAPositionWithoutAnImage) {
     write_cutline({polygon(box("9", "50", "10", "95"))}, "OGC:1.3:CRS84");
     EXPECT_EQ(message<InputError>("dem.tif"),
               "The cutline '" + path("cut.geojson") +
-                  "' has a position without an image in the DEM's coordinate reference "
-                  "system (10, 95); clip it to the surroundings of the DEM.");
+                  "' has a position that has no counterpart in the DEM's coordinate reference system (10, "
+                  "95); clip it to the surroundings of the DEM.");
 }
 
 TEST_F(ReadCutline, cannotBeReadToItsEnd) {

@@ -186,10 +186,11 @@ TEST_F(ReadGeoreference, pixelsAreNoDegrees) {
     write(path("picture.tif"), {.values = {1}, .transform = {}, .crs = "EPSG:4326"});
     EXPECT_EQ(open("picture.tif")->info().crs_wkt, "");
     ASSERT_EQ(warnings_.size(), 2U);
-    EXPECT_EQ(warnings_[1],
-              quoted("picture.tif") +
-                  " has a coordinate reference system in degrees, which columns and rows are not; it is left "
-                  "out.");
+    EXPECT_EQ(
+        warnings_[1],
+        quoted("picture.tif") +
+            " has a coordinate reference system in degrees, but its coordinates are columns and rows; it is "
+            "ignored.");
 }
 
 /// 5 columns and 4 rows of cells 2 wide and 3 high; x from 100 to 110, y from 488 to 500. Row 1 starts

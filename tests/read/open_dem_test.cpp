@@ -66,7 +66,7 @@ TEST_F(ReadSource, theFormatCanBePrescribed) {
     EXPECT_TRUE(said.ends_with("supported file format.")) << said;  // "a", from GDAL 3.10 on "being in a"
     options_.drivers = {"NoSuchFormat"};
     EXPECT_EQ(message<OptionError>("dem.tif"),
-              "-if NoSuchFormat names no format of this GDAL; gdalinfo --formats lists them.");
+              "-if NoSuchFormat is not a format of this GDAL; gdalinfo --formats lists them.");
 }
 
 TEST_F(ReadSource, openOptionsReachTheDriver) {
@@ -108,7 +108,7 @@ TEST_F(ReadSource, complexNumbersAreRefused) {
         write(path("dem.tif"), {.type = type, .values = {5}});
         EXPECT_EQ(message<InputError>("dem.tif"),
                   "Band 1 of '" + path("dem.tif") +
-                      "' holds complex numbers, which are no elevations; choose another band with -b.");
+                      "' holds complex numbers, which are not elevations; choose another band with -b.");
     }
 }
 
@@ -275,7 +275,7 @@ TEST_F(ReadStdin, nothingCameIn) {
         {
             begin(spool());
             EXPECT_EQ(message<InputError>(),
-                      "Nothing came in on the standard input; send a raster to it or give a file.");
+                      "The standard input is empty; pipe a raster into it or give a file.");
             EXPECT_EQ(spooled(), 0);
             end();
         },

@@ -128,7 +128,7 @@ TEST_F(ReadMosaic, refusesWhatIsNotOnOneGrid) {
     b.transform = {{12, 1, 0.1, 20, 0, -1}};
     expect(b, "it is rotated or upside down", "bring it onto the grid of the others with gdalwarp");
     b.transform = {};
-    expect(b, "it does not say where it lies", "give it corners with gdal_translate -a_ullr");
+    expect(b, "it has no georeferencing", "give it corners with gdal_translate -a_ullr");
     b = at(12, 20, {1, 2});
     b.type = GDT_Int16;
     expect(b, "it holds Int16, not Float64 as " + first, "give it that type with gdal_translate -ot");
@@ -138,7 +138,7 @@ TEST_F(ReadMosaic, refusesWhatIsNotOnOneGrid) {
     EXPECT_EQ(refusal({"a.tif", "b.tif"}),
               "'" + path("b.tif") +
                   "' cannot be a part of a mosaic: it says that its unit is 'ft', not '' as " + first +
-                  "; say what holds with gdal_edit.py -units, or take it off the list.");
+                  "; set the right one with gdal_edit.py -units, or take it off the list.");
     expect_has(refusal({"a.tif", "c.tif"}), "'" + path("c.tif") + "' cannot be opened as a raster: ");
 }
 
@@ -173,7 +173,7 @@ TEST(ReadList, hasANameALine) {
             (void)read(nothing);
             ADD_FAILURE();
         } catch (const InputError& error) {
-            EXPECT_EQ(error.what(), "'" + list + "' names no raster; write the name of one a line into it.");
+            EXPECT_EQ(error.what(), "'" + list + "' names no raster; write one raster name per line.");
         }
     std::remove(list.c_str());
     for (const auto& [name, why] :
@@ -183,7 +183,7 @@ TEST(ReadList, hasANameALine) {
             ADD_FAILURE();
         } catch (const InputError& error) {
             EXPECT_EQ(error.what(), "'" + name + "' cannot be read: " + why +
-                                        "; give a text file with the name of a raster a line.");
+                                        "; give a text file with one raster name per line.");
         }
 }
 

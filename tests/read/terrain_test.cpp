@@ -380,11 +380,10 @@ TEST_F(TerrainUnits, unknownOnesAreTheDems) {
         EXPECT_EQ(terrain(0.3048).at(0), 100);
     }
     one_cell("floors");
-    EXPECT_EQ(
-        refused<InputError>([&] { (void)terrain(1); }),
-        "The unit of terrain " + quoted("side.tif") +
-            " is 'floors', which is no known unit of length; if the values are elevations, give their unit "
-            "with gdal_edit.py -units, for example gdal_edit.py -units m.");
+    EXPECT_EQ(refused<InputError>([&] { (void)terrain(1); }),
+              "The unit of terrain " + quoted("side.tif") +
+                  " is 'floors', which is not a known unit of length; if the values are elevations, give "
+                  "their unit with gdal_edit.py -units, for example gdal_edit.py -units m.");
 }
 
 TEST_F(TerrainUnits, aPlaneInFeetOfAnotherCrsAndScale) {

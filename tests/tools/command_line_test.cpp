@@ -233,9 +233,9 @@ TEST(TilesCommandLine, refusesWhatItDoesNotKnow) {
               "dem2buildings_tiles --help says what they do.");
     EXPECT_EQ(refused_with({"join"}), "The work folder is missing; usage: dem2buildings_tiles join <work>.");
     EXPECT_EQ(refused_with({"join", "a", "b"}),
-              "join takes the work folder alone, not 'b' as well; usage: dem2buildings_tiles join <work>.");
+              "join only takes the work folder, not 'b' as well; usage: dem2buildings_tiles join <work>.");
     EXPECT_EQ(refused_with({"find", "-lod", "3", "work"}),
-              "find has no option -lod; those of dem2buildings are given to plan.");
+              "find has no option -lod; only plan takes the options of dem2buildings.");
     EXPECT_EQ(refused_with({"find", "work", "1x"}), "A tile is a whole number from 0 on, not '1x'.");
     EXPECT_EQ(refused_with({"find", "work", "--", "-1"}), "A tile is a whole number from 0 on, not '-1'.");
     EXPECT_EQ(refused_with({"plan", "-tile", "0", "a", "b", "c"}),
@@ -244,24 +244,21 @@ TEST(TilesCommandLine, refusesWhatItDoesNotKnow) {
     EXPECT_EQ(refused_with({"plan", "-tile", "1", "-tile", "2", "a", "b", "c"}),
               "-tile is given twice; give it once.");
     EXPECT_EQ(refused_with({"merge", "-json=1", "work"}), "-json is a switch and takes no value.");
-    EXPECT_EQ(
-        refused_with({"plan", "a.tif", "b.gpkg"}),
-        "plan takes three names, those of the source, the destination and the work folder, not 2; usage: "
-        "dem2buildings_tiles plan [options] <src_raster> <dst_vector> <work>.");
+    EXPECT_EQ(refused_with({"plan", "a.tif", "b.gpkg"}),
+              "plan takes three names, the source, the destination and the work folder, not 2; usage: "
+              "dem2buildings_tiles plan [options] <src_raster> <dst_vector> <work>.");
     EXPECT_EQ(refused_with({"plan", "a.tif", "b.gpkg", ""}),
               "A file name is empty; usage: dem2buildings_tiles plan [options] "
               "<src_raster> <dst_vector> <work>.");
-    EXPECT_EQ(
-        refused_with({"plan", "-input_file_list", "a.txt", "a.tif", "b.gpkg", "work"}),
-        "plan takes two names beside -input_file_list, those of the destination and the work folder, not "
-        "3.");
+    EXPECT_EQ(refused_with({"plan", "-input_file_list", "a.txt", "a.tif", "b.gpkg", "work"}),
+              "plan takes two names with -input_file_list, the destination and the work folder, not 3.");
     EXPECT_EQ(refused_with({"plan", "-oo", "A=1", "-input_file_list", "a.txt", "b.gpkg", "work"}),
-              "-oo speaks of one source, and -input_file_list names many; make a mosaic of them with "
-              "gdalbuildvrt.");
+              "-oo applies to one source, and -input_file_list names many; join them with gdalbuildvrt.");
     EXPECT_EQ(refused_with({"join", "-input_file_list", "a.txt", "work"}),
-              "join has no option -input_file_list; those of dem2buildings are given to plan.");
-    EXPECT_EQ(refused_with({"plan", "-sweep", "lod 1 2", "a.tif", "b.gpkg", "work"}),
-              "-sweep does not work in tiles: it runs the whole several times; run dem2buildings.");
+              "join has no option -input_file_list; only plan takes the options of dem2buildings.");
+    EXPECT_EQ(
+        refused_with({"plan", "-sweep", "lod 1 2", "a.tif", "b.gpkg", "work"}),
+        "-sweep does not work in tiles, because it runs the whole area several times; run dem2buildings.");
     EXPECT_EQ(refused_with({"plan", "/vsistdin/", "b.gpkg", "work"}),
               "The source is read by several processes, so it cannot be /vsistdin/; give a file.");
     EXPECT_EQ(refused_with({"plan", "-lodd", "3", "a", "b", "c"}),

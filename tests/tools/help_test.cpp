@@ -179,12 +179,13 @@ TEST(JsonReport, readsBackAsItWas) {
                                      {"points", 100},
                                      {"triangles", 184}}));
     EXPECT_FALSE(Json::parse(json_report({})).contains("surface"));
-    EXPECT_EQ(json["cuts"], Json::parse(R"([{"level":1,"rmse_m":2.5},{"level":2,"rmse_m":0.75}])"));
-    EXPECT_FALSE(Json::parse(json_report({})).contains("cuts"));
+    EXPECT_EQ(json["truncated_stacks"],
+              Json::parse(R"([{"level":1,"rmse_m":2.5},{"level":2,"rmse_m":0.75}])"));
+    EXPECT_FALSE(Json::parse(json_report({})).contains("truncated_stacks"));
     EXPECT_EQ(
         json["sampling"],
         Json::parse(
-            R"({"filled_share":0.25,"points_per_cell":1.5,"step_width_cells":null,"value_step":0.25})"));
+            R"({"interpolated_fraction":0.25,"points_per_cell":1.5,"edge_width_cells":null,"quantization_step":0.25})"));
     EXPECT_FALSE(Json::parse(json_report({})).contains("sampling"));
     EXPECT_EQ(json["input"], (Json{{"name", "in \"quoted\".tif"},
                                    {"driver", "GTiff"},
@@ -198,10 +199,10 @@ TEST(JsonReport, readsBackAsItWas) {
                                    {"mean", 1.0 / 3},
                                    {"standard_deviation", 0.1}}));
     EXPECT_EQ(json["units"], (Json{{"horizontal", "metre"},
-                                   {"horizontal_decided_by", "CRS"},
+                                   {"horizontal_source", "CRS"},
                                    {"horizontal_metres", 1.0},
                                    {"vertical", "US survey foot"},
-                                   {"vertical_decided_by", "band"},
+                                   {"vertical_source", "band"},
                                    {"vertical_metres", 1200.0 / 3937},
                                    {"areas", "geodesic"}}));
     EXPECT_EQ(json["levels"], Json::parse(R"([{"level":0,"threshold":-1.5,"contours":1,"points":11},

@@ -381,9 +381,8 @@ TEST(OptionErrors, conflicts) {
         {{{"-fl", "1", "-i", "2"},
           "-fl cannot be used together with -i; list the levels or give an interval."},
          {{"-lod", "4", "-fl", "1"},
-          "-lod cannot be used together with -fl; the listed levels take the place of those of -lod."},
-         {{"-lod", "4", "-i", "1"},
-          "-lod cannot be used together with -i; the interval takes the place of -lod."},
+          "-lod cannot be used together with -fl; the listed levels replace those of -lod."},
+         {{"-lod", "4", "-i", "1"}, "-lod cannot be used together with -i; the interval replaces -lod."},
          {{"-off", "0"}, "-off needs -i <interval>; it is the elevation that the intervals count from."},
          {{"-fl", "1", "-off", "2"},
           "-off needs -i <interval>; it is the elevation that the intervals count from."},
@@ -418,7 +417,7 @@ TEST(OptionErrors, fileNames) {
     EXPECT_EQ(refusal_of_all({"a", "b", "c"}),
               "There are too many file names, 'a', 'b' and 'c'; give one source and one destination.");
     EXPECT_EQ(refusal_of_all({"", "b"}), "A file name is empty; " + usage);
-    EXPECT_EQ(refusal_of_all({"-", "b"}), "'-' is no file name here; write /vsistdin/ or /vsistdout/.");
+    EXPECT_EQ(refusal_of_all({"-", "b"}), "'-' is not a file name here; write /vsistdin/ or /vsistdout/.");
     EXPECT_EQ(refusal_of_all({"a.tif", "a.tif"}),
               "The destination 'a.tif' is the source; give another name.");
     EXPECT_EQ(refusal_of_all({"-json", "a.tif", "/vsistdout/"}),

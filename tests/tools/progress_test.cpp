@@ -112,19 +112,19 @@ TEST(Summary, countsWhatTheReportCounts) {
     }
     RunReport one;
     one.count(Reason::hole_small, 1);
-    one.count(Reason::elevation_not_roof, 1);
+    one.count(Reason::roof_spike, 1);
     EXPECT_EQ(summary(one, Layers::buildings, "x"),
-              "0 buildings in x (filled: 1 hole; no roof: 1 cell far above all around)\n");
+              "0 buildings in x (filled: 1 hole; not a roof: 1 cell far above all cells around)\n");
     RunReport report;
     report.count(Reason::building_low, 3);
     report.count(Reason::hole_small, 4);
     report.count(Reason::hole_short, 1);
     report.count(Reason::outline_kept_traced, 421);
     report.count(Reason::elevation_outside_range, 12);
-    report.count(Reason::elevation_above_neighbours, 2);
+    report.count(Reason::elevation_spike, 2);
     EXPECT_EQ(summary(report, Layers::buildings, "x"),
               "0 buildings in x (left out: 3 below -min_height; filled: 5 holes; drawn differently: 421 as "
-              "traced; no elevation: 12 cells outside of -zrange, 2 cells far above all around)\n");
+              "traced; treated as no data: 12 cells outside -zrange, 2 cells far above all cells around)\n");
 }
 
 TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {

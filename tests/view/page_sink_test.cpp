@@ -301,7 +301,7 @@ TEST_F(PageTest, replacesAPageOfItsOwnAlone) {
               std::string::npos);
     EXPECT_NE(thrown<OptionError>([&] {
                   static_cast<void>(place("a.html", true));
-              }).find("is no page of dem2buildings"),
+              }).find("is not a page of dem2buildings"),
               std::string::npos);
     written("b.html");
     EXPECT_EQ(place("b.html", true).old_files.size(), 1U);
@@ -314,8 +314,8 @@ TEST_F(PageTest, isNoLongerThanBrowsersTake) {
     page.surface->begin(meta_);
     page.surface->add(part(1));
     const std::string said = thrown<OutputError>([&] { page.surface->finish(); });
-    EXPECT_NE(said.find("would be longer than 0 MiB, with which browsers become slow; use a smaller window "
-                        "(-te, -projwin or -srcwin), or fewer levels (a lower -lod)."),
+    EXPECT_NE(said.find("would be longer than 0 MiB, which makes browsers slow; use a smaller window (-te, "
+                        "-projwin or -srcwin), or fewer levels (a lower -lod)."),
               std::string::npos)
         << said;
     EXPECT_EQ(entries(), Names{});

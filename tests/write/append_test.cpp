@@ -176,7 +176,7 @@ TEST_F(AppendTest, WhatDoesNotFitIsRefused) {
     spec.fields[1].type = FieldType::integer;
     spec.fields[2].type = FieldType::real;
     spec = layer_spec("buildings", true);
-    EXPECT_EQ(refusal(more("a.gpkg"), spec, provenance()), start + "has no Z, and the result has" + end);
+    EXPECT_EQ(refusal(more("a.gpkg"), spec, provenance()), start + "has no Z, but the result has it" + end);
     spec = layer_spec("buildings");
     spec.points = true;
     EXPECT_EQ(refusal(more("a.gpkg"), spec, provenance()),
@@ -186,7 +186,7 @@ TEST_F(AppendTest, WhatDoesNotFitIsRefused) {
     write(z, 1);
     EXPECT_EQ(refusal(more("z.gpkg"), layer_spec("buildings"), provenance()),
               "Cannot append to \"" + path("z.gpkg") +
-                  "\": its layer \"buildings\" has Z, and the result has none" + end);
+                  "\": its layer \"buildings\" has Z, but the result has none" + end);
     EXPECT_EQ(count(path("a.gpkg"), "buildings"), 2);
 }
 

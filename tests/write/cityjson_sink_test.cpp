@@ -155,8 +155,8 @@ TEST_F(CityJsonSinkTest, namesTheDatumOfTheHeights) {
     EXPECT_EQ(
         written_of("EPSG:25832+7837",
                    {"A CityJSON names its CRS by the code of an authority, and 'ETRS89 / UTM zone 32N + "
-                    "DHHN2016 height' has none; the file names the horizontal part alone, and does not "
-                    "say what its heights are measured from."}),
+                    "DHHN2016 height' has none; the file names only the horizontal part, and does not "
+                    "say where its heights begin."}),
         "https://www.opengis.net/def/crs/EPSG/0/25832");
 }
 
@@ -164,19 +164,16 @@ TEST_F(CityJsonSinkTest, refusesTwoUnits) {
     const auto sink = open_cityjson_sink(place("a.city.json"));
     meta_.frame.vertical_metres = 0.3048;
     meta_.vertical_unit = "foot";
-    EXPECT_EQ(
-        thrown<OptionError>([&] { sink->preflight(meta_); }),
-        "CityJSON has heights in the unit of x and y, which is the metre in 'ETRS89 / UTM zone 32N', and the "
-        "elevations are in the unit 'foot'; give a CRS in that unit with -t_srs, or with -zunit the unit "
-        "that "
-        "they are in.");
+    EXPECT_EQ(thrown<OptionError>([&] { sink->preflight(meta_); }),
+              "CityJSON has heights in the unit of x and y, which is the metre in 'ETRS89 / UTM zone 32N', "
+              "and the elevations are in the unit 'foot'; give a CRS in that unit with -t_srs, or their true "
+              "unit with -zunit.");
     meta_.frame.horizontal_metres = 0.3048;
     sink->preflight(meta_);
     meta_.vertical_unit = "";
     EXPECT_EQ(thrown<OptionError>([&] { sink->preflight(meta_); }),
-              "CityJSON has heights in the unit of x and y, and that of the elevations is not known; give it "
-              "with -zunit, "
-              "and where x and y are in another one a CRS in that unit with -t_srs.");
+              "CityJSON has heights in the unit of x and y, and the unit of the elevations is unknown; give "
+              "it with -zunit and, if x and y have another unit, a CRS in that unit with -t_srs.");
 }
 
 }  // namespace

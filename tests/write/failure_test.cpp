@@ -45,29 +45,29 @@ class FailureTest : public WriteTest {
 };
 
 TEST_F(FailureTest, FoldersThatAreNotThereOrNotFolders) {
-    EXPECT_EQ(refused(to("no/a.gpkg")),
-              "Cannot write \"" + path("no/a.gpkg") + "\": the folder \"" + path("no") +
-                  "\" takes no new files (No such file or directory); choose another destination.");
+    EXPECT_EQ(refused(to("no/a.gpkg")), "Cannot write \"" + path("no/a.gpkg") +
+                                            "\": no file can be created in \"" + path("no") +
+                                            "\" (No such file or directory); choose another destination.");
     put("file", "text");
-    EXPECT_EQ(refused(to("file/a.gpkg")),
-              "Cannot write \"" + path("file/a.gpkg") + "\": the folder \"" + path("file") +
-                  "\" takes no new files (Not a directory); choose another destination.");
+    EXPECT_EQ(refused(to("file/a.gpkg")), "Cannot write \"" + path("file/a.gpkg") +
+                                              "\": no file can be created in \"" + path("file") +
+                                              "\" (Not a directory); choose another destination.");
 }
 
 TEST_F(FailureTest, FoldersThatTakeNoFiles) {
     WriteOptions options = to("a.gpkg");
     options.destination = "/proc/d2b.gpkg";
     const std::string message = refused(options);
-    EXPECT_EQ(message.find("Cannot write \"/proc/d2b.gpkg\": the folder \"/proc\" takes no new files ("), 0u)
+    EXPECT_EQ(message.find("Cannot write \"/proc/d2b.gpkg\": no file can be created in \"/proc\" ("), 0u)
         << message;
     EXPECT_NE(message.find("); choose another destination."), std::string::npos) << message;
     if (::geteuid() == 0)
         return;
     fs::create_directory(path("locked"));
     fs::permissions(path("locked"), fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_EQ(refused(to("locked/a.gpkg")),
-              "Cannot write \"" + path("locked/a.gpkg") + "\": the folder \"" + path("locked") +
-                  "\" takes no new files (Permission denied); choose another destination.");
+    EXPECT_EQ(refused(to("locked/a.gpkg")), "Cannot write \"" + path("locked/a.gpkg") +
+                                                "\": no file can be created in \"" + path("locked") +
+                                                "\" (Permission denied); choose another destination.");
 }
 
 TEST_F(FailureTest, AFolderWhereAFileIsMeant) {

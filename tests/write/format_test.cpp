@@ -63,11 +63,10 @@ TEST_F(FormatTest, UnusableFormatsAreRefusedWithOthersThatServe) {
                   "Format \"" + std::string(format) +
                       "\" cannot hold a new vector dataset; -f takes, among others: " + some + ".");
     for (const char* name : {"a", "a.tif", "a.gpkg.d/b", "gpkg", "/vsistdout/"})
-        EXPECT_EQ(message(named(name)),
-                  "The name \"" + std::string(name) +
-                      "\" does not tell its format; give it an extension such as .gpkg, or say "
-                      "the format with -f: " +
-                      some + ", ...");
+        EXPECT_EQ(message(named(name)), "The name \"" + std::string(name) +
+                                            "\" does not show its format; give it an extension such as "
+                                            ".gpkg, or give the format with -f: " +
+                                            some + ", ...");
     EXPECT_EQ(message(named("")), "The name of the destination is empty; give a file, e.g. buildings.gpkg.");
 }
 

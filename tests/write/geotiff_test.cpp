@@ -200,13 +200,12 @@ TEST_F(GeoTiffTest, CellsThatAreMissingOrTooMany) {
     EXPECT_EQ(refused_part(rows_of(300, 301), size(301)),
               start +
                   "90300 values were given for 301 rows from 310 on and 300 columns from 20 on, which are "
-                  "no part of it.");
+                  "not part of it.");
     for (const Window& part : {Window{9, 20, 1, 300}, Window{400, 19, 1, 300}, Window{400, 21, 1, 300}})
         EXPECT_EQ(refused_part(part, 300).find(start + "300 values were given for 1 rows from "), 0u);
-    EXPECT_EQ(refused_part(rows_of(300, 2), 300),
-              start +
-                  "300 values were given for 2 rows from 310 on and 300 columns from 20 on, which are no "
-                  "part of it.");
+    EXPECT_EQ(refused_part(rows_of(300, 2), 300), start +
+                                                      "300 values were given for 2 rows from 310 on and 300 "
+                                                      "columns from 20 on, which are not part of it.");
     EXPECT_EQ(refused_part(rows_of(0, 1), 300), start + "some of its cells were given twice.");
     EXPECT_EQ(thrown<OutputError>([&] { to->finish(); }),
               start + "90000 of its 180000 cells were not given.");
@@ -252,9 +251,8 @@ TEST_F(GeoTiffTest, AFileThatChangesMeanwhileStays) {
     write_all(*sink("a.tif"));
     const auto to = sink("a.tif", true);
     put("a.tif", "changed");
-    EXPECT_EQ(
-        thrown<OutputError>([&] { write_all(*to); }),
-        quote + path("a.tif") + "\" has changed while this run was going on and is left alone; run again.");
+    EXPECT_EQ(thrown<OutputError>([&] { write_all(*to); }),
+              quote + path("a.tif") + "\" changed during this run and was left alone; run again.");
     EXPECT_EQ(bytes("a.tif"), "changed");
 }
 
@@ -276,7 +274,7 @@ TEST_F(GeoTiffTest, NamesOfOtherFormats) {
 
 TEST_F(GeoTiffTest, FilesInUseAreRefused) {
     const std::string text =
-        quote + path("a.tif") + "\" is read or written by this run already; choose another name.";
+        quote + path("a.tif") + "\" is already read or written by this run; choose another name.";
     EXPECT_EQ(refused<OptionError>("a.tif", false, {"", path("b.tif"), path("a.tif")}), text);
     fs::create_directory(path("x"));
     EXPECT_EQ(refused<OptionError>("a.tif", false, {path("x/../a.tif")}), text);
@@ -302,8 +300,7 @@ TEST_F(GeoTiffTest, FoldersThatTakeNoFiles) {
     const std::string text = thrown<OutputError>([&] {
         static_cast<void>(open_geotiff_sink({"/proc/d2b.tif", false, {}}, grid_, meta_));
     });
-    EXPECT_EQ(text.find("Cannot write \"/proc/d2b.tif\": the folder \"/proc\" takes no new files ("), 0u)
-        << text;
+    EXPECT_EQ(text.find("Cannot write \"/proc/d2b.tif\": no file can be created in \"/proc\" ("), 0u) << text;
 }
 
 TEST_F(GeoTiffTest, InVirtualFileSystems) {

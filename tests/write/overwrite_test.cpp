@@ -122,8 +122,7 @@ TEST_F(OverwriteTest, ChangesInTheMeantimeAreKept) {
     sink->add(0, square(1));
     put("a.geojson", "somebody else's");
     EXPECT_EQ(thrown<OutputError>([&] { sink->finish(); }),
-              quote + path("a.geojson") +
-                  "\" has changed while this run was going on and is left alone; run again.");
+              quote + path("a.geojson") + "\" changed during this run and was left alone; run again.");
     EXPECT_EQ(bytes("a.geojson"), "somebody else's");
 }
 

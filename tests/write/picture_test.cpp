@@ -76,7 +76,7 @@ TEST_F(PictureTest, AnotherFileIsNotReplaced) {
               std::string::npos);
     EXPECT_NE(thrown<OptionError>([&] {
                   std::ignore = open_picture(picture("a.png", true));
-              }).find("is no PNG, SVG or PDF"),
+              }).find("is not a PNG, SVG or PDF"),
               std::string::npos);
     EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.tif")); }).find(".png"),
               std::string::npos);

@@ -70,7 +70,7 @@ TEST_F(StagingTest, ASetOfFilesGoesBackAsAWhole) {
 TEST_F(StagingTest, WhatIsMissingIsSaid) {
     StagingFolder staging("name", path("a.txt"));
     EXPECT_EQ(thrown<OutputError>([&] { staging.seal(); }),
-              "Cannot write \"name\": the driver has written no file of this name.");
+              "Cannot write \"name\": the driver did not write a file of this name.");
     EXPECT_EQ(thrown<OutputError>([&] { staging.copy_in({path("gone.txt")}); }),
               "Cannot write \"name\": it cannot be copied (No such file or directory).");
     fs::remove_all(staging.folder());
@@ -138,7 +138,7 @@ TEST_F(StagingTest, WhatCannotBeTakenBackIsSaidAndKept) {
         staging.seal();
         staging.publish({});
         fs::remove_all(staging.folder());
-        EXPECT_EQ(staging.roll_back(), "\"name\" is there already");
+        EXPECT_EQ(staging.roll_back(), "\"name\" already exists");
     }
     EXPECT_EQ(entries(), Names{"b.txt"});
 }

@@ -46,7 +46,7 @@ TEST_F(StlSinkTest, writesNoFileWithoutBuildings) {
         sink->finish();
         EXPECT_EQ(sink->take_warnings(),
                   Names{"There is no building for \"" + path("a.stl") +
-                        "\", and an STL without a solid is none; no file is written" +
+                        "\", and an STL needs a solid; no file is written" +
                         std::string(replaces ? ", and the old one stays as it was." : ".")});
         EXPECT_EQ(entries(), replaces ? Names{"a.stl"} : Names{});
     }

@@ -50,7 +50,7 @@ TEST_F(SurfaceSinkCase, materialsGoWithTheirObj) {
     EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(located(false)); }),
               "\"" + path("a.mtl") + "\" exists; give another name, or -overwrite to replace it.");
     EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(located(true)); }),
-              "\"" + path("a.mtl") + "\" exists and is no library of materials (MTL); remove it first.");
+              "\"" + path("a.mtl") + "\" exists and is not a material library (MTL); remove it first.");
     put("a.mtl", "# by hand\nnewmtl red\n");
     const auto sink = open_surface_sink(located(true), SurfaceSolids::each);
     sink->begin(meta_);

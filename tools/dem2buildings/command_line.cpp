@@ -60,12 +60,12 @@ void take_file_names(const std::vector<std::string>& names, Options& options) {
         if (name.empty())
             throw OptionError("A file name is empty; " + std::string(usage) + ".");
         if (name == "-")
-            throw OptionError("'-' is no file name here; write /vsistdin/ or /vsistdout/.");
+            throw OptionError("'-' is not a file name here; write /vsistdin/ or /vsistdout/.");
     }
     require_other_file(names[0], names[1]);
     if (names[1].starts_with("/vsimem/"))
         throw OptionError("The destination '" + names[1] +
-                          "' lies in memory and is gone when the program ends; give a file.");
+                          "' is in memory and lost when the program ends; give a file.");
     options.read.source = names[0];
     options.write.destination = names[1];
 }
@@ -76,8 +76,7 @@ void check_side_files(const WriteOptions& write) {
     names.push_back(write.preview);
     for (const std::string& name : names)
         if (name.starts_with("/vsimem/"))
-            throw OptionError("'" + name +
-                              "' lies in memory and is gone when the program ends; give a file.");
+            throw OptionError("'" + name + "' is in memory and lost when the program ends; give a file.");
 }
 
 }  // namespace

@@ -30,10 +30,10 @@ Json input_of(const RunReport& report) {
 
 Json units_of(const UnitReport& units) {
     return {{"horizontal", units.horizontal},
-            {"horizontal_decided_by", units.horizontal_decided_by},
+            {"horizontal_source", units.horizontal_source},
             {"horizontal_metres", units.horizontal_metres},
             {"vertical", units.vertical},
-            {"vertical_decided_by", units.vertical_decided_by},
+            {"vertical_source", units.vertical_source},
             {"vertical_metres", units.vertical_metres},
             {"areas", units.areas}};
 }
@@ -86,13 +86,13 @@ Json move_of(const std::optional<ParcelMove>& move) {
 
 Json parcels_of(const ParcelReport& parcels) {
     return {{"cut_length_m", parcels.cut_length_m},
-            {"beside_length_m", parcels.beside_length_m},
+            {"near_wall_length_m", parcels.near_wall_length_m},
             {"median_distance_m",
              std::isfinite(parcels.median_distance_m) ? Json(parcels.median_distance_m) : Json()},
-            {"fitting_move_m", move_of(parcels.fitting_move)},
+            {"best_offset_m", move_of(parcels.best_offset)},
             {"building_m2", parcels.building_m2},
             {"inside_m2", parcels.inside_m2},
-            {"several_m2", parcels.several_m2},
+            {"overlap_m2", parcels.overlap_m2},
             {"invalid_m2", parcels.invalid_m2}};
 }
 
@@ -101,10 +101,10 @@ Json number_of(const std::optional<double>& number) {
 }
 
 Json sampling_of(const SamplingReport& sampling) {
-    return {{"filled_share", sampling.interpolated_fraction},
+    return {{"interpolated_fraction", sampling.interpolated_fraction},
             {"points_per_cell", number_of(sampling.points_per_cell)},
-            {"step_width_cells", number_of(sampling.step_width_cells)},
-            {"value_step", number_of(sampling.value_step)}};
+            {"edge_width_cells", number_of(sampling.edge_width_cells)},
+            {"quantization_step", number_of(sampling.quantization_step)}};
 }
 
 Json dropped_of(const RunReport& report) {
@@ -131,7 +131,7 @@ std::string json_report(const RunReport& report) {
     if (report.surface)
         json["surface"] = surface_of(*report.surface);
     if (!report.cuts.empty())
-        json["cuts"] = cuts_of(report.cuts);
+        json["truncated_stacks"] = cuts_of(report.cuts);
     if (report.parcels)
         json["parcels"] = parcels_of(*report.parcels);
     if (report.sampling)

@@ -25,8 +25,8 @@ std::string counted(std::int64_t n, const std::string& noun) {
     return grouped(n) + " " + noun + (n == 1 ? "" : "s");
 }
 
-/// How the summary counts what is not in the result, or not as it was found: a number, what of where the kind
-/// does not say it, and the words.
+/// Part of the summary that counts objects that are missing in the result or changed: its kind, the noun of
+/// the counted objects if the kind does not name them, and further words.
 struct Part {
     const char* kind;
     const char* noun;
@@ -42,31 +42,31 @@ const std::vector<Part>& parts() {
         {"left out", "", "below -min_confidence", {Reason::building_doubtful}},
         {"left out", "", "below -nf", {Reason::contour_short}},
         {"left out", "", "on parts that were left out", {Reason::contour_on_dropped}},
-        {"left out", "", "torn by -t_srs", {Reason::outline_torn}},
+        {"left out", "", "split by -t_srs", {Reason::outline_split}},
         {"left out", "", "beyond repair", {Reason::polygon_lost}},
         {"left out",
          "threshold",
          "without effect",
          {Reason::threshold_not_above_minimum, Reason::threshold_not_below_maximum,
           Reason::threshold_repeated}},
-        {"left out", "", "of the surface", {Reason::surface_lost}},
-        {"cut off at walls", "crown", "", {Reason::crown_cut}},
-        {"cut off at walls", "cell", "of crowns", {Reason::crown_cells}},
-        {"kept with a neighbour", "part", "cut off by -split_by", {Reason::part_merged}},
+        {"not in the surface", "building", "", {Reason::surface_lost}},
+        {"cut off at walls", "tree crown", "", {Reason::crown_cut}},
+        {"cut off at walls", "cell", "of tree crowns", {Reason::crown_cells}},
+        {"merged with a neighbour", "part", "cut off by -split_by", {Reason::part_merged}},
         {"filled", "hole", "", {Reason::hole_small, Reason::hole_short}},
         {"drawn differently", "", "as traced", {Reason::outline_kept_traced}},
         {"drawn differently", "", "repaired", {Reason::polygon_repaired}},
         {"moved in the surface",
          "corner",
-         "that touched another",
+         "that touched",
          {Reason::surface_notch_filled, Reason::surface_corner_cut}},
         {"changed for a flow solver", "place", "", {Reason::flow_changed}},
-        {"left as they are", "place", "that a flow solver cannot take", {Reason::flow_left}},
-        {"no elevation", "cell", "outside of -zrange", {Reason::elevation_outside_range}},
-        {"no elevation", "cell", "of NoData that is not declared", {Reason::elevation_undeclared}},
-        {"no elevation", "cell", "far above all around", {Reason::elevation_above_neighbours}},
-        {"no elevation", "cell", "of the terrain", {Reason::terrain_outside_range}},
-        {"no roof", "cell", "far above all around", {Reason::elevation_not_roof}},
+        {"left unchanged", "place", "unsuitable for a flow solver", {Reason::flow_unchanged}},
+        {"treated as no data", "cell", "outside -zrange", {Reason::elevation_outside_range}},
+        {"treated as no data", "cell", "of undeclared NoData", {Reason::elevation_undeclared_nodata}},
+        {"treated as no data", "cell", "far above all cells around", {Reason::elevation_spike}},
+        {"treated as no data", "cell", "of the terrain", {Reason::terrain_outside_range}},
+        {"not a roof", "cell", "far above all cells around", {Reason::roof_spike}},
     };
     return all;
 }
@@ -77,7 +77,7 @@ std::string amount(std::int64_t n, const Part& part) {
     return number + (*part.words == '\0' ? "" : " ") + part.words;
 }
 
-/// What is not in the result, or not as it was found; or "".
+/// Returns counts of missing and changed objects, or "".
 std::string counts(const RunReport& report) {
     std::string text;
     std::string kind;

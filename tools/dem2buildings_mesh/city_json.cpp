@@ -16,13 +16,13 @@ constexpr int most_levels = 64;
 CityJson::CityJson(const std::string& text, std::string name) : name_(std::move(name)) {
     const auto not_too_deep = [&](int depth, Json::parse_event_t, const Json&) {
         if (depth > most_levels)
-            refuse("is nested deeper than any CityJSON of buildings; give a file that -surface has written");
+            refuse("is nested deeper than any CityJSON of buildings; give a file that -surface wrote");
         return true;
     };
     try {
         root_ = Json::parse(text, not_too_deep);
     } catch (const Json::exception&) {
-        refuse("is no JSON, or not all of it; give a file that -surface has written");
+        refuse("is not complete JSON; give a file that -surface wrote");
     }
 }
 
@@ -33,7 +33,7 @@ void CityJson::refuse(const std::string& what) const {
 const CityJson::Json& CityJson::member(const Json& object, const std::string& key,
                                        const std::string& where) const {
     if (!object.is_object() || !object.contains(key))
-        refuse("has no '" + key + "' in " + where + "; give a file that -surface has written");
+        refuse("has no '" + key + "' in " + where + "; give a file that -surface wrote");
     return object.at(key);
 }
 
@@ -41,7 +41,7 @@ const CityJson::Json& CityJson::array(const Json& object, const std::string& key
                                       const std::string& where) const {
     const Json& value = member(object, key, where);
     if (!value.is_array())
-        refuse("has a '" + key + "' in " + where + " that is no list; give a file that -surface has written");
+        refuse("has a '" + key + "' in " + where + " that is not a list; give a file that -surface wrote");
     return value;
 }
 
@@ -49,8 +49,7 @@ const CityJson::Json& CityJson::object(const Json& object, const std::string& ke
                                        const std::string& where) const {
     const Json& value = member(object, key, where);
     if (!value.is_object())
-        refuse("has a '" + key + "' in " + where +
-               " that is no object; give a file that -surface has written");
+        refuse("has a '" + key + "' in " + where + " that is not an object; give a file that -surface wrote");
     return value;
 }
 
@@ -59,7 +58,7 @@ std::string CityJson::text(const Json& object, const std::string& key, const std
         return {};
     const Json& value = object.at(key);
     if (!value.is_string())
-        refuse("has a '" + key + "' in " + where + " that is no text; give a file that -surface has written");
+        refuse("has a '" + key + "' in " + where + " that is not a text; give a file that -surface wrote");
     return value.get<std::string>();
 }
 

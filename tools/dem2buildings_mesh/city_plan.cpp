@@ -48,11 +48,11 @@ void take_apart(const CityModel& city, const std::vector<PartitionContour>& cont
     if (taken.unresolved.empty())
         return;
     const PartitionContour& contour = contours[taken.unresolved.front()];
-    throw InputError(
-        "'" + city.name + "' has " + city.buildings[static_cast<std::size_t>(contour.building)].name +
-        ", near " + place_text(city, contour.outline.exterior.front()) +
-        ", which touches others in an edge where there is no room to part them; make the file again "
-        "with -surface.");
+    throw InputError("'" + city.name + "' has " +
+                     city.buildings[static_cast<std::size_t>(contour.building)].name + ", near " +
+                     place_text(city, contour.outline.exterior.front()) +
+                     ", which touches others in an edge and cannot be separated from them; make the file "
+                     "again with -surface.");
 }
 
 void require_height(const CityModel& city, const Region& region) {

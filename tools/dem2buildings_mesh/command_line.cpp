@@ -43,9 +43,8 @@ std::vector<MeshOption> make_options() {
     constexpr NumberRange above_zero{.lowest = 0, .above_lowest = true};
     return {
         {{"min_angle", "<degrees>", "number",
-          "Smallest angle of triangles of roofs, bases and terrain, seen from above. Kept up to 20.7 "
-          "wherever "
-          "the angles of the input allow it, above that as far as ten times the points of 20.7 go. A number "
+          "Smallest angle of triangles of roofs, bases and terrain, seen from above. Up to 20.7 wherever the "
+          "angles of the input allow it; above that as far as ten times the points of 20.7 suffice. A number "
           "from 0 to 30. Default: 20.7."},
          number("min_angle", {.lowest = 0, .highest = 30}, &MeshCommand::min_angle)},
         {{"max_edge", "<m>", "number",
@@ -60,19 +59,17 @@ std::vector<MeshOption> make_options() {
           "Default: 0.25."},
          number("ground_error", above_zero, &MeshCommand::ground_error)},
         {{"margin", "<m>", "number",
-          "Land around the raster and the footprints, which goes on level from their edge. At least 0. Unit: "
-          "m. Default: 0."},
+          "Flat land that is added around the raster and the footprints. At least 0. Unit: m. Default: 0."},
          number("margin", from_zero, &MeshCommand::margin)},
         {{"base", "<m>", "number",
           "How far the plate lies below the lowest terrain. A number above 0. Unit: m. Default: 10."},
          number("base", above_zero, &MeshCommand::base)},
         {{"min_wall", "<m>", "number",
-          "Roofs that are not as far above the terrain beside them are lifted. A number above 0. Unit: m. "
+          "Lower roofs are lifted to this height above the terrain next to them. A number above 0. Unit: m. "
           "Default: 0.5."},
          number("min_wall", above_zero, &MeshCommand::min_wall)},
         {{"origin", "<x> <y> <z>", "numbers",
-          "Where local coordinates begin, as -surface_origin has it: whole metres. For .stl and .obj. "
-          "Default: "
+          "Origin of the local coordinates in whole metres, as -surface_origin. For .stl and .obj. Default: "
           "the middle of the surface, below its lowest point."},
          [](MeshCommand& r, Text value) { r.origin = three_numbers(value); }},
         {{"overwrite", "", "switch", "Replace an existing file."},
@@ -85,7 +82,7 @@ std::vector<MeshOption> make_options() {
          [](MeshCommand& r, Text) { r.version = true; }},
         {{"man", "", "switch", "Print the man page as roff."},
          [](MeshCommand& r, Text) { r.man_page = true; }},
-        {{"bash_completion", "", "switch", "Print what completes its command lines in Bash."},
+        {{"bash_completion", "", "switch", "Print a script that completes command lines in Bash."},
          [](MeshCommand& r, Text) { r.bash_completion = true; }},
     };
 }

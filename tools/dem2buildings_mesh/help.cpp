@@ -11,7 +11,7 @@ namespace d2b::mesh {
 namespace {
 
 constexpr std::string_view description =
-    "Makes one closed surface of good triangles of the buildings that dem2buildings -surface has written, on "
+    "Makes one closed surface of good triangles of the buildings that dem2buildings -surface wrote, on "
     "level bases or on terrain, for flow solvers.";
 constexpr std::string_view files =
     "The input is CityJSON as -surface writes it, the output STL, OBJ or CityJSON by the end of its name.";

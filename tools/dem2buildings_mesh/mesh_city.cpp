@@ -34,11 +34,11 @@ Crs crs_of(const CityModel& city) {
         crs = Crs(city.reference_system);
     } catch (const OptionError&) {
         throw InputError("'" + city.name + "' has a referenceSystem that PROJ does not know, '" +
-                         city.reference_system + "'; give a file that -surface has written.");
+                         city.reference_system + "'; give a file that -surface wrote.");
     }
     if (!city.reference_system.empty() && !crs.horizontal_unit())
         throw InputError("'" + city.name +
-                         "' is in degrees, which are no lengths; make it again with -t_srs and a projected "
+                         "' is in degrees, which are not lengths; make it again with -t_srs and a projected "
                          "coordinate reference system.");
     return crs;
 }
@@ -97,16 +97,16 @@ void add_ground(const MeshRequest& request, const CityModel& city, const PlanFra
     if (outside > 0 && callbacks.on_warning)
         callbacks.on_warning(std::to_string(outside) + " of " + std::to_string(corners) + " corners of '" +
                              city.name + "' lie outside of the terrain '" + request.ground +
-                             "', which goes on level from its edge there.");
+                             "', which continues flat beyond its edge.");
 }
 
 /// Each point takes a kilobyte of memory until the surface is written.
 void require_few_points(const PlanDrawing& drawing, const MeshRequest& request, const PlanFrame& frame) {
     constexpr double most_points = 20e6;
     if (request.max_edge > 0 && fewest_points(drawing, request.max_edge / frame.metres()) > most_points)
-        throw OptionError("-max_edge " + number_text(request.max_edge) +
-                          " would take more than 20 million points; give a greater one, or a smaller part of "
-                          "the city.");
+        throw OptionError(
+            "-max_edge " + number_text(request.max_edge) +
+            " would take more than 20 million points; give a larger one, or a smaller part of the city.");
 }
 
 PlanMesh divide(PlanDrawing& drawing, const MeshRequest& request, const std::optional<GroundGrid>& ground,
@@ -130,14 +130,14 @@ void require_closed(const CityModel& city, const Shell& shell, const SurfaceFram
         const std::array<double, 3> at = frame.coordinates(shell.points[fault->point]);
         throw InputError("The surface of '" + city.name + "' " + fault->what + " at " +
                          at_text(at[0], at[1]) +
-                         "; make the file again with -surface, which takes such places apart.");
+                         "; make the file again with -surface, which separates such places.");
     }
     if (!single)
         return;
     if (const auto point = merged_in_single(shell, frame)) {
         const std::array<double, 3> at = frame.coordinates(shell.points[*point]);
         throw InputError("Corners at " + at_text(at[0], at[1]) +
-                         " would be one in single precision; give an -origin near them, a smaller part of "
+                         " would coincide in single precision; give an -origin near them, a smaller part of "
                          "the city, or .city.json as output.");
     }
 }
@@ -155,7 +155,7 @@ MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks,
     PlanFrame frame = frame_of(city, plan, crs);
     MeshReport report;
     report.buildings = static_cast<std::int64_t>(city.buildings.size());
-    report.plan_points_before = static_cast<std::int64_t>(plan.plan.nodes.size());
+    report.footprint_points = static_cast<std::int64_t>(plan.plan.nodes.size());
     for (const FinePoint& pinch : plan.pinches)
         report.pinches.push_back({frame.world(frame.plane(pinch)), 0, ""});
 

@@ -37,7 +37,7 @@ struct NamedPlace {
 /// What became of it.
 struct MeshReport {
     std::int64_t buildings = 0;
-    std::int64_t plan_points_before = 0;  ///< distinct corners of the footprints
+    std::int64_t footprint_points = 0;  ///< distinct corners of the footprints
     std::int64_t plan_points = 0;
     std::int64_t points = 0;
     std::int64_t triangles = 0;

@@ -28,7 +28,7 @@ std::array<double, 3> three_numbers(const CityJson& file, const Json& transform,
             file.refuse("has a '" + key + "' that is not three numbers; the file is damaged");
         numbers[i] = list[i].get<double>();
         if (!std::isfinite(numbers[i]) || (key == "scale" && numbers[i] <= 0))
-            file.refuse("has a '" + key + "' that places nothing; the file is damaged");
+            file.refuse("has a '" + key + "' that is unusable; the file is damaged");
     }
     return numbers;
 }
@@ -79,14 +79,14 @@ std::vector<FaceKind> SolidReader::kinds(const Json& geometry, std::size_t faces
     const Json& surfaces = file_.array(semantics, "surfaces", where_);
     const Json& values = file_.array(semantics, "values", where_);
     if (values.size() != 1 || !values[0].is_array() || values[0].size() != faces)
-        file_.refuse("does not say of each face of " + where_ + " what it is; the file is damaged");
+        file_.refuse("does not give for each face of " + where_ + " its kind; the file is damaged");
     std::vector<FaceKind> kinds;
     for (const Json& value : values[0]) {
         const auto kind =
             kind_of(file_.text(surfaces[file_.index(value, surfaces.size(), where_)], "type", where_));
         if (!kind)
             file_.refuse("has a face in " + where_ +
-                         " that is neither roof nor wall nor ground; give a file that -surface has written");
+                         " that is neither roof nor wall nor ground; give a file that -surface wrote");
         kinds.push_back(*kind);
     }
     return kinds;
@@ -94,7 +94,7 @@ std::vector<FaceKind> SolidReader::kinds(const Json& geometry, std::size_t faces
 
 std::vector<SurfacePoint> SolidReader::ring(const Json& indices) const {
     if (!indices.is_array())
-        file_.refuse("has a ring in " + where_ + " that is no list; the file is damaged");
+        file_.refuse("has a ring in " + where_ + " that is not a list; the file is damaged");
     std::vector<SurfacePoint> ring;
     for (const Json& value : indices)
         ring.push_back(vertices_[file_.index(value, vertices_.size(), where_)]);
@@ -103,11 +103,10 @@ std::vector<SurfacePoint> SolidReader::ring(const Json& indices) const {
 
 std::vector<SolidFace> SolidReader::read(const Json& geometry) const {
     if (file_.text(geometry, "type", where_) != "Solid")
-        file_.refuse("has a geometry in " + where_ +
-                     " that is no Solid; give a file that -surface has written");
+        file_.refuse("has a geometry in " + where_ + " that is not a Solid; give a file that -surface wrote");
     const Json& shells = file_.array(geometry, "boundaries", where_);
     if (shells.size() != 1 || !shells[0].is_array())
-        file_.refuse("has not one shell in " + where_ + "; give a file that -surface has written");
+        file_.refuse("does not have exactly one shell in " + where_ + "; give a file that -surface wrote");
     const std::vector<FaceKind> kinds = this->kinds(geometry, shells[0].size());
     std::vector<SolidFace> faces;
     for (const Json& rings : shells[0]) {
@@ -130,7 +129,7 @@ std::string parent_of(const CityJson& file, const std::string& name, const Json&
     const Json& parents = file.array(object, "parents", name);
     const Json& all = file.object(file.root(), "CityObjects", "it");
     if (parents.size() != 1 || !parents[0].is_string() || !all.contains(parents[0].get<std::string>()))
-        file.refuse("has '" + name + "', a part of a building that is not there; the file is damaged");
+        file.refuse("has '" + name + "', a part of a missing building; the file is damaged");
     return parents[0].get<std::string>();
 }
 
@@ -138,12 +137,11 @@ CityBuilding building_of(const CityJson& file, const std::string& name, const Js
                          const std::vector<SurfacePoint>& vertices, CityModel& city) {
     const std::string type = file.text(object, "type", name);
     if (type != "Building" && type != "BuildingPart")
-        file.refuse(
-            "has '" + name +
-            "', which is neither a Building nor a BuildingPart; give a file that -surface has written");
+        file.refuse("has '" + name +
+                    "', which is neither a Building nor a BuildingPart; give a file that -surface wrote");
     const Json& geometries = file.array(object, "geometry", name);
     if (geometries.size() != 1)
-        file.refuse("has not one geometry in " + name + "; give a file that -surface has written");
+        file.refuse("does not have exactly one geometry in " + name + "; give a file that -surface wrote");
     const std::vector<SolidFace> faces = SolidReader(file, vertices, name).read(geometries[0]);
     if (const auto fault = fault_of(faces))
         file.refuse("has a solid, " + name + ", that " + *fault + "; the file is damaged");
@@ -169,7 +167,7 @@ CityModel parse_city(const std::string& text, const std::string& name) {
     const CityJson file(text, name);
     const Json& root = file.root();
     if (file.text(root, "type", "it") != "CityJSON" || file.text(root, "version", "it") != "2.0")
-        file.refuse("is no CityJSON 2.0; give a file that -surface has written");
+        file.refuse("is not CityJSON 2.0; give a file that -surface wrote");
     CityModel city;
     city.name = name;
     const Json& transform = file.object(root, "transform", "it");

@@ -91,8 +91,7 @@ GroundGrid read_ground(const std::string& path, const CityModel& city, const Crs
         if (callbacks.on_warning)
             callbacks.on_warning(warning);
     if (std::ranges::all_of(elevations, [](double z) { return std::isnan(z); }))
-        throw InputError("The terrain '" + path +
-                         "' has no elevations; give one that -write_ground has written.");
+        throw InputError("The terrain '" + path + "' has no elevations; give one that -write_ground wrote.");
     for (double& z : elevations)
         z = (z - frame.surface.translate[2]) / frame.surface.scale[2];
     return {grid.rows, grid.cols, std::move(elevations), to_cells(grid, frame)};

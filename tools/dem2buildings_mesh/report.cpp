@@ -56,7 +56,7 @@ std::string mesh_text(const MeshRequest& request, const MeshReport& report) {
     std::string text =
         line("buildings", std::to_string(report.buildings)) +
         line("points of the plan", std::to_string(report.plan_points) + ", of the footprints " +
-                                       std::to_string(report.plan_points_before)) +
+                                       std::to_string(report.footprint_points)) +
         line("points", std::to_string(report.points)) + line("triangles", std::to_string(report.triangles)) +
         line("smallest angle", fixed_text(report.smallest_angle, 2) + " deg, " +
                                    below(static_cast<std::int64_t>(report.small.size()), request)) +
@@ -66,8 +66,7 @@ std::string mesh_text(const MeshRequest& request, const MeshReport& report) {
         line("longest edge", fixed_text(report.longest_edge, 2) + " m") +
         line("origin", numbers_text(report.origin, " "));
     if (!report.pinches.empty())
-        text +=
-            line("pinches taken apart", std::to_string(report.pinches.size())) + places(report.pinches, "");
+        text += line("points separated", std::to_string(report.pinches.size())) + places(report.pinches, "");
     if (report.ground_error)
         text += line("terrain", "within " + fixed_text(*report.ground_error, 3) + " m of " +
                                     std::to_string(report.ground_cells) + " cells, " +
@@ -84,26 +83,26 @@ std::string mesh_json(const MeshRequest& request, const MeshReport& report,
                     {"input", request.city},
                     {"output", request.destination},
                     {"buildings", report.buildings},
-                    {"plan_points_before", report.plan_points_before},
+                    {"footprint_points", report.footprint_points},
                     {"plan_points", report.plan_points},
                     {"points", report.points},
                     {"triangles", report.triangles},
                     {"min_angle", request.min_angle},
                     {"smallest_angle", report.smallest_angle},
-                    {"small", json_of(report.small, "degrees")},
+                    {"small_angles", json_of(report.small, "degrees")},
                     {"smallest_wall_angle", report.smallest_wall_angle},
-                    {"small_walls", report.small_walls},
+                    {"small_wall_angles", report.small_walls},
                     {"longest_edge_m", report.longest_edge},
                     {"origin", report.origin},
-                    {"pinches", json_of(report.pinches, "")},
+                    {"separated_points", json_of(report.pinches, "")},
                     {"ground", nullptr},
                     {"warnings", warnings}};
     if (report.ground_error)
         json["ground"] = {{"raster", request.ground},
                           {"largest_error_m", *report.ground_error},
                           {"cells", report.ground_cells},
-                          {"cells_farther_off", json_of(report.missed, "metres")},
-                          {"lifted", json_of(report.lifted, "metres")}};
+                          {"cells_beyond_tolerance", json_of(report.missed, "metres")},
+                          {"lifted_roofs", json_of(report.lifted, "metres")}};
     return json.dump(2, ' ', false, ReportJson::error_handler_t::replace) + "\n";
 }
 

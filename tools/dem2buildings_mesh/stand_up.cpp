@@ -148,7 +148,7 @@ void Builder::divide_columns() {
         if (round == most_rounds) {
             const Position at = frame_.world(mesh_.nodes[nodes.front()]);
             throw InputError("Edges of a wall at " + fixed_text(at.x, 3) + " " + fixed_text(at.y, 3) +
-                             " stay longer than -max_edge; give a greater one.");
+                             " stay longer than -max_edge; give a larger one.");
         }
         for (const std::uint32_t node : nodes)
             divide_column(node);

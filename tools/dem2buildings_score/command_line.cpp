@@ -32,7 +32,7 @@ const std::vector<ScoreOption>& score_options() {
     using Text = const std::string&;
     static const std::vector<ScoreOption> options{
         {{"layer", "<name>", "text",
-          "Layer of the found footprints. Default: buildings where there is one, else the first."},
+          "Layer of the found footprints. Default: buildings if it exists, else the first."},
          [](ScoreCommand& r, Text value) { r.layer = value; }},
         {{"reference_layer", "<name>", "text",
           "Layer of the reference. Default: blocks_dissolved, else buildings, else the first."},
@@ -42,24 +42,21 @@ const std::vector<ScoreOption>& score_options() {
           "roof_h."},
          [](ScoreCommand& r, Text value) { r.height_field = value; }},
         {{"aoi", "<dataset or layer>", "dataset",
-          "Polygons in which the reference is complete: a layer of the reference, or else a dataset, of "
-          "which "
-          "the first layer counts. Default: the layer aoi of the reference where there is one, else no "
-          "limit."},
+          "Polygons in which the reference is complete: a layer of the reference, or the first layer of a "
+          "dataset. Default: the layer aoi of the reference if it exists, else no limit."},
          [](ScoreCommand& r, Text value) { r.area_of_interest = value; }},
         {{"dem", "<raster>", "raster",
-          "The raster that the footprints were found in. Areas beyond it or without data are left out, and "
+          "The raster that the footprints were found in. Areas outside it or without data are left out, and "
           "everything is measured in its CRS. Default: no limit, and the CRS of the reference."},
          [](ScoreCommand& r, Text value) { r.dem = value; }},
-        {{"min_object", "<m2>", "number",
-          "The smallest object that is counted. At least 0. Unit: m2. Default: 50."},
+        {{"min_object", "<m2>", "number", "Smallest object that counts. At least 0. Unit: m2. Default: 50."},
          [](ScoreCommand& r, Text value) {
              NumberRange range;
              range.lowest = 0;
              r.min_object_m2 = parse_number("min_object", range, value);
          }},
         {{"json", "", "switch", "Print the result as JSON."}, [](ScoreCommand& r, Text) { r.json = true; }},
-        {{"q", "", "switch", "Print the figures alone, without names of files and numbers behind them."},
+        {{"q", "", "switch", "Print only the figures, without file names and the numbers behind them."},
          [](ScoreCommand& r, Text) { r.quiet = true; }},
         {{"help", "", "switch", "Print this help."}, [](ScoreCommand& r, Text) { r.help = true; }},
         {{"version", "", "switch", "Print the versions of the program and of its libraries."},

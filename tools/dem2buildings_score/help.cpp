@@ -56,7 +56,7 @@ std::string score_man_page() {
     text += ".SS GDAL\n";
     for (const auto& [synopsis, help] : gdal_switches())
         text += roff_item(synopsis, help);
-    text += roff_section("EXIT STATUS") + roff_item("0", "Done, whatever the figures are.") +
+    text += roff_section("EXIT STATUS") + roff_item("0", "Done, whatever the figures.") +
             roff_item("1", "Failed: an input cannot be read, or the inputs lie in different places.") +
             roff_item("2", "Wrong usage: an option, or one that does not fit the inputs.");
     text += roff_section("EXAMPLES") + roff_example("dem2buildings_score buildings.gpkg cadastre.gpkg") +

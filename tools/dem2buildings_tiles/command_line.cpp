@@ -125,18 +125,17 @@ void require_names(const TileStepName& step, const Tokens& tokens, bool listed) 
     if (listed)
         for (const GivenOption& option : tokens.options)
             if (option.row->name == "if" || option.row->name == "oo")
-                throw OptionError("-" + option.row->name +
-                                  " speaks of one source, and -input_file_list names many; make a mosaic of "
-                                  "them with gdalbuildvrt.");
+                throw OptionError(
+                    "-" + option.row->name +
+                    " applies to one source, and -input_file_list names many; join them with gdalbuildvrt.");
     if (tokens.file_names.size() == (listed ? 2 : 3))
         return;
     const std::string given = ", not " + std::to_string(tokens.file_names.size());
     if (listed)
-        throw OptionError(
-            "plan takes two names beside -input_file_list, those of the destination and the work folder" +
-            given + ".");
-    throw OptionError("plan takes three names, those of the source, the destination and the work folder" +
-                      given + "; " + usage_of(step) + ".");
+        throw OptionError("plan takes two names with -input_file_list, the destination and the work folder" +
+                          given + ".");
+    throw OptionError("plan takes three names, the source, the destination and the work folder" + given +
+                      "; " + usage_of(step) + ".");
 }
 
 void parse_plan(const TileStepName& step, const Strings& arguments, TileCommand& command) {
@@ -146,7 +145,8 @@ void parse_plan(const TileStepName& step, const Strings& arguments, TileCommand&
     for (const GivenOption& option : tokens.options)
         if (option.row->name == "sweep")
             throw OptionError(
-                "-sweep does not work in tiles: it runs the whole several times; run dem2buildings.");
+                "-sweep does not work in tiles, because it runs the whole area several times; run "
+                "dem2buildings.");
     require_names(step, tokens, !command.list.empty());
     command.work = tokens.file_names.back();
     if (command.work.empty())
@@ -189,7 +189,7 @@ void parse_step(const TileStepName& step, const Strings& arguments, TileCommand&
         else if (!options_end && looks_like_option(argument))
             throw OptionError(std::string(step.name) + " has no option " +
                               argument.substr(0, argument.find('=')) +
-                              "; those of dem2buildings are given to plan.");
+                              "; only plan takes the options of dem2buildings.");
         else
             names.push_back(argument);
     }
@@ -200,7 +200,7 @@ void parse_step(const TileStepName& step, const Strings& arguments, TileCommand&
         step.kind == TileCommandKind::write)
         take_tiles(step, names, command);
     else if (names.size() > 1)
-        throw OptionError(std::string(step.name) + " takes the work folder alone, not '" + names[1] +
+        throw OptionError(std::string(step.name) + " only takes the work folder, not '" + names[1] +
                           "' as well; " + usage_of(step) + ".");
 }
 
@@ -215,15 +215,13 @@ const std::vector<TileStepName>& tile_step_names() {
         {"find", TileCommandKind::find, "<work> <tile>...",
          "Finds the ground and the buildings of tiles, which are numbered from 0."},
         {"join", TileCommandKind::join, "<work>",
-         "Joins what tiles have cut, when all of them have been found."},
+         "Joins buildings at the borders of tiles, after find of all tiles."},
         {"draw", TileCommandKind::draw, "<work> <tile>...", "Draws the buildings of tiles."},
         {"merge", TileCommandKind::merge, "<work>",
-         "Writes the destination, when all tiles have been drawn, and prints what was found. Where that is "
-         "a folder of "
-         "FlatGeobuf files, it gives the features their numbers alone."},
+         "Writes the destination after draw of all tiles, and prints the counts. If the destination is a "
+         "folder of FlatGeobuf files, it only numbers the features."},
         {"write", TileCommandKind::write, "<work> <tile>...",
-         "Writes the features of tiles into files of their own, where the destination is a folder of "
-         "FlatGeobuf files."},
+         "Writes one file per tile, if the destination is a folder of FlatGeobuf files."},
     };
     return steps;
 }
@@ -231,18 +229,17 @@ const std::vector<TileStepName>& tile_step_names() {
 const std::vector<TileOption>& tile_options() {
     static const std::vector<TileOption> options{
         {"tile", "<units>",
-         "Units of a tile in a row, and rows; it changes nothing of the result. A whole number from 1 to "
-         "1000. "
-         "Default: 1.",
+         "Units per row and per column of a tile; the result does not depend on it. A whole number from 1 to "
+         "1000. Default: 1.",
          "plan"},
         {"input_file_list", "<file>",
-         "Rasters on one grid, the name of one a line, in place of the source; of their mosaic plan makes "
+         "Rasters on one grid, one name per line, instead of the source; plan joins them in "
          "<work>/source.vrt.",
          "plan"},
-        {"threads", "<n>", "Threads of this process, in place of those that plan was given.",
+        {"threads", "<n>", "Threads of this process, instead of those given to plan.",
          "find join draw merge write"},
         {"json", "", "The report to stdout as JSON.", "merge"},
-        {"q", "", "Say nothing but errors and warnings.", "find join draw merge write"},
+        {"q", "", "Print only errors and warnings.", "find join draw merge write"},
         {"help", "", "Print this help.", ""},
         {"version", "", "Print the version of the program.", ""},
         {"man", "", "Print the man page as roff.", ""},

@@ -14,19 +14,15 @@ constexpr std::string_view description =
     "work on. The result is that of dem2buildings, byte for byte.";
 constexpr std::string_view steps_text =
     "plan comes first. Then find works on all tiles, in any order and at the same time; then join; then "
-    "draw, again on "
-    "all tiles; then merge. Where the destination is a folder (-f FlatGeobuf), write works on all tiles "
-    "last. "
-    "Processes share the work folder. Each step writes its file in one rename, and "
-    "does nothing "
-    "where that is there: what was interrupted is begun again with the same command.";
+    "draw, again on all tiles; then merge. If the destination is a folder (-f FlatGeobuf), write works on "
+    "all tiles last. Processes share the work folder. Each step writes its file in one rename, and does "
+    "nothing if that file exists: repeat the same command after an interruption.";
 constexpr std::string_view place_text =
-    "Relative names of files are of the folder in which plan was run, on every machine.";
+    "Relative file names refer to the folder in which plan was run, on every machine.";
 constexpr std::string_view refused_text =
     "plan refuses what the steps cannot do exactly: -flow_ready, -min_gap, -min_wall, -surface, -page, "
-    "-preview, -sweep, -simplify, -write_rejected and -preset thesis. -write_ground, "
-    "-write_height and -write_canopy name a VRT: find writes a GeoTIFF a tile, and join what shows them as "
-    "one "
+    "-preview, -sweep, -simplify, -write_rejected and -preset thesis. -write_ground, -write_height and "
+    "-write_canopy name a VRT: find writes one GeoTIFF per tile, and join the file that shows them as one "
     "raster.";
 
 std::string heading(const TileOption& option) {
@@ -52,7 +48,7 @@ std::string tiles_help() {
             wrap(refused_text, 0) + "\nSteps:\n";
     for (const TileStepName& step : tile_step_names())
         text += help_entry(std::string(step.name), std::string(step.help));
-    text += "\nOptions beside those of dem2buildings, which plan takes:\n";
+    text += "\nOptions in addition to those of dem2buildings, which plan takes:\n";
     for (const TileOption& option : tile_options())
         text += help_entry(heading(option), help_of(option));
     text += "\nGDAL:\n";
@@ -75,7 +71,7 @@ std::string tiles_man_page() {
     for (const TileStepName& step : tile_step_names())
         text += roff_item(step.name, step.help);
     text += roff_section("OPTIONS") +
-            roff_paragraph("plan takes the options of dem2buildings(1), which mean what they mean there.");
+            roff_paragraph("plan takes the options of dem2buildings(1), with the same meaning.");
     for (const TileOption& option : tile_options())
         text += roff_item(heading(option), help_of(option));
     text += ".SS GDAL\n";

@@ -96,7 +96,7 @@ std::int64_t whole(const Json& json, std::int64_t least, std::int64_t most) {
         (!json.is_number_unsigned() || json.get<std::uint64_t>() <= static_cast<std::uint64_t>(max_whole));
     const std::int64_t number = fits ? json.get<std::int64_t>() : 0;
     if (!fits || number < least || number > most)
-        throw std::out_of_range("a number is none of a plan");
+        throw std::out_of_range("a number is out of range");
     return number;
 }
 
@@ -168,7 +168,7 @@ KnownPlan read_plan(const std::filesystem::path& work) {
 
 KnownPlan plan_from(const std::filesystem::path& work, const std::string& bytes) {
     const std::filesystem::path path = path_of(work);
-    constexpr const char* no_plan = "is no plan, or a part of one";
+    constexpr const char* no_plan = "is not a complete plan";
     KnownPlan known;
     try {
         const Json json = Json::parse(bytes, nullptr, false);

@@ -28,10 +28,9 @@ void refuse_folder(const fs::path& work, const std::error_code& error) {
 }
 
 void refuse_other_plan(const fs::path& work) {
-    throw OptionError(
-        "'" + work.string() +
-        "' holds another plan, or one of a source that has changed; give another work folder, or "
-        "delete this one.");
+    throw OptionError("'" + work.string() +
+                      "' holds another plan, or the plan of a source that has changed; give another work "
+                      "folder, or delete this one.");
 }
 
 SourceMosaic::SourceMosaic(const std::string& list, const fs::path& work, int band) {

@@ -85,8 +85,8 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
     const bool parts = writes_parts(options.write);
     if (parts && (options.write.append || options.write.overwrite))
         throw OptionError(
-            "A folder to which each tile adds its files is a new one; give another name, or delete "
-            "that one, without -append and -overwrite.");
+            "The folder to which tiles add their files must be new; give another name, or delete it, and "
+            "leave out -append and -overwrite.");
     const std::filesystem::path work(command.work);
     std::optional<SourceMosaic> mosaic;
     if (!std::filesystem::exists(work / "plan.json"))
@@ -142,8 +142,8 @@ Planned open_planned(const TileCommand& command, const Callbacks& callbacks) {
     std::filesystem::current_path(planned.known.plan.folder, error);
     if (error)
         throw InputError("The plan was made in the folder '" + planned.known.plan.folder +
-                         "', which cannot be entered here: " + error.message() +
-                         "; make it known under the same name on every machine.");
+                         "', which cannot be opened here: " + error.message() +
+                         "; make it available under the same name on every machine.");
     planned.options = parse_command_line(planned.known.plan.words).options;
     if (command.threads > 0)
         planned.options.run.threads = command.threads;
@@ -160,7 +160,7 @@ std::unique_ptr<TileRun> begin_step(const Planned& planned, FeatureSink& feature
                                          features, callbacks);
     if (run->tiles().count() != planned.known.plan.tiles)
         throw InputError("'" + (planned.known.work.folder / "plan.json").string() +
-                         "' has been changed: it says " + std::to_string(planned.known.plan.tiles) +
+                         "' has been changed: it has " + std::to_string(planned.known.plan.tiles) +
                          " tiles, and its options make " + std::to_string(run->tiles().count()) +
                          "; run 'dem2buildings_tiles plan' with a new work folder.");
     return run;
@@ -251,9 +251,9 @@ void show_parts(const TileRun& run, std::int64_t after) {
 void write(const TileCommand& command, const Callbacks& callbacks) {
     const Planned planned = open_planned(command, callbacks);
     if (!planned.known.plan.parts)
-        throw InputError("'" + command.work +
-                         "' is the plan of one file, which merge writes; -f FlatGeobuf and a "
-                         "folder make one of parts.");
+        throw InputError(
+            "'" + command.work +
+            "' is the plan of one file, which merge writes; use -f FlatGeobuf and a folder to write parts.");
     for (const std::int64_t tile : command.tiles)
         require_tile(tile, planned.known.plan);
     for (const std::int64_t tile : command.tiles) {

@@ -178,7 +178,7 @@ void define_layer(py::module_& module) {
             [](const CollectedLayer& layer) -> py::object {
                 return layer.crs_wkt.empty() ? py::object(py::none()) : py::object(py::str(layer.crs_wkt));
             },
-            "The coordinate reference system as WKT; None where there is none.")
+            "The coordinate reference system as WKT; None if unknown.")
         .def_property_readonly("fields", &fields_of,
                                "A description of each column: a dictionary of alias, unit and description.")
         .def_property_readonly(

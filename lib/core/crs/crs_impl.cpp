@@ -167,7 +167,7 @@ CoordinateTransform::CoordinateTransform(const Crs& from, const Crs& to, std::sp
     impl_->operation = operation_between(context, source.get(), target.get(),
                                          area_of(from.impl().horizontal.get(), area).get());
     if (!impl_->operation)
-        throw OptionError("PROJ knows no operation from " + quoted(from.name()) + " to " + quoted(to.name()) +
+        throw OptionError("PROJ has no operation from " + quoted(from.name()) + " to " + quoted(to.name()) +
                           "; choose a coordinate reference system that the coordinates can be converted to.");
 }
 
@@ -183,7 +183,7 @@ void CoordinateTransform::apply(std::span<Position> positions) {
     for (std::size_t i = 0; i < images.size(); ++i)
         if (!is_finite(positions[i]) || !is_finite(images[i]))
             throw InputError("Position " + position_text(positions[i]) + " of " + quoted(impl_->from) +
-                             " has no image in " + quoted(impl_->to) +
+                             " has no counterpart in " + quoted(impl_->to) +
                              "; check which coordinate reference system the coordinates are in.");
     std::copy(images.begin(), images.end(), positions.begin());
 }

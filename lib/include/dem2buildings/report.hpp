@@ -23,31 +23,32 @@ enum class Reason {
     threshold_not_above_minimum,  ///< every point, or all but the lowest, exceed the threshold
     threshold_not_below_maximum,  ///< nothing exceeds the threshold
     threshold_repeated,
-    contour_short,            ///< fewer grid points than the noise factor
-    contour_small,            ///< less than the smallest area
-    contour_on_dropped,       ///< stands on a contour that was dropped
-    hole_short,               ///< filled: fewer grid points than the noise factor
-    hole_small,               ///< filled: less than the smallest area
-    outline_kept_traced,      ///< straight walls or simplification would have broken the polygon
-    polygon_repaired,         ///< invalid according to GEOS
-    polygon_lost,             ///< nothing left after repair, so it is not written
-    building_doubtful,        ///< its confidence is too low
-    building_small,           ///< possible building that covers less than the smallest area
-    building_low,             ///< possible roof that is not above the smallest height
-    crown_cut,                ///< a tree crown touching a wall was cut off there
-    crown_cells,              ///< cells of such crowns
-    building_not_tall,        ///< its p90 is below the smallest height of a building
-    elevation_outside_range,  ///< not an elevation: outside of the range on land, or of -zrange
-    elevation_undeclared,  ///< not an elevation: shared by many cells along the edge, a step from all others
-    elevation_above_neighbours,  ///< not an elevation: far above all its surroundings
-    elevation_not_roof,          ///< above all its surroundings, so not the height of a building
-    terrain_outside_range,       ///< not an elevation of the terrain model
-    outline_torn,                ///< split by the projection to the output's CRS, so it is not written
-    surface_notch_filled,        ///< a building of the surface touched itself in an edge
-    surface_corner_cut,          ///< buildings of the surface touched in an edge
-    surface_lost,                ///< no closed surface was found for the building
-    flow_changed,                ///< a wall, gap or corner unsuitable for flow solvers was repaired
-    flow_left,                   ///< a wall, gap or corner unsuitable for flow solvers was left
+    contour_short,                ///< fewer grid points than the noise factor
+    contour_small,                ///< less than the smallest area
+    contour_on_dropped,           ///< stands on a contour that was dropped
+    hole_short,                   ///< filled: fewer grid points than the noise factor
+    hole_small,                   ///< filled: less than the smallest area
+    outline_kept_traced,          ///< straight walls or simplification would have broken the polygon
+    polygon_repaired,             ///< invalid according to GEOS
+    polygon_lost,                 ///< nothing left after repair, so it is not written
+    building_doubtful,            ///< its confidence is too low
+    building_small,               ///< possible building that covers less than the smallest area
+    building_low,                 ///< possible roof that is not above the smallest height
+    crown_cut,                    ///< a tree crown touching a wall was cut off there
+    crown_cells,                  ///< cells of such crowns
+    building_not_tall,            ///< its p90 is below the smallest height of a building
+    elevation_outside_range,      ///< not an elevation: outside of the range on land, or of -zrange
+    elevation_undeclared_nodata,  ///< not an elevation: shared by many cells along the edge, a step from all
+                                  ///< others
+    elevation_spike,              ///< not an elevation: far above all its surroundings
+    roof_spike,                   ///< above all its surroundings, so not the height of a building
+    terrain_outside_range,        ///< not an elevation of the terrain model
+    outline_split,                ///< split by the projection to the output's CRS, so it is not written
+    surface_notch_filled,         ///< a building of the surface touched itself in an edge
+    surface_corner_cut,           ///< buildings of the surface touched in an edge
+    surface_lost,                 ///< no closed surface was found for the building
+    flow_changed,                 ///< a wall, gap or corner unsuitable for flow solvers was repaired
+    flow_unchanged,               ///< a wall, gap or corner unsuitable for flow solvers was left
     part_merged,  ///< cut off by parcels, but too small or narrow, so merged with its neighbour
 };
 inline constexpr std::array<std::string_view, 29> reason_names{"threshold_not_above_minimum",
@@ -68,16 +69,16 @@ inline constexpr std::array<std::string_view, 29> reason_names{"threshold_not_ab
                                                                "crown_cells",
                                                                "building_not_tall",
                                                                "elevation_outside_range",
-                                                               "elevation_undeclared",
-                                                               "elevation_above_neighbours",
-                                                               "elevation_not_roof",
+                                                               "elevation_undeclared_nodata",
+                                                               "elevation_spike",
+                                                               "roof_spike",
                                                                "terrain_outside_range",
-                                                               "outline_torn",
+                                                               "outline_split",
                                                                "surface_notch_filled",
                                                                "surface_corner_cut",
                                                                "surface_lost",
                                                                "flow_changed",
-                                                               "flow_left",
+                                                               "flow_unchanged",
                                                                "part_merged"};
 
 struct LevelReport {
@@ -99,10 +100,10 @@ struct OutlineLength {
 
 struct UnitReport {
     std::string horizontal;  ///< name of the unit, "degree", or "unknown"
-    std::string horizontal_decided_by;
+    std::string horizontal_source;
     double horizontal_metres = 1;  ///< metres in one unit; 0 for degrees
     std::string vertical;
-    std::string vertical_decided_by;
+    std::string vertical_source;
     double vertical_metres = 1;
     std::string areas;              ///< "geodesic" or "planar"
     bool vertical_is_known = true;  ///< false if metres were assumed for lack of information
@@ -133,26 +134,26 @@ struct ParcelMove {
 
 /// Statistics of buildings cut by parcels.
 struct ParcelReport {
-    double cut_length_m = 0;     ///< approximate length of cuts, before narrow parts are merged back
-    double beside_length_m = 0;  ///< length of cuts with a wall within 4 m
+    double cut_length_m = 0;        ///< approximate length of cuts, before narrow parts are merged back
+    double near_wall_length_m = 0;  ///< length of cuts with a wall within 4 m
     double median_distance_m =
         0;  ///< median distance between a cut and its nearby wall; NaN if there is none
-    std::optional<ParcelMove> fitting_move;  ///< displacement that fits walls best; nothing if undetermined
-    double building_m2 = 0;                  ///< area of all buildings
-    double inside_m2 = 0;                    ///< building area in parcels
-    double several_m2 = 0;                   ///< building area in more than one parcel
-    double invalid_m2 = 0;                   ///< building area in invalid parcels
+    std::optional<ParcelMove> best_offset;  ///< displacement that fits walls best; nothing if undetermined
+    double building_m2 = 0;                 ///< area of all buildings
+    double inside_m2 = 0;                   ///< building area in parcels
+    double overlap_m2 = 0;                  ///< building area in more than one parcel
+    double invalid_m2 = 0;                  ///< building area in invalid parcels
 };
 
 /// Resolution of the raster, estimated from its own values.
 struct SamplingReport {
     double interpolated_fraction =
         0;  ///< share of cells without a point of their own, which have a neighbour's height
-    std::optional<double> points_per_cell;   ///< nothing if too many to estimate
-    std::optional<double> step_width_cells;  ///< distance over which a wall falls from nine tenths of its
-                                             ///< height to one tenth; nothing if there are too few walls
-    std::optional<double> value_step;        ///< rounding step of elevations, in the raster's vertical unit;
-                                             ///< nothing if they were not rounded
+    std::optional<double> points_per_cell;    ///< nothing if too many to estimate
+    std::optional<double> edge_width_cells;   ///< distance over which a wall falls from nine tenths of its
+                                              ///< height to one tenth; nothing if there are too few walls
+    std::optional<double> quantization_step;  ///< rounding step of elevations, in the raster's vertical unit;
+                                              ///< nothing if they were not rounded
 };
 
 /// Counters of stages, one per thread, merged afterwards.

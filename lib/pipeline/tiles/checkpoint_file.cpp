@@ -86,7 +86,7 @@ std::string reason(int error) {
 
 [[noreturn]] void fail(const std::filesystem::path& path, int error) {
     throw OutputError("'" + path.string() + "' cannot be written: " + reason(error) +
-                      "; make room in the work folder or let it be written to, and run the step again.");
+                      "; free some space in the work folder or allow writing to it, and run the step again.");
 }
 
 /// @param sync force the file to disk before it is renamed @throws OutputError
@@ -199,7 +199,7 @@ CheckpointFile::CheckpointFile(std::filesystem::path path, const CheckpointId& i
                          rerun_text(id) + " first.");
     const std::optional<FileHeader> header = read_header(file);
     if (!header)
-        throw InputError(damaged("it ends too soon"));
+        throw InputError(damaged("it is truncated"));
     if (const std::string text = mismatch(path_, *header, id); !text.empty())
         throw InputError(text);
     if (!is_whole(*header, file.size()))
@@ -207,7 +207,7 @@ CheckpointFile::CheckpointFile(std::filesystem::path path, const CheckpointId& i
             damaged("it is " + std::to_string(file.size()) + " bytes long and should be of another length"));
     body_.resize(static_cast<std::size_t>(header->body_size));
     if (!file.read(sizeof(FileHeader), body_) || digest_of(body_) != header->body_digest)
-        throw InputError(damaged("its bytes are not those that were written"));
+        throw InputError(damaged("its bytes have changed since it was written"));
     payload_begin_ = sizeof(FileHeader) + header->body_size;
     payload_size_ = header->payload_size;
 }
@@ -219,7 +219,7 @@ std::shared_ptr<const OpenFile> CheckpointFile::open() const {
 std::vector<std::byte> CheckpointFile::payload(std::uint64_t begin, std::uint64_t size) const {
     const std::shared_ptr<const OpenFile> file = open();
     if (begin > payload_size_ || size > payload_size_ - begin)
-        throw InputError(damaged("more is announced than there is"));
+        throw InputError(damaged("it holds less than it announces"));
     std::vector<std::byte> bytes(static_cast<std::size_t>(size));
     if (!file->is_open() || !file->read(payload_begin_ + begin, bytes))
         throw InputError(damaged("it cannot be read any more"));
@@ -241,7 +241,7 @@ void PayloadBlocks::add(const ByteWriter& block) {
 ByteReader read_block(const CheckpointFile& file, std::uint64_t begin, const PayloadBlocks::Block& block) {
     std::vector<std::byte> bytes = file.payload(begin, block.size);
     if (digest_of(bytes) != block.digest)
-        throw InputError(file.damaged("its bytes are not those that were written"));
+        throw InputError(file.damaged("its bytes have changed since it was written"));
     return ByteReader(std::move(bytes));
 }
 

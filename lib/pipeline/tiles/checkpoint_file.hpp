@@ -80,7 +80,7 @@ class CheckpointFile {
     /// Reads part of the payload. @throws InputError
     [[nodiscard]] std::vector<std::byte> payload(std::uint64_t begin, std::uint64_t size) const;
     [[nodiscard]] std::uint64_t payload_size() const { return payload_size_; }
-    /// Formats "'work/find/3' is damaged: it ends too soon; delete it and run 'find' of tile 3 again."
+    /// Formats "'work/find/3' is damaged: it is truncated; delete it and run 'find' of tile 3 again."
     [[nodiscard]] std::string damaged(const std::string& what) const;
 
   private:

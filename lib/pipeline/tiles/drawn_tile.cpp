@@ -29,7 +29,7 @@ std::uint8_t number_of(std::string_view doubt) {
 OutlineStatus load_status(ByteReader& reader) {
     const auto status = reader.take<std::uint8_t>();
     if (status > static_cast<std::uint8_t>(OutlineStatus::repaired))
-        throw CorruptRecord("an outline has no known status");
+        throw CorruptRecord("an outline has an unknown status");
     return static_cast<OutlineStatus>(status);
 }
 
@@ -163,7 +163,7 @@ DeferredContour load_deferred_contour(ByteReader& reader, const DrawnTile& tile)
     const auto before = static_cast<std::int64_t>(tile.left.size());
     if (head.label == 0 || head.label > tile.deferred_buildings.size() || head.parent < -1 ||
         head.parent >= before || head.key.level < 1 || (head.key.level > 1) != (head.parent >= 0))
-        throw CorruptRecord("a contour stands on none");
+        throw CorruptRecord("a contour has no contour below it");
     if (static_cast<std::size_t>(head.key.level) > tile.deferred_buildings[head.label - 1].thresholds.size())
         throw CorruptRecord("a contour is of a level that its building does not have");
     if (head.parent >= 0 &&
@@ -327,7 +327,7 @@ NumberedWhole load_numbered_whole(ByteReader& reader, std::int64_t tiles) {
         layer.tiles = reader.take_list<std::int64_t>();
         if (std::ranges::adjacent_find(layer.tiles, std::greater_equal<>()) != layer.tiles.end() ||
             (!layer.tiles.empty() && (layer.tiles.front() < 0 || layer.tiles.back() >= tiles)))
-            throw CorruptRecord("a layer has parts of tiles that are none of the plan's");
+            throw CorruptRecord("a layer has parts of tiles that are not in the plan");
     }
     return whole;
 }

@@ -33,13 +33,13 @@ void save_labels(const std::vector<Label>& line, ByteWriter& writer) {
 std::vector<Label> load_labels(ByteReader& reader, Label labels, std::int32_t cells) {
     const std::int32_t length = reader.take_varint(cells);
     if (length > 0 && length < cells)
-        throw CorruptRecord("a seam is not that of its unit");
+        throw CorruptRecord("a seam does not belong to its unit");
     std::vector<Label> line;
     while (static_cast<std::int32_t>(line.size()) < length) {
         const std::int32_t run = reader.take_varint(length - static_cast<std::int32_t>(line.size()));
         const std::uint64_t label = reader.take_varint();
         if (run == 0 || label > labels)
-            throw CorruptRecord("a seam is not that of its unit");
+            throw CorruptRecord("a seam does not belong to its unit");
         line.insert(line.end(), static_cast<std::size_t>(run), static_cast<Label>(label));
     }
     return line;
@@ -192,7 +192,7 @@ JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64
         unit.number = reader.take_list<Label>();
         if (unit.unit < 0 || unit.unit >= units || unit.number.empty() ||
             std::ranges::max(unit.number) > tile.other())
-            throw CorruptRecord("a unit is none of the plan's");
+            throw CorruptRecord("a unit is not part of the plan");
     }
     return tile;
 }

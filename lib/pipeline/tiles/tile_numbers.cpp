@@ -105,7 +105,7 @@ void IdCollectorSink::show() {
 std::string IdCollectorSink::roll_back() {
     std::error_code error;
     std::filesystem::remove(frame_, error);
-    return error ? "\"" + frame_.string() + "\" is there already" : "";
+    return error ? "\"" + frame_.string() + "\" already exists" : "";
 }
 
 }  // namespace d2b

@@ -51,7 +51,7 @@ void make_folder(const std::string& vrt) {
     fs::create_directories(folder_of(vrt), error);
     if (error)
         throw OutputError("\"" + folder_of(vrt).string() + "\" cannot be made: " + error.message() +
-                          "; make room for it, or let it be written to.");
+                          "; free some space, or allow writing to it.");
 }
 
 void remove_left_over(const fs::path& folder) {
@@ -70,16 +70,16 @@ void require_raster_names(const Options& options) {
             continue;
         if (fs::path(name).extension() != ".vrt" || name.starts_with("/vsi"))
             throw OptionError(std::string(option) +
-                              " in tiles is a file a tile and a VRT that shows them as one; give it the name "
-                              "of the VRT on a disk, such as " +
+                              " in tiles is one file per tile and a VRT that joins them; give the name of "
+                              "the VRT on a disk, such as " +
                               fs::path(name).filename().replace_extension(".vrt").string() + ", not \"" +
                               name + "\".");
         std::error_code error;
         for (const fs::path& path : {fs::path(name), folder_of(name)})
             if (fs::exists(path, error))
-                throw OptionError("\"" + path.string() +
-                                  "\" exists, and a raster that tiles write is new; give another name, or "
-                                  "delete it.");
+                throw OptionError(
+                    "\"" + path.string() +
+                    "\" exists, and tiles do not replace rasters; give another name, or delete it.");
         for (const std::string& other : names)
             if (other == name)
                 throw OptionError("\"" + name + "\" is the name of two rasters; give each its own.");

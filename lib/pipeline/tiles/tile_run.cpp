@@ -169,15 +169,15 @@ void require_tileable(const Options& options) {
             "-preset thesis does not work in tiles, because a contour may fill the whole raster; run "
             "dem2buildings -preset thesis.");
     const WriteOptions& write = options.write;
-    refuse(!write.preview.empty(), "-preview", "a picture is drawn of the whole");
-    refuse(!write.surfaces.empty(), "-surface", "a surface is made of the whole");
-    refuse(!write.page.empty(), "-page", "a page is made of the whole");
-    const std::string flow = "outlines are changed for the sake of others that may be far away";
+    refuse(!write.preview.empty(), "-preview", "a picture needs the whole area");
+    refuse(!write.surfaces.empty(), "-surface", "a surface needs the whole area");
+    refuse(!write.page.empty(), "-page", "a page needs the whole area");
+    const std::string flow = "changes of outlines depend on others that may be far away";
     refuse(options.outline.flow_ready > 0, "-flow_ready", flow);
     refuse(options.outline.min_gap.has_value(), "-min_gap", flow);
     refuse(options.outline.min_wall.has_value(), "-min_wall", flow);
-    refuse(options.outline.simplify > 0, "-simplify", "borders are simplified that the whole shares");
-    refuse(write.rejected, "-write_rejected", "what is dropped is kept in one run alone");
+    refuse(options.outline.simplify > 0, "-simplify", "simplified borders may be shared by all tiles");
+    refuse(write.rejected, "-write_rejected", "only a run without tiles keeps dropped contours");
 }
 
 namespace {

@@ -56,7 +56,7 @@ class Numbering {
 void write_features(const TileRun& run, std::int64_t tile, FeatureWriter& writer) {
     CheckpointFile file(run.file(TileStep::merge, tile), run.seal(TileStep::merge, tile));
     NumberedTile numbered = load_body(file, [](ByteReader& reader) { return load_numbered_tile(reader); });
-    Numbering numbering(numbered.numbers, file.damaged("it has not the numbers of all contours"));
+    Numbering numbering(numbered.numbers, file.damaged("it lacks the numbers of some contours"));
     DrawnStream drawn = drawn_stream(run, tile);
     DrawnStream left(std::move(file), std::move(numbered.left));
     AssignedIds given;  // required by the interface, but not used afterwards

@@ -319,8 +319,8 @@ void PageSink::take_report(const RunReport& report) {
 void PageSink::check_size(std::uint64_t bytes) const {
     if (bytes > most_)
         throw OutputError("\"" + name_ + "\" would be longer than " + std::to_string(most_ >> 20U) +
-                          " MiB, with which browsers become slow; use a smaller window (-te, -projwin or "
-                          "-srcwin), or fewer levels (a lower -lod).");
+                          " MiB, which makes browsers slow; use a smaller window (-te, -projwin or -srcwin), "
+                          "or fewer levels (a lower -lod).");
 }
 
 /// Returns the scale and offset that convert steps to metres.

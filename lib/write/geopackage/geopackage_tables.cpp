@@ -49,7 +49,7 @@ class GeopackageTables {
 
 /// Same columns as the table that QGIS creates.
 void GeopackageTables::make_style_table() const {
-    const char* doing = "making the table of styles";
+    const char* doing = "creating the table of styles";
     run_or_throw(
         "CREATE TABLE \"layer_styles\" ( \"id\" INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL, "
         "\"f_table_catalog\" TEXT(256), \"f_table_schema\" TEXT(256), \"f_table_name\" TEXT(256), "

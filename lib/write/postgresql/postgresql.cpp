@@ -51,7 +51,7 @@ void require_postgis(const Destination& destination, GDALDatasetH database, cons
     if (!NameValueList(options.layer_options).has("GEOM_TYPE") &&
         !query_is_true(database, "EXISTS (SELECT 1 FROM pg_extension WHERE extname = 'postgis')"))
         throw OutputError("Cannot write \"" + destination.name +
-                          "\": the database has no PostGIS, without which QGIS finds no geometries; run "
+                          "\": the database has no PostGIS, and QGIS finds no geometries without it; run "
                           "CREATE EXTENSION postgis in it first.");
 }
 
@@ -78,8 +78,8 @@ void require_rights_on(const std::string& layer, const Destination& destination,
                            "pg_has_role((SELECT relowner FROM pg_class WHERE oid = " + table + "), 'USAGE')"))
             throw_missing_privilege(destination, database,
                                     "replace layer \"" + layer +
-                                        "\", which is another's; write to another schema or "
-                                        "with -nln, or let its owner run this");
+                                        "\", which belongs to another user; write to another schema, choose "
+                                        "another name with -nln, or let its owner run this");
         return;
     }
     // Appending takes a lock, for which PostgreSQL requires the UPDATE privilege.
@@ -162,11 +162,11 @@ void PostgresqlTable::comment() const {
 
 void PostgresqlTable::make_indices() const {
     run_or_throw("CREATE UNIQUE INDEX ON " + table_ + " (" + sql_identifier(layer_.columns.front()) + ")",
-                 "making the index of numbers");
+                 "creating the index of ids");
     for (std::size_t i = 0; i < layer_.columns.size(); ++i)
         if (layer_.spec.fields[i].name == "bldg_id")
             run_or_throw("CREATE INDEX ON " + table_ + " (" + sql_identifier(layer_.columns[i]) + ")",
-                         "making the index of buildings");
+                         "creating the index of buildings");
 }
 
 /// Returns true if public.layer_styles has the columns of QGIS and is writable. Creates it like QGIS does if
@@ -184,7 +184,7 @@ bool PostgresqlTable::has_styles_of_qgis() const {
                 styleqml xml, stylesld xml, useasdefault boolean, description text,
                 owner varchar(63) DEFAULT CURRENT_USER, ui xml,
                 update_time timestamp DEFAULT CURRENT_TIMESTAMP, type varchar))",
-                     "making the table of styles");
+                     "creating the table of styles");
     }
     return query_is_true("EXISTS (SELECT 1 " + std::string(style_table) +
                          R"( AND has_schema_privilege(n.oid, 'USAGE') AND has_table_privilege(c.oid, 'SELECT')

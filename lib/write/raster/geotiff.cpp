@@ -206,7 +206,7 @@ void GeoTiffSink::write(const Window& part, std::span<const float> values) {
         throw OutputError("Cannot write \"" + staged_.name() + "\": " + std::to_string(values.size()) +
                           " values were given for " + std::to_string(part.rows) + " rows from " +
                           std::to_string(part.row) + " on and " + std::to_string(part.cols) +
-                          " columns from " + std::to_string(part.col) + " on, which are no part of it.");
+                          " columns from " + std::to_string(part.col) + " on, which are not part of it.");
     Window tile;
     for (std::int32_t row = here.row; row < here.end_row(); row = tile.end_row())
         for (std::int32_t col = here.col; col < here.end_col(); col = tile.end_col()) {

@@ -84,8 +84,8 @@ void CityJsonSink::preflight(const SurfaceMeta& meta) {
     constexpr double same = 1e-9;
     if (meta.vertical_unit.empty())
         throw OptionError(
-            "CityJSON has heights in the unit of x and y, and that of the elevations is not known; give it "
-            "with -zunit, and where x and y are in another one a CRS in that unit with -t_srs.");
+            "CityJSON has heights in the unit of x and y, and the unit of the elevations is unknown; give it "
+            "with -zunit and, if x and y have another unit, a CRS in that unit with -t_srs.");
     const SurfaceFrame& frame = meta.frame;
     if (std::abs(frame.horizontal_metres / frame.vertical_metres - 1) < same)
         return;
@@ -95,7 +95,7 @@ void CityJsonSink::preflight(const SurfaceMeta& meta) {
                       (unit ? unit->name : std::string("metre")) +
                       (crs.name().empty() ? "" : " in '" + crs.name() + "'") +
                       ", and the elevations are in the unit '" + meta.vertical_unit +
-                      "'; give a CRS in that unit with -t_srs, or with -zunit the unit that they are in.");
+                      "'; give a CRS in that unit with -t_srs, or their true unit with -zunit.");
 }
 
 void CityJsonSink::begin(const SurfaceMeta& meta) {
@@ -107,8 +107,8 @@ void CityJsonSink::begin(const SurfaceMeta& meta) {
         file_.warn("A CityJSON names its CRS by the code of an authority, and '" + crs.name() +
                    "' has none; the file " +
                    (url_.empty() ? "does not say what its CRS is."
-                                 : "names the horizontal part alone, and does not say what its heights are "
-                                   "measured from."));
+                                 : "names only the horizontal part, and does not say where its heights "
+                                   "begin."));
     }
     const Json transform{{"scale", meta.frame.scale}, {"translate", meta.frame.translate}};
     file_.write("{\"type\":\"CityJSON\",\"version\":\"2.0\",\n\"transform\":" + json_text(transform) +

@@ -276,7 +276,7 @@ std::string StlSink::facet(const SurfacePart& part, const SurfaceTriangle& trian
 
 void StlSink::prepare(CommitList& commit) {
     if (!has_any_) {
-        file_.skip_with_warning("an STL without a solid is none");
+        file_.skip_with_warning("an STL needs a solid");
         return;
     }
     end_solid();

@@ -75,7 +75,7 @@ bool acquire_write_lock(const WriteTarget& target, GDALDatasetH database, const 
                                        : std::chrono::steady_clock::now() - start >= lock_timeout * 9 / 10;
     if (!call.succeeded() && lock_timed_out)
         return false;
-    call.check(true, "taking its turn");
+    call.check(true, "waiting for the lock");
     return true;
 }
 
@@ -146,7 +146,7 @@ void DatasetWriter::start_transaction() {
 void DatasetWriter::require_transaction() const {
     if (guard_.rolled_back())
         throw OutputError("Cannot write \"" + target_.name +
-                          "\": SQLite has taken all changes back, as it does where a disk is full or fails.");
+                          "\": SQLite rolled back all changes, which happens if a disk is full or fails.");
 }
 
 void DatasetWriter::commit() {

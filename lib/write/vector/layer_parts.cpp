@@ -64,7 +64,7 @@ FeatureSink& PartSink::sink(std::size_t layer) {
     std::filesystem::create_directories(folder, error);
     if (error)
         throw OutputError("\"" + folder.string() + "\" cannot be made: " + error.message() +
-                          "; make room for it, or let it be written to.");
+                          "; free some space, or allow writing to it.");
     // Keep only the options that affect how a layer is written.
     WriteOptions options;
     options.format = options_.format;

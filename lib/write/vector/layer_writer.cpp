@@ -280,7 +280,7 @@ std::string geometry_mismatch(OGRLayerH layer, const LayerSpec& spec) {
         return "holds geometries of type " + std::string(OGRGeometryTypeToName(type)) + " and not " +
                (spec.points ? "points" : "MultiPolygons");
     if ((OGR_GT_HasZ(type) != FALSE) != spec.with_z)
-        return spec.with_z ? "has no Z, and the result has" : "has Z, and the result has none";
+        return spec.with_z ? "has no Z, but the result has it" : "has Z, but the result has none";
     return "";
 }
 

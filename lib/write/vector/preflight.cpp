@@ -56,7 +56,7 @@ void reject_reserved_names(const VectorFormat& format, const WriteOptions& optio
     for (const LayerSpec& layer : layers) {
         if (is_reserved(layer.name))
             throw OptionError("-nln: a table \"" + layer.name + "\" of a " + format.name +
-                              " file has a meaning of its own; choose another name.");
+                              " file is reserved; choose another name.");
         for (const std::string& option : options.layer_options)
             if (EQUALN(option.c_str(), key.data(), key.size()) &&
                 std::ranges::any_of(layer.fields, [&](const FieldSpec& field) {
@@ -78,8 +78,8 @@ void reject_changed_names(const PlannedOutput& draft, const DatasetWriter& write
             if (const std::string& name = draft.layers[i].fields[k].name;
                 !EQUAL(columns[k].c_str(), name.c_str()))
                 throw OptionError("-fields: \"" + draft.destination.name + "\" would hold a field " +
-                                  columns[k] + " in place of " + name +
-                                  ", which no other program finds; write a GeoPackage.");
+                                  columns[k] + " instead of " + name +
+                                  ", which no other program would find; write a GeoPackage.");
     }
 }
 

@@ -194,8 +194,7 @@ GDALDriverH driver_by_destination(const std::string& destination) {
     }
     throw OptionError(
         "The name \"" + destination +
-        "\" does not tell its format; give it an extension such as .gpkg, or say the format with "
-        "-f: " +
+        "\" does not show its format; give it an extension such as .gpkg, or give the format with -f: " +
         some_formats() + ", ...");
 }
 
@@ -205,10 +204,10 @@ void reject_vector_tiles(GDALDriverH driver, const std::string& destination) {
     if (options.find("name='MAXZOOM'") == std::string::npos &&
         options.find("name=\"MAXZOOM\"") == std::string::npos)
         return;
-    throw OptionError("\"" + destination + "\" would hold tiles (format " + GDALGetDriverShortName(driver) +
-                      "), which cut polygons at their borders and move corners onto a coarse grid, so that "
-                      "nothing can be read back as it was; write a GeoPackage, and make tiles of it with "
-                      "ogr2ogr.");
+    throw OptionError(
+        "\"" + destination + "\" would hold tiles (format " + GDALGetDriverShortName(driver) +
+        "), which cut polygons at their borders and move corners onto a coarse grid, so nothing can be read "
+        "back unchanged; write a GeoPackage, and make tiles of it with ogr2ogr.");
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ def options():
     try:
         return _options(place, os.stat(place).st_mtime)
     except (OSError, subprocess.SubprocessError, ValueError, KeyError) as error:
-        raise NotFound(f"{place} does not tell its options ({error}); it may be too old.") from error
+        raise NotFound(f"{place} does not list its options ({error}); it may be too old.") from error
 
 
 def percent_of(text):
