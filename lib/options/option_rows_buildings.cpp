@@ -7,29 +7,27 @@ OptionRow preset() {
     Choices<Preset> presets;
     for (const Preset preset : every_preset)
         presets.emplace_back(preset_name(preset), preset);
-    return choice_row(
-        "preset", presets, [](auto& r) -> auto& { return r.options.preset; },
-        {.title = "Method",
-         .help = "Method: a set of defaults that other options refine.",
-         .details = "buildings finds the ground and the buildings, draws straight walls, and divides each "
-                    "building by height. thesis follows Chittineni (2003): everything above the lowest "
-                    "threshold is a building, trees too, and contours run through grid points.",
-         .item = "PRESET"});
+    return choice_row("preset", presets, [](auto& r) -> auto& { return r.options.preset; },
+                      {.title = "Method",
+                       .help = "Method: a set of defaults that other options refine.",
+                       .details = "buildings finds the ground and the buildings, draws straight walls, and "
+                                  "divides each building by height. thesis follows Chittineni (2003): "
+                                  "everything above the lowest threshold is a building, trees too.",
+                       .item = "PRESET"});
 }
 
 /// Takes "auto", "none" or the name of a terrain model.
 OptionRow ground() {
     const Choices<GroundMode> modes{{"auto", GroundMode::automatic}, {"none", GroundMode::none}};
-    OptionRow row =
-        make_row("ground", OptionKind::terrain, joined(words_of(modes), "|") + "|<terrain model>",
-                 {.title = "How the ground is found",
-                  .section = DialogSection::ground,
-                  .help = "The ground below the buildings.",
-                  .details = "auto: estimated from the input. none: the input holds heights above ground. A "
-                             "terrain model is any raster that GDAL reads, in any CRS and unit. A file "
-                             "called auto or none needs its path: ./auto.",
-                  .scope = detection_scope("none"),
-                  .item = "GROUND"});
+    OptionRow row = make_row(
+        "ground", OptionKind::terrain, joined(words_of(modes), "|") + "|<terrain model>",
+        {.title = "How the ground is found",
+         .section = DialogSection::ground,
+         .help = "The ground below the buildings.",
+         .details = "auto: estimated from the input. none: the input holds heights above ground. A terrain "
+                    "model may have any CRS and unit. A file called auto or none needs its path: ./auto.",
+         .scope = detection_scope("none"),
+         .item = "GROUND"});
     row.choices = words_of(modes);
     row.apply = [modes](Request& request, OptionValues texts) {
         GroundOptions& ground = request.options.ground;

@@ -68,7 +68,7 @@ std::vector<OptionRow> flow() {
          .help = "Close gaps and courtyards narrower than this, merge shorter walls, and widen narrower "
                  "parts of buildings.",
          .details = "Corners below 20.7 degrees and corners that touch are removed, too. Places whose change "
-                    "would be too large are left; -write_problems shows them. 0 changes nothing.",
+                    "would be too large are left; -write_problems shows them.",
          .unit = "m"}));
     rows.push_back(number_row("min_gap", "<m>", {.lowest = 0, .highest = most},
                               [](auto& r) -> auto& { return r.options.outline.min_gap; },
@@ -127,20 +127,18 @@ std::vector<OptionRow> levels() {
              "With -levels natural the maximum per building. Otherwise the thresholds divide the range from "
              "one standard deviation below the mean elevation to one above it into n + 1 equal slices.",
          .item = "LOD"}));
-    rows.push_back(
-        number_row("detail", "<height>", {.lowest = 0, .highest = 1000},
-                   [](auto& r) -> auto& { return r.options.levels.detail; },
-                   {.title = "Smallest step of a roof",
-                    .section = DialogSection::detail,
-                    .help = "Smallest step of a roof: a strip one metre wide (or one cell, if larger) that "
-                            "stands out by less joins the roof next to it.",
-                    .details = "Wider strips may stand out less, narrower ones must stand out more. Parts "
-                               "narrower than two cells, such as chimneys and dormers, join too. A larger "
-                               "height gives fewer contours and vertices; 0 keeps all. By default " +
-                               number_text(default_detail_m) + ", with -preset thesis 0.",
-                    .unit = "m",
-                    .scope = detection_scope("0"),
-                    .item = "DETAIL_M"}));
+    rows.push_back(number_row(
+        "detail", "<height>", {.lowest = 0, .highest = 1000},
+        [](auto& r) -> auto& { return r.options.levels.detail; },
+        {.title = "Smallest step of a roof",
+         .section = DialogSection::detail,
+         .help = "Smallest step of a roof: a strip one metre wide (or one cell, if larger) that "
+                 "stands out by less joins the roof next to it.",
+         .details = "So do parts narrower than two cells, such as chimneys. 0 keeps all. By default " +
+                    number_text(default_detail_m) + ", with -preset thesis 0.",
+         .unit = "m",
+         .scope = detection_scope("0"),
+         .item = "DETAIL_M"}));
     rows.push_back(fixed_levels());
     rows.push_back(number_row("i", "<interval>", {.lowest = 0, .above_lowest = true},
                               [](auto& r) -> auto& { return r.options.levels.interval; },
@@ -188,8 +186,7 @@ std::vector<OptionRow> contours() {
         [](auto& r) -> auto& { return r.options.outline.wall_inset; },
         {.title = "Straight walls inward by",
          .help = "Move straight walls inward, for rasters whose cells hold the highest of several points.",
-         .details = "In such rasters outlines are too wide by up to half a cell, and by the radius of a "
-                    "pulse. Walls move as far as -regularize_tolerance lets them.",
+         .details = "Walls move as far as -regularize_tolerance lets them.",
          .unit = "cells"}));
     rows.push_back(number_row("simplify", "<tolerance>", {.lowest = 0},
                               [](auto& r) -> auto& { return r.options.outline.simplify; },
@@ -197,7 +194,7 @@ std::vector<OptionRow> contours() {
                                .help = "Simplify outlines; 0 keeps every corner.",
                                .details = "Polygons stay nested, disjoint and valid. A contour that would "
                                           "break keeps its traced outline and is flagged.",
-                               .unit = "units of the input's CRS, degrees in a geographic one",
+                               .unit = "units of the input's CRS",
                                .item = "SIMPLIFY"}));
     rows.push_back(switch_row("disjoint", [](auto& r) -> auto& { return r.options.outline.disjoint; },
                               {.title = "Parts that do not overlap",

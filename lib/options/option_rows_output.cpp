@@ -78,15 +78,14 @@ std::vector<OptionRow> surface() {
                                "each building's stack. By default buildings, with -preset thesis contours.",
                     .python = Python::extract_file,
                     .repeats = false}));
-    rows.push_back(
-        choice_row("surface_roof", roofs, [](auto& r) -> auto& { return r.options.write.surface_roof; },
-                   {.title = "Height of the flat roofs",
-                    .section = DialogSection::output,
-                    .help = "Height of the flat roofs of -surface_of buildings.",
-                    .details = "mean is the mean height of a building's points, so that its block encloses "
-                               "volume_m3; p70 is the height that 70 % of them do not exceed.",
-                    .python = Python::extract_file,
-                    .repeats = false}));
+    rows.push_back(choice_row(
+        "surface_roof", roofs, [](auto& r) -> auto& { return r.options.write.surface_roof; },
+        {.title = "Height of the flat roofs",
+         .section = DialogSection::output,
+         .help = "Height of the flat roofs of -surface_of buildings.",
+         .details = "mean is the mean height of a building's points, so that its block encloses volume_m3.",
+         .python = Python::extract_file,
+         .repeats = false}));
     const Choices<SurfaceSolids> solids{{"one", SurfaceSolids::one}, {"each", SurfaceSolids::each}};
     rows.push_back(choice_row(
         "surface_solids", solids, [](auto& r) -> auto& { return r.options.write.surface_solids; },
@@ -154,17 +153,15 @@ std::vector<OptionRow> also_written() {
                              .scope = detection_scope(),
                              .python = Python::extract_file,
                              .repeats = false}));
-    rows.push_back(text_row(
-        "write_canopy", OptionKind::geotiff, "<file.tif>",
-        [](auto& r) -> auto& { return r.options.write.canopy; },
-        {.title = "Heights of trees as a GeoTIFF",
-         .section = DialogSection::trees,
-         .help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
-         .details =
-             "Trees are everything above -min_height that is not a building. Wind models use this raster.",
-         .scope = detection_scope(),
-         .python = Python::extract_file,
-         .repeats = false}));
+    rows.push_back(text_row("write_canopy", OptionKind::geotiff, "<file.tif>",
+                            [](auto& r) -> auto& { return r.options.write.canopy; },
+                            {.title = "Heights of trees as a GeoTIFF",
+                             .section = DialogSection::trees,
+                             .help = "Also write the heights of trees as a GeoTIFF, in metres; 0 elsewhere.",
+                             .details = "Trees are everything above -min_height that is not a building.",
+                             .scope = detection_scope(),
+                             .python = Python::extract_file,
+                             .repeats = false}));
     for (OptionRow& row : surface())
         rows.push_back(std::move(row));
     rows.push_back(text_row("page", OptionKind::page, "<file.html>",
@@ -176,15 +173,14 @@ std::vector<OptionRow> also_written() {
                                         "levels and a flat map to print.",
                              .python = Python::extract_file,
                              .repeats = false}));
-    rows.push_back(text_row("preview", OptionKind::picture, "<file>",
-                            [](auto& r) -> auto& { return r.options.write.preview; },
-                            {.title = "Picture of the result",
-                             .section = DialogSection::output,
-                             .help = "Also write a picture of the result over the shaded relief.",
-                             .details = "The name ends in .png, .svg or .pdf. The picture states the counts "
-                                        "and the distance of the stack to the input, to judge -lod and -nf.",
-                             .python = Python::extract_file,
-                             .repeats = false}));
+    rows.push_back(text_row(
+        "preview", OptionKind::picture, "<file>", [](auto& r) -> auto& { return r.options.write.preview; },
+        {.title = "Picture of the result",
+         .section = DialogSection::output,
+         .help = "Also write a picture of the result over the shaded relief.",
+         .details = "The name ends in .png, .svg or .pdf. It helps to judge -lod and -nf.",
+         .python = Python::extract_file,
+         .repeats = false}));
     rows.push_back(integer_row("preview_size", "<pixels>", {.lowest = 300, .highest = 10000},
                                [](auto& r) -> auto& { return r.options.write.preview_size; },
                                {.title = "Longer side of the picture",
@@ -247,10 +243,10 @@ OptionRow sweep() {
         "sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
         {.title = "Trials",
          .help = "Try every combination of these values, and print a table; nothing else is written.",
-         .details = "Leave the destination out. The table has the buildings, the contours and their points, "
-                    "the distance of the stack to the input (root mean square), and the seconds. With "
-                    "-preview the program also draws a contact sheet. Of more than six values it tries six; "
-                    "a third number is the step: nf=5..60..5."});
+         .details = "Leave the destination out. The table has buildings, contours, points, the distance of "
+                    "the stack to the input (root mean square) and seconds. With -preview the program also "
+                    "draws a contact sheet. Of more than six values it tries six; a third number is the "
+                    "step: nf=5..60..5."});
     row.apply = [](Request& request, OptionValues texts) {
         request.tool.sweep_plan = parse_sweep(texts[0]);
         request.tool.sweep = texts[0];
@@ -274,13 +270,12 @@ std::vector<OptionRow> report() {
     rows.push_back(
         switch_row("q", [](auto& r) -> auto& { return r.tool.quiet; },
                    {.title = "No progress", .help = "No progress and no summary.", .aliases = {"quiet"}}));
-    rows.push_back(switch_row(
-        "json", [](auto& r) -> auto& { return r.tool.json; },
-        {.title = "Report as JSON",
-         .help = "Print a report of the run to stdout as JSON; implies -q.",
-         .details =
-             "It holds the input, the CRS, the units, thresholds, counts, everything that was dropped with "
-             "the reason, warnings, and seconds (of all threads together) and peak memory per stage."}));
+    rows.push_back(
+        switch_row("json", [](auto& r) -> auto& { return r.tool.json; },
+                   {.title = "Report as JSON",
+                    .help = "Print a report of the run to stdout as JSON; implies -q.",
+                    .details = "It holds counts, the reasons for everything that was dropped, warnings, and "
+                               "seconds (of all threads together) and peak memory per stage."}));
     rows.push_back(switch_row("help", [](auto& r) -> auto& { return r.tool.help; },
                               {.title = "Help", .help = "Print this help and exit.", .aliases = {"h"}}));
     rows.push_back(switch_row("version", [](auto& r) -> auto& { return r.tool.version; },

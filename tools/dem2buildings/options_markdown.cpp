@@ -30,7 +30,7 @@ std::string gdal_contour_section() {
     for (const GdalContourOption& option : gdal_contour_options()) {
         const std::string synopsis = "`" + std::string(option.synopsis) + "`";
         if (option.fate == OptionSupport::same)
-            same += (same.empty() ? "" : ", ") + synopsis;
+            same += (same.empty() ? "`-" : ", `-") + std::string(option.name) + "`";
         else
             others += "- " + synopsis + ": " +
                       std::string(option_support_names[static_cast<std::size_t>(option.fate)]) +
