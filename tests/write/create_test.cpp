@@ -1,6 +1,5 @@
 #include <sys/stat.h>
 
-#include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "write/write_fixture.hpp"
 

@@ -13,6 +13,7 @@
 #include <ogr_srs_api.h>
 
 #include "dem2buildings/callbacks.hpp"
+#include "dem2buildings/error.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "read/gdal_handles.hpp"
