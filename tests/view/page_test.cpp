@@ -4,12 +4,6 @@
 
 #include "view/pixels.hpp"
 
-/// Asked by LeakSanitizer. Pango keeps the fonts that a thread has used to its end, as Fontconfig and Cairo
-/// have them.
-extern "C" const char* __lsan_default_suppressions() {
-    return "leak:libfontconfig\nleak:libcairo\n";
-}
-
 namespace d2b::test {
 namespace {
 
