@@ -83,7 +83,7 @@ bool FlowFaults::Finder::runs_on(std::uint32_t node) const {
     constexpr double straight = 0.5;  // degrees
     if (plan_.degree(node) != 2)
         return false;
-    const std::vector<IncidentEdge> arms = plan_.around(node);
+    const std::vector<IncidentEdge> arms = plan_.at_node(node);
     return angle(plan_.at(node), plan_.at(arms[0].end), plan_.at(arms[1].end)) > 180 - straight;
 }
 
@@ -95,7 +95,7 @@ bool FlowFaults::Finder::ends_a_gap(const PartitionEdge& edge) const {
         if (!is_above(above, floor) || plan_.degree(from) != 2 || plan_.degree(to) != 2)
             continue;
         const auto next = [&](std::uint32_t node, std::uint32_t known) {
-            const std::vector<IncidentEdge> arms = plan_.around(node);
+            const std::vector<IncidentEdge> arms = plan_.at_node(node);
             return plan_.at(arms[0].end == known ? arms[1].end : arms[0].end);
         };
         const FinePoint a = plan_.at(from);
@@ -119,7 +119,7 @@ void FlowFaults::Finder::look_along(std::uint32_t first, std::uint32_t next) {
     std::uint32_t before = first;
     std::uint32_t last = next;
     while (length < limits_.wall && runs_on(last)) {
-        const std::vector<IncidentEdge> arms = plan_.around(last);
+        const std::vector<IncidentEdge> arms = plan_.at_node(last);
         const std::uint32_t after = arms[arms[0].end == before ? 1 : 0].end;
         before = std::exchange(last, after);
         length += way(before, last);

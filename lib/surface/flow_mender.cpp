@@ -21,7 +21,7 @@ constexpr double merge_share = 0.1;
 }  // namespace
 
 bool FlowMender::is_frozen(std::uint32_t node) const {
-    for (const IncidentEdge& arm : plan_.around(node))
+    for (const IncidentEdge& arm : plan_.at_node(node))
         for (std::int32_t c = arm.left; c != open_ground; c = contours_[static_cast<std::size_t>(c)].parent)
             if (frozen_[static_cast<std::size_t>(c)])
                 return true;
@@ -31,7 +31,7 @@ bool FlowMender::is_frozen(std::uint32_t node) const {
 void FlowMender::touch(std::uint32_t node) {
     touched_.resize(plan_.nodes().size());
     touched_[node] = true;
-    for (const IncidentEdge& arm : plan_.around(node))
+    for (const IncidentEdge& arm : plan_.at_node(node))
         touched_[arm.end] = true;
 }
 
@@ -53,7 +53,7 @@ bool FlowMender::merge_best(std::vector<Merge> merges, double share) {
         const auto [outside, inside] = swept_by(node, plan_.at(into));
         std::vector<std::int32_t> contours;
         for (const std::uint32_t at : {node, into})
-            for (const IncidentEdge& arm : plan_.around(at))
+            for (const IncidentEdge& arm : plan_.at_node(at))
                 contours.push_back(arm.left);
         if (is_frozen(node) || is_frozen(into) || !budget_.allows(contours, outside / share, inside))
             return false;
@@ -120,13 +120,13 @@ bool FlowMender::ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, st
         return arm.end != gone && along > side_by_side * m.distance(a, to) * m.distance(b, end) &&
                side(a, b, to) * side(a, b, end) >= 0;
     };
-    return std::ranges::any_of(plan_.around(stays), runs_beside);
+    return std::ranges::any_of(plan_.at_node(stays), runs_beside);
 }
 
 /// Replaces a short wall by a slanted one that begins a little way along the next wall, because moving a long
 /// wall would change far more.
 bool FlowMender::slant(std::uint32_t gone, std::uint32_t stays) {
-    const std::vector<IncidentEdge> arms = plan_.around(gone);
+    const std::vector<IncidentEdge> arms = plan_.at_node(gone);
     if (arms.size() != 2)
         return false;
     const std::uint32_t next = arms[arms[0].end == stays ? 1 : 0].end;
@@ -342,7 +342,7 @@ FlowProblem problem_of(const FlowFault& fault, const PartitionEditor& plan) {
         if (contour != open_ground)
             problem.contours.push_back(contour);
     };
-    for (const IncidentEdge& arm : plan.around(fault.node))
+    for (const IncidentEdge& arm : plan.at_node(fault.node))
         add(arm.left);
     if (fault.kind == FlowKind::gap || fault.kind == FlowKind::neck) {
         add(plan.edges()[fault.one].left);

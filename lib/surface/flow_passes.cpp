@@ -76,18 +76,35 @@ bool FlowPasses::is_sound(const std::vector<FinePolygon>& outlines) const {
     return make_partition(again).conflicting.empty();
 }
 
+/// Repeats a pass that breaks contours without changing these, because all others can be mended.
 std::optional<FlowOutlines> FlowPasses::make(std::span<const PartitionContour> leveled,
                                              const StopToken& stop) {
-    constexpr int passes = 3;
-    for (int pass = 0; pass < passes; ++pass) {
-        mend(stop);
-        if (!take_apart(leveled, stop))
+    constexpr int passes = 3;  // of mending and taking apart, before straightening
+    constexpr int most_repeats = 7;
+    PlanOutlines drawn;
+    for (int pass = 0, repeats = 0; pass <= passes;) {
+        const PlanarPartition plan = plan_;
+        const BlockBudget budget = budget_;
+        const std::size_t problems = problems_.size();
+        if (pass == passes)
+            straighten();
+        else if (mend(stop); !take_apart(leveled, stop))
             return std::nullopt;
+        drawn = plan_outlines(plan_, contours_);
+        if (drawn.broken.empty()) {
+            ++pass;
+            continue;
+        }
+        const auto is_frozen = [&](std::uint32_t contour) { return frozen_[contour]; };
+        if (repeats++ == most_repeats || std::ranges::all_of(drawn.broken, is_frozen))
+            return std::nullopt;
+        for (const std::uint32_t contour : drawn.broken)
+            frozen_[contour] = true;
+        plan_ = plan;
+        budget_ = budget;
+        problems_.resize(problems);
     }
-    straighten();
-    PlanOutlines drawn = plan_outlines(plan_, contours_);
-    broken_ = std::move(drawn.broken);
-    if (!broken_.empty() || !is_sound(drawn.outlines))
+    if (!is_sound(drawn.outlines))
         return std::nullopt;
     const PartitionEditor editor(std::move(plan_));
     const std::vector<FlowFault> after = find_faults(editor, contours_, limits_, stop);

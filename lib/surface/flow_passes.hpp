@@ -27,18 +27,18 @@ struct FlowOutlines {
 class FlowPasses {
   public:
     FlowPasses(PlanarPartition plan, std::span<const PartitionContour> contours, const FlowLimits& limits,
-               const std::vector<bool>& frozen)
+               std::vector<bool> frozen)
         : plan_(std::move(plan)),
           contours_(contours),
           limits_(limits),
-          frozen_(frozen),
-          budget_(contours, plan_.edges, limits) {}
+          frozen_(std::move(frozen)),
+          budget_(contours, plan_.edges, limits) {
+        frozen_.resize(contours.size());
+    }
 
     /// @return std::nullopt if a contour would be broken or outlines would cross
     [[nodiscard]] std::optional<FlowOutlines> make(std::span<const PartitionContour> leveled,
                                                    const StopToken& stop);
-    /// Contours that were in pieces or gone, if make() failed for that reason.
-    [[nodiscard]] const std::vector<std::uint32_t>& broken() const { return broken_; }
 
   private:
     void mend(const StopToken& stop);
@@ -49,10 +49,9 @@ class FlowPasses {
     PlanarPartition plan_;
     std::span<const PartitionContour> contours_;
     const FlowLimits& limits_;
-    const std::vector<bool>& frozen_;
-    BlockBudget budget_;  // shared by all passes
+    std::vector<bool> frozen_;  // contours; those that a pass breaks are added
+    BlockBudget budget_;        // shared by all passes
     std::vector<FlowProblem> problems_;
-    std::vector<std::uint32_t> broken_;
 };
 
 }  // namespace d2b

@@ -1,7 +1,6 @@
 #include "surface/make_flow_ready.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -26,24 +25,6 @@ std::vector<PartitionContour> with_levels(std::span<const PartitionContour> cont
         leveled.push_back({{}, contour.parent, contour.building, below + 1});
     }
     return leveled;
-}
-
-/// Mends, and mends again without the contours that mending broke. @return std::nullopt if that does not help
-std::optional<FlowOutlines> change(const PlanarPartition& plan, std::span<const PartitionContour> contours,
-                                   std::span<const PartitionContour> leveled, const FlowLimits& limits,
-                                   std::vector<bool> frozen, const StopToken& stop) {
-    constexpr int most_tries = 8;
-    frozen.resize(contours.size());
-    for (int i = 0; i < most_tries; ++i) {
-        FlowPasses passes(plan, contours, limits, frozen);
-        if (auto changed = passes.make(leveled, stop))
-            return changed;
-        if (passes.broken().empty())
-            return std::nullopt;
-        for (const std::uint32_t contour : passes.broken())
-            frozen[contour] = true;
-    }
-    return std::nullopt;
 }
 
 /// Returns the outlines without corners in straight walls, or nothing if there are no such corners.
@@ -99,7 +80,7 @@ FlowReady make_flow_ready(std::span<const PartitionContour> contours, const Flow
         touches_itself = !touches.repairs.empty();
     }
     if (!result.problems.empty())
-        if (auto changed = change(partition.plan, contours, leveled, limits, frozen, stop);
+        if (auto changed = FlowPasses(partition.plan, contours, limits, frozen).make(leveled, stop);
             changed && (touches_itself || changed->left < result.problems.size()))
             result = {std::move(changed->outlines), std::move(changed->problems)};
     if (result.outlines.empty())

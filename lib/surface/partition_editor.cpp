@@ -84,8 +84,9 @@ PartitionEditor::PartitionEditor(PlanarPartition plan)
     }
 }
 
-std::vector<IncidentEdge> PartitionEditor::around(std::uint32_t node) const {
+std::vector<IncidentEdge> PartitionEditor::at_node(std::uint32_t node) const {
     std::vector<IncidentEdge> arms;
+    arms.reserve(at_node_[node].size());
     for (const std::uint32_t e : at_node_[node]) {
         const PartitionEdge& edge = edges_[e];
         if (edge.from == node)
@@ -93,6 +94,11 @@ std::vector<IncidentEdge> PartitionEditor::around(std::uint32_t node) const {
         else
             arms.push_back({e, edge.from, edge.right, edge.left});
     }
+    return arms;
+}
+
+std::vector<IncidentEdge> PartitionEditor::around(std::uint32_t node) const {
+    std::vector<IncidentEdge> arms = at_node(node);
     const FinePoint from = nodes_[node];
     std::ranges::sort(arms, [&](const IncidentEdge& a, const IncidentEdge& b) {
         return precedes_ccw(from, nodes_[a.end], nodes_[b.end]);

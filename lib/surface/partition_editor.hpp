@@ -88,6 +88,8 @@ class PartitionEditor {
     }
     /// Returns the edges around a node, counter-clockwise.
     [[nodiscard]] std::vector<IncidentEdge> around(std::uint32_t node) const;
+    /// Returns the same in no order, which costs far less.
+    [[nodiscard]] std::vector<IncidentEdge> at_node(std::uint32_t node) const;
     [[nodiscard]] std::size_t degree(std::uint32_t node) const { return at_node_[node].size(); }
     [[nodiscard]] std::optional<std::uint32_t> edge_between(std::uint32_t a, std::uint32_t b) const;
     /// Calls visit(edge) for edges that may meet a box, in any order and possibly repeatedly, until it
