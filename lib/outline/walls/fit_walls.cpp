@@ -101,6 +101,7 @@ class WallFitter {
     [[nodiscard]] StepRange near(Edge e, Edge other) const;
     bool tighten(const StepRange& place);
     bool tighten_at_nodes(std::uint32_t arc);
+    [[nodiscard]] bool use_trace_around(const StepRange& a, const StepRange& b);
     void revert_to_trace(std::uint32_t component);
     [[nodiscard]] int rank(Edge e) const { return graph_.chains[graph_.chain_of[e.arc]].rank; }
     [[nodiscard]] std::size_t margin() const { return std::size_t{2} << std::min(round_ / 6, 16); }
@@ -389,9 +390,24 @@ void WallFitter::resolve(Edge a, Edge b) {
     }
     any = any || tighten_at_nodes(a.arc);
     any = any || tighten_at_nodes(b.arc);
+    any = any || use_trace_around(near_a, near_b);
     if (!any || round_ >= max_tightening_rounds)
         for (const StepRange& place : {near_a, near_b})
             revert_to_trace(graph_.component_of[place.chain]);
+}
+
+/// Makes two chains follow their trace along more of their length, because walls farther away may be the
+/// cause of a conflict. @return false if both follow it everywhere already
+bool WallFitter::use_trace_around(const StepRange& a, const StepRange& b) {
+    const std::size_t most = std::max(graph_.chains[a.chain].steps(), graph_.chains[b.chain].steps());
+    bool any = false;
+    for (std::size_t more = margin(); !any && more < 2 * most; more *= 2)
+        for (const StepRange& place : {a, b})
+            if (layout_.use_trace(place.chain, place.first, place.last, more)) {
+                in_conflict_[graph_.component_of[place.chain]] = true;
+                any = true;
+            }
+    return any;
 }
 
 void WallFitter::revert_to_trace(std::uint32_t component) {

@@ -209,9 +209,10 @@ bool WallLayout::tighten(std::uint32_t c, std::size_t first, std::size_t last, s
     return closer;
 }
 
-void WallLayout::use_trace(std::uint32_t c) {
-    if (states_[c].mode.raise_all(FitMode::beveled))
-        states_[c].pending = true;
+bool WallLayout::use_trace(std::uint32_t c, std::size_t first, std::size_t last, std::size_t margin) {
+    const bool closer = states_[c].mode.raise(first, last, margin, FitMode::beveled);
+    states_[c].pending = states_[c].pending || closer;
+    return closer;
 }
 
 bool WallLayout::tighten_at(std::uint32_t node, std::size_t margin) {

@@ -36,8 +36,10 @@ class WallLayout {
     bool tighten(std::uint32_t chain) { return tighten(chain, 0, graph_.chains[chain].steps(), 0); }
     /// Same for the chain at a node, around the node, if the node is not at its traced position.
     bool tighten_at(std::uint32_t node, std::size_t margin);
-    /// Sets all steps of a chain to the closest mode.
-    void use_trace(std::uint32_t chain);
+    /// Sets a range of steps of a chain, and those within the margin, to the closest mode.
+    /// @return true if anything has changed
+    bool use_trace(std::uint32_t chain, std::size_t first, std::size_t last, std::size_t margin);
+    bool use_trace(std::uint32_t chain) { return use_trace(chain, 0, graph_.chains[chain].steps(), 0); }
     /// Distance of a node from its traced position, in cells.
     [[nodiscard]] double displacement(std::uint32_t node) const { return positions_.displacement(node); }
 
