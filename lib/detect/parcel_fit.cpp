@@ -20,6 +20,18 @@ constexpr double step_m = 0.5;
 constexpr double reach_m = 6;
 constexpr std::int32_t least_reach = 3;  // minimum number of steps if cells are large
 
+/// Step of a move along an axis.
+struct ShiftSteps {
+    std::int32_t cells = 1;  ///< cells per step
+    std::int32_t reach = 0;  ///< steps to both sides, at most ShiftCounts::most
+};
+/// Returns steps of half a metre (or of a cell, if larger) up to some six metres on both sides.
+ShiftSteps shift_steps(double cell_m) {
+    const auto cells = std::max<std::int32_t>(1, static_cast<std::int32_t>(std::lround(step_m / cell_m)));
+    const auto reach = static_cast<std::int32_t>(reach_m / (cells * cell_m));
+    return {cells, std::clamp(reach, least_reach, ShiftCounts::most)};
+}
+
 /// Wall score of edges between cells and their right or lower neighbours: 2 on a wall, 1 at most a step (half
 /// steps included) next to one, else 0.
 class WallGrid {
@@ -116,12 +128,6 @@ class EdgeCounter {
 };
 
 }  // namespace
-
-ShiftSteps shift_steps(double cell_m) {
-    const auto cells = std::max<std::int32_t>(1, static_cast<std::int32_t>(std::lround(step_m / cell_m)));
-    const auto reach = static_cast<std::int32_t>(reach_m / (cells * cell_m));
-    return {cells, std::clamp(reach, least_reach, ShiftCounts::most)};
-}
 
 void ShiftCounts::merge(const ShiftCounts& other) {
     for (std::size_t i = 0; i < on_walls.size(); ++i)

@@ -32,14 +32,6 @@ struct ShiftCounts {
     void merge(const ShiftCounts& other);
 };
 
-/// Step of a move along an axis.
-struct ShiftSteps {
-    std::int32_t cells = 1;  ///< cells per step
-    std::int32_t reach = 0;  ///< steps to both sides, at most ShiftCounts::most
-};
-/// Returns steps of half a metre (or of a cell, if larger) up to some six metres on both sides.
-[[nodiscard]] ShiftSteps shift_steps(double cell_m);
-
 /// Adds the parcel boundaries between core cells of a unit and their neighbours. Walls are the borders of
 /// buildings, and steps of the surface inside them.
 /// @pre scene.parcels

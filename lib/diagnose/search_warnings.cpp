@@ -39,19 +39,6 @@ std::string empty_auxiliary_warning(const AuxiliaryCoverage& known, const Option
     return {};
 }
 
-std::string terrain_gap_warning(const TerrainGap& gap, const std::string& dem, const std::string& terrain) {
-    const std::int64_t missing = gap.cells - gap.known;
-    // The share outside is measured on a lattice of points.
-    const std::int64_t told = gap.outside + gap.outside / 50;
-    if (gap.known == 0 || missing < gap.fewest || missing <= told)
-        return {};
-    return percent(static_cast<double>(missing) / static_cast<double>(gap.cells)) + " of the cells of '" +
-           dem + "' that have an elevation have none in the terrain '" + terrain +
-           "'; there is no ground there, and buildings are cut off or missing, so fill its NoData, for "
-           "example "
-           "with gdal_fillnodata.py, or leave -ground out to have the ground estimated";
-}
-
 std::string ndvi_warning(const AuxiliaryCoverage& known, const Options& options) {
     if (known.ndvi)
         return {};
@@ -221,7 +208,13 @@ std::string rejected_by(const SearchSummary& search, bool stricter) {
 
 }  // namespace
 
-std::string search_ground_warning(const SearchSummary& search) {
+namespace {
+
+using Search = const SearchSummary&;
+using Report = const RunReport&;
+
+/// Reason why the ground of a search cannot be right, or only buildings have elevations.
+std::string search_ground_warning(Search search) {
     const GroundMode mode = search.plan.ground;
     const ValidIslands& islands = search.scene.islands;
     if (std::string text = missing_ground_warning(islands, mode, search.dem.name); !text.empty())
@@ -232,26 +225,31 @@ std::string search_ground_warning(const SearchSummary& search) {
     return ground_warning(search.scene.fit, mode, search.plan.asked.ground.terrain);
 }
 
-namespace {
-
-using Search = const SearchSummary&;
-using Report = const RunReport&;
-
 /// Reason why the raster may not be a surface, or the ground may not be its ground.
 std::string surface_doubt(Search search) {
     const std::string ground = search_ground_warning(search);
     return ground.empty() ? surface_warning(search.scene.fit, search.dem.name) : ground;
 }
 
-std::string terrain_gap_of(Search search, Report report) {
-    if (search.plan.ground != GroundMode::given)
+/// Share of cells without ground, if they exceed the part outside of the terrain model, of which its source
+/// has warned, and are not all. Threshold: the cells of a building, or half of the window's border, because
+/// resampling a terrain loses cells there.
+std::string terrain_gap_warning(Search search, Report report) {
+    const Window& window = search.dem.window;
+    const std::int64_t known = search.scene.fit.cells();
+    const std::int64_t missing = report.valid_points - known;
+    const std::int64_t fewest = std::max<std::int64_t>(cells_covering(search.plan.building_m2, search.cell),
+                                                       std::int64_t{window.rows} + window.cols);
+    const auto outside = std::llround(search.terrain_outside * static_cast<double>(window.points()));
+    // The share outside is measured on a lattice of points.
+    if (search.plan.ground != GroundMode::given || known == 0 || missing < fewest ||
+        missing <= outside + outside / 50)
         return {};
-    const auto points = static_cast<double>(search.dem.window.points());
-    const TerrainGap gap{
-        report.valid_points, search.scene.fit.cells(), std::llround(search.terrain_outside * points),
-        std::max<std::int64_t>(cells_covering(search.plan.building_m2, search.cell),
-                               std::int64_t{search.dem.window.rows} + search.dem.window.cols)};
-    return terrain_gap_warning(gap, search.dem.name, search.plan.asked.ground.terrain);
+    return percent(static_cast<double>(missing) / static_cast<double>(report.valid_points)) +
+           " of the cells of '" + search.dem.name + "' that have an elevation have none in the terrain '" +
+           search.plan.asked.ground.terrain +
+           "'; there is no ground there, and buildings are cut off or missing, so fill its NoData, for "
+           "example with gdal_fillnodata.py, or leave -ground out to have the ground estimated";
 }
 
 double side_of(Search search) {
@@ -289,7 +287,7 @@ struct SearchWarning {
 /// nothing to warn of.
 constexpr std::array<SearchWarning, 10> search_warnings{{
     {When::always, [](Search s, Report) { return ndvi_warning(s.scene.sides, s.plan.asked); }},
-    {When::always, terrain_gap_of},
+    {When::always, terrain_gap_warning},
     {When::always,
      [](Search, Report r) {
          return r.sampling ? rounding_warning(*r.sampling, r.units.vertical_metres) : std::string();

@@ -24,20 +24,6 @@ namespace d2b {
 /// Returns a warning if an NDVI has no values; "" if it has.
 [[nodiscard]] std::string ndvi_warning(const AuxiliaryCoverage& known, const Options& options);
 
-/// Cells of a DEM without elevation in the given terrain model, if they exceed the part outside of the model
-/// (its source has warned of that), and are not all.
-struct TerrainGap {
-    std::int64_t cells = 0;    ///< valid cells of the DEM
-    std::int64_t known = 0;    ///< number of these with an elevation in the terrain model
-    std::int64_t outside = 0;  ///< cells of the window outside of the terrain model
-    /// Threshold: the cells of a building, or half of the window's border, because resampling a terrain loses
-    /// cells there.
-    std::int64_t fewest = 1;
-};
-/// Returns a warning with the share of cells without ground; "" if there are too few.
-[[nodiscard]] std::string terrain_gap_warning(const TerrainGap& gap, const std::string& dem,
-                                              const std::string& terrain);
-
 /// Returns a warning if most of the ground is steep. A clause without a full stop; "" if it is not.
 [[nodiscard]] std::string slope_warning(const GroundSlope& slope, const std::string& dem);
 
@@ -72,10 +58,6 @@ struct SearchSummary {
     bool has_crs = true;
     double terrain_outside = 0;  ///< share of the window outside of the given terrain model
 };
-
-/// Returns the reason why the ground of a search cannot be right: only buildings have elevations, or see
-/// ground_warning(). A clause without a full stop; "" if the ground is plausible.
-[[nodiscard]] std::string search_ground_warning(const SearchSummary& search);
 
 /// Returns the most probable reason why no building was found, and possible remedies. A clause without a full
 /// stop.

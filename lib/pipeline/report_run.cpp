@@ -1,5 +1,7 @@
 #include "pipeline/report_run.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -45,32 +47,36 @@ namespace {
 
 constexpr double no_threshold = std::numeric_limits<double>::quiet_NaN();
 
+/// @param from may be null
+template <typename From>
+void move_warnings(From* from, std::vector<std::string>& all) {
+    if (from != nullptr)
+        std::ranges::move(from->take_warnings(), std::back_inserter(all));
+}
+
 }  // namespace
+
+std::vector<std::string> take_warnings(const Sources& sources) {
+    std::vector<std::string> all;
+    for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
+        move_warnings(source, all);
+    move_warnings(sources.parcels, all);
+    return all;
+}
 
 std::vector<std::string> take_warnings(const Sinks& sinks) {
     std::vector<std::string> all;
-    const auto take = [&](auto* from) {
-        if (from != nullptr)
-            for (std::string& text : from->take_warnings())
-                all.push_back(std::move(text));
-    };
-    take(&sinks.features);
+    move_warnings(&sinks.features, all);
     for (SurfaceSink* surface : sinks.surfaces)
-        take(surface);
+        move_warnings(surface, all);
     for (RasterSink* raster : {sinks.ground, sinks.height, sinks.canopy, sinks.elevations})
-        take(raster);
+        move_warnings(raster, all);
     return all;
 }
 
 void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context) {
-    const auto pass = [&](auto* from) {
-        if (from != nullptr)
-            for (const std::string& text : from->take_warnings())
-                context.warn(text);
-    };
-    for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
-        pass(source);
-    pass(sources.parcels);
+    for (const std::string& text : take_warnings(sources))
+        context.warn(text);
     for (const std::string& text : take_warnings(sinks))
         context.warn(text);
 }

@@ -25,7 +25,8 @@ namespace d2b {
 void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
                          RunReport& report);
 
-/// Returns the warnings of all sinks since the last call.
+/// Returns the warnings of all sources, or sinks, since the last call.
+[[nodiscard]] std::vector<std::string> take_warnings(const Sources& sources);
 [[nodiscard]] std::vector<std::string> take_warnings(const Sinks& sinks);
 
 /// Issues the warnings of sources and sinks, whichever thread raised them.

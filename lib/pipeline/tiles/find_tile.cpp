@@ -2,6 +2,7 @@
 
 #include "elevations/elevation_reader.hpp"
 #include "pipeline/find_buildings.hpp"
+#include "pipeline/report_run.hpp"
 #include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
@@ -62,7 +63,7 @@ void find_tile(TileRun& run, std::int64_t tile) {
     found.facts.survey = survey(reader, run, whole.own, context);
     find_units(run, tile, part, reader, found);
     found.facts.tally.merge(context.report);
-    found.facts.warnings = run.take_warnings();
+    found.facts.warnings = take_warnings(run.sources());
     ByteWriter writer;
     save(found, writer);
     write_checkpoint(path, seal, writer.bytes());

@@ -146,18 +146,6 @@ FoundFacts TileRun::load_frame() const {
     });
 }
 
-std::vector<std::string> TileRun::take_warnings() const {
-    std::vector<std::string> all;
-    for (DemSource* source : {&sources_.dem, sources_.terrain, sources_.mask, sources_.ndvi})
-        if (source != nullptr)
-            for (std::string& text : source->take_warnings())
-                all.push_back(std::move(text));
-    if (sources_.parcels != nullptr)
-        for (std::string& text : sources_.parcels->take_warnings())
-            all.push_back(std::move(text));
-    return all;
-}
-
 void require_tileable(const Options& options) {
     const auto refuse = [](bool asked, const std::string& option, const std::string& what) {
         if (asked)

@@ -107,8 +107,6 @@ class TileRun {
     /// @throws InputError
     [[nodiscard]] FoundTile load_found(std::int64_t tile) const;
     [[nodiscard]] FoundFacts load_frame() const;
-    /// Returns the warnings of all sources since the last call.
-    [[nodiscard]] std::vector<std::string> take_warnings() const;
 
   private:
     TileRunParameters work_;
