@@ -1,10 +1,14 @@
 #include "ground/ground.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <random>
 
 #include <gtest/gtest.h>
 
+#include "ground/rules.hpp"
 #include "ground/scene.hpp"
 
 namespace d2b {
@@ -193,5 +197,183 @@ TEST(Ground, CellsMayBeLongerThanWide) {
     EXPECT_LT(worst(city.terrain(), ground), 1e-4);
 }
 
+TEST(GroundEdges, OnePointIsItsOwnGround) {
+    const Terrain terrain = Scene(1, 1, {1, 1}).terrain();
+    EXPECT_EQ(terrain.elevation.values, std::vector<float>{100});
+    EXPECT_EQ(terrain.flags.values, std::vector<std::uint8_t>{bare_ground});
+}
+
+TEST(GroundEdges, OneRowOrColumnLosesItsBox) {
+    Scene row(1, 200, {1, 1});
+    row.box({0, 80, 1, 20}, 8);
+    EXPECT_EQ(row.terrain().elevation.values, std::vector<float>(200, 100.0F));
+    Scene column(200, 1, {1, 1});
+    column.box({80, 0, 20, 1}, 8);
+    EXPECT_EQ(column.terrain().elevation.values, std::vector<float>(200, 100.0F));
+}
+
+TEST(GroundEdges, NoPointsNoGround) {
+    const Terrain terrain = Scene(0, 0, {1, 1}).terrain();
+    EXPECT_EQ(terrain.elevation.size(), 0U);
+    Scene empty(7, 5, {1, 1});
+    for (float& z : empty.surface.values)
+        z = test::nan;
+    const Terrain none = empty.terrain();
+    ASSERT_EQ(none.elevation.size(), 35U);
+    for (const float z : none.elevation.values)
+        EXPECT_TRUE(std::isnan(z));
+    EXPECT_EQ(std::accumulate(none.flags.values.begin(), none.flags.values.end(), 0), 0);
+}
+
+TEST(GroundEdges, ALakeWithoutPointsIsFilledFromItsShore) {
+    Scene lake(220, 260, {0.5, 0.5});
+    for (std::int32_t i = 60; i < 160; ++i)
+        for (std::int32_t j = 50; j < 200; ++j)
+            lake.surface.at(i, j) = test::nan;
+    lake.box({20, 100, 30, 60}, 7);
+    for (const float z : lake.terrain().elevation.values)
+        ASSERT_NEAR(z, 100, 1e-3);
+}
+
+TEST(GroundEdges, ALowOutlierIsFlaggedAndDragsNothingDown) {
+    Scene city(200, 200, {0.5, 0.5});
+    city.surface.at(77, 91) = 60;
+    const Terrain terrain = city.terrain();
+    for (std::int32_t i = 0; i < 200; ++i)
+        for (std::int32_t j = 0; j < 200; ++j) {
+            ASSERT_NEAR(terrain.elevation.at(i, j), 100, 1e-3);
+            ASSERT_EQ(terrain.flags.at(i, j), i == 77 && j == 91 ? low_outlier : bare_ground);
+        }
+}
+
+TEST(GroundEdges, TheCallerMayStop) {
+    Context context;
+    context.on_progress = [](double) { return false; };
+    MetreGrid surface(5, 5, 1.0F);
+    EXPECT_THROW(static_cast<void>(estimate_ground(surface, {1, 1}, {}, context)), Cancelled);
+}
+
+/// A town on rolling ground: what it holds at a place depends on the place alone.
+Scene town(std::int32_t side) {
+    Scene scene(side, side, {2, 2});
+    std::mt19937 random(5);
+    for (std::int32_t i = 0; i < side; ++i)
+        for (std::int32_t j = 0; j < side; ++j)
+            scene.surface.at(i, j) += static_cast<float>(9 * std::sin(i * 0.011) * std::cos(j * 0.017)) +
+                                      static_cast<float>(random() % 100) * 0.002F;
+    for (int n = 0; n < side / 2; ++n)
+        scene.box(
+            {static_cast<std::int32_t>(random() % static_cast<unsigned>(side - 20)),
+             static_cast<std::int32_t>(random() % static_cast<unsigned>(side - 20)),
+             static_cast<std::int32_t>(3 + random() % 16), static_cast<std::int32_t>(3 + random() % 16)},
+            static_cast<float>(3 + random() % 9));
+    return scene;
+}
+
+TEST(GroundEdges, BeyondItsSupportACutChangesNothing) {
+    constexpr double width = 5;
+    const Scene whole = town(700);
+    GroundOptions options;
+    options.max_building_width = width;
+    const auto support = static_cast<std::int32_t>(std::ceil(ground_halo(whole.cell, options) / 2));
+    ASSERT_LT(support, 600);
+    constexpr std::int32_t row = 37, col = 51;
+    Scene part(700 - row, 700 - col, whole.cell);
+    for (std::int32_t i = row; i < 700; ++i)
+        for (std::int32_t j = col; j < 700; ++j)
+            part.surface.at(i - row, j - col) = whole.surface.at(i, j);
+    const Terrain of_whole = whole.terrain(width, {1000, 2001});
+    const Terrain of_part = part.terrain(width, {1000 + row, 2001 + col});
+    for (std::int32_t i = row + support; i < 700; ++i)
+        for (std::int32_t j = col + support; j < 700; ++j) {
+            ASSERT_EQ(of_part.elevation.at(i - row, j - col), of_whole.elevation.at(i, j)) << i << " " << j;
+            ASSERT_EQ(of_part.flags.at(i - row, j - col), of_whole.flags.at(i, j)) << i << " " << j;
+        }
+}
+
 }  // namespace
 }  // namespace d2b
+
+namespace d2b::ground {
+namespace {
+
+Terrain estimated(const test::Scene& scene, const Rules& rules) {
+    Context context;
+    MetreGrid surface = scene.surface;
+    return estimate(surface, scene.cell, GroundOptions{}.max_building_width, context, {}, rules);
+}
+
+/// Those that depend on the cell.
+std::array<double, 6> of_cells(const Rules& rules) {
+    return {rules.border_reach, rules.small_slope, rules.border_share,
+            rules.large_rise,   rules.wall_share,  rules.plateau_share};
+}
+
+TEST(GroundRules, CellsOfAMetreHaveTheUsualOnes) {
+    for (const double side : {0.1, 0.5, 1.0, 1.2})
+        EXPECT_EQ(of_cells(rules_for({side, side})), of_cells({})) << side;
+}
+
+TEST(GroundRules, ChangeEvenlyUpToCellsOfTwoMetres) {
+    const std::array<double, 6> fine = of_cells({});
+    const std::array<double, 6> coarse = of_cells(rules_for({2, 2}));
+    const std::array<double, 6> between = of_cells(rules_for({1.6, 1.6}));
+    for (std::size_t k = 0; k < fine.size(); ++k)
+        EXPECT_NEAR(between[k], (fine[k] + coarse[k]) / 2, 1e-12) << k;
+    EXPECT_EQ(of_cells(rules_for({5, 5})), coarse);
+    // Of cells that are not square, those of a square of the same area.
+    EXPECT_EQ(of_cells(rules_for({1, 4})), coarse);
+}
+
+TEST(GroundRules, ARowOfHousesThatTheBorderCutsIsNoGroundOnCoarseCells) {
+    const test::Scene plain(60, 80, {2.5, 2.5});
+    test::Scene street = plain;
+    street.box({0, 15, 8, 50}, 5);  // 20 m deep, whose alleys no cell shows
+    EXPECT_EQ(estimated(street, {}).elevation.at(2, 40), 105);
+    const Terrain terrain = estimated(street, rules_for(street.cell));
+    for (std::size_t k = 0; k < plain.surface.size(); ++k)
+        ASSERT_NEAR(terrain.elevation.values[k], plain.surface.values[k], 1e-3);
+}
+
+TEST(GroundRules, WhatSmallSquaresLowerStepByStepIsNoGroundOnCoarseCells) {
+    // The square of five cells lowers the middle by 0.85 m, and the one of seven the rest by 1.28 m, where
+    // 0.18 times their radii are 0.9 and 1.35 m, and 0.16 times these 0.8 and 1.2 m.
+    const test::Scene plain(60, 60, {2.5, 2.5});
+    test::Scene house = plain;
+    house.box({27, 27, 5, 5}, 1.28F).box({28, 28, 3, 3}, 0.85F);
+    EXPECT_NEAR(estimated(house, {}).elevation.at(29, 29), 102.13, 1e-3);
+    EXPECT_NEAR(estimated(house, rules_for(house.cell)).elevation.at(29, 29), 100, 1e-3);
+}
+
+TEST(GroundRules, AtTheBorderOfFineCellsLessIsAnObject) {
+    // The square of five cells lowers the middle by 0.32 m, and the one of seven the rest by 0.5 m: less than
+    // 0.18 times their radii, 0.36 and 0.54 m, but more than three quarters of these, 0.27 and 0.405 m.
+    const test::Scene plain(60, 60, {1, 1});
+    const auto middle_at = [&](std::int32_t row, std::int32_t col) {
+        test::Scene shed = plain;
+        shed.box({row - 2, col - 2, 5, 5}, 0.5F).box({row - 1, col - 1, 3, 3}, 0.32F);
+        return estimated(shed, {}).elevation.at(row, col);
+    };
+    EXPECT_NEAR(middle_at(30, 30), 100.82, 1e-3);
+    for (const std::int32_t beside : {9, 50}) {
+        EXPECT_NEAR(middle_at(beside, 30), 100, 1e-3) << beside;
+        EXPECT_NEAR(middle_at(30, beside), 100, 1e-3) << beside;
+    }
+    EXPECT_NEAR(middle_at(14, 30), 100.82, 1e-3) << "12 m from the border";
+}
+
+TEST(GroundRules, AtTheBorderLessIsALargeObjectAsWell) {
+    // A roof of 20 m and 1.1 m is lowered by an element with a radius between 10 and 14 m: its limit is 1.2
+    // to 1.4 m, at the border 0.9 to 1.05 m.
+    const test::Scene plain(100, 100, {1, 1});
+    const auto middle_at = [&](std::int32_t row) {
+        test::Scene roof = plain;
+        roof.box({row - 10, 40, 20, 20}, 1.1F);
+        return estimated(roof, {}).elevation.at(row, 50);
+    };
+    EXPECT_NEAR(middle_at(50), 101.1, 1e-3);
+    EXPECT_NEAR(middle_at(14), 100, 1e-3);
+}
+
+}  // namespace
+}  // namespace d2b::ground
