@@ -3,17 +3,21 @@
 #include <functional>
 #include <limits>
 #include <regex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "dem2buildings/command_line.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/options.hpp"
 #include "options/option_cases.hpp"
 #include "options/option_checks.hpp"
+#include "options/option_table.hpp"
 #include "options/run_plan.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 namespace {
@@ -259,12 +263,6 @@ TEST(OptionChecks, RulesHoldForFieldsToo) {
               "-off needs -i <interval>; it is the elevation that the intervals count from.");
 }
 
-}  // namespace
-}  // namespace d2b::test
-
-namespace d2b {
-namespace {
-
 TEST(SetOption, TakesTheNamesAndValuesOfTheCommandLine) {
     Options options;
     set_option(options, "lod", {"3"});
@@ -386,4 +384,4 @@ TEST(RunPlan, RefusesWhatStandsInLayersThatAreNotWritten) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test
