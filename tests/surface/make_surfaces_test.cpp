@@ -1,3 +1,4 @@
+#include <random>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,7 @@ std::size_t walls_of(const SurfacePart& part) {
     return walls;
 }
 
-TEST(MadePartitions, aBlockHasEightCorners) {
+TEST(MakeSurfaces, aBlockHasEightCorners) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aa", "aa"}}, {30}));
     expect_whole(made, 4, 4 * 30, 4 * 30);
     ASSERT_EQ(made.solids.size(), 1U);
@@ -48,7 +49,7 @@ TEST(MadePartitions, aBlockHasEightCorners) {
 }
 
 /// Two houses: the wall between them shows above the lower roof alone, and not at all where they are equal.
-TEST(MadePartitions, aPartyWallOfTwoHeights) {
+TEST(MakeSurfaces, aPartyWallOfTwoHeights) {
     for (const std::int64_t other : {10, 29, 30, 31, 75}) {
         const MadeSurfaces made = surfaces_of(blocks_of({{"ab"}}, {30, other}));
         expect_whole(made, 2, 30 + other, 30 + other);
@@ -67,7 +68,7 @@ TEST(MadePartitions, aPartyWallOfTwoHeights) {
 }
 
 /// On a slope a block stands at its lowest ground, and each solid at its own.
-TEST(MadePartitions, basesOfTwoHeights) {
+TEST(MakeSurfaces, basesOfTwoHeights) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"ab"}}, {30, 40}, {5, 12}));
     expect_whole(made, 2, 25 + 28, 25 + 35);
     for (const auto& [x, y, z] : made.shell[0].points)
@@ -77,12 +78,12 @@ TEST(MadePartitions, basesOfTwoHeights) {
 }
 
 /// The roof of one may lie below the ground of the other.
-TEST(MadePartitions, aRoofBelowTheNextGround) {
+TEST(MakeSurfaces, aRoofBelowTheNextGround) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"ab"}}, {30, 90}, {5, 50}));
     expect_whole(made, 2, 25 + 40, 25 + 85);
 }
 
-TEST(MadePartitions, aTowerInABlock) {
+TEST(MakeSurfaces, aTowerInABlock) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "aba", "aaa"}}, {20, 80}));
     expect_whole(made, 9, 8 * 20 + 80, 8 * 20 + 80);
     ASSERT_EQ(made.shell.size(), 1U);
@@ -90,7 +91,7 @@ TEST(MadePartitions, aTowerInABlock) {
     EXPECT_EQ(made.shell[0].points.size(), 2U * 4 + 3 * 4);
 }
 
-TEST(MadePartitions, aCourtyard) {
+TEST(MakeSurfaces, aCourtyard) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "a a", "aaa"}}, {20}));
     expect_whole(made, 8, 8 * 20, 8 * 20);
     EXPECT_EQ(made.shell[0].points.size(), 16U);
@@ -99,7 +100,7 @@ TEST(MadePartitions, aCourtyard) {
 }
 
 /// Three houses around a corner: the highest wall has a corner where the middle roof ends.
-TEST(MadePartitions, aWallHasACornerWhereARoofBesideItEnds) {
+TEST(MakeSurfaces, aWallHasACornerWhereARoofBesideItEnds) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"ab", "cc"}}, {20, 50, 80}));
     expect_whole(made, 4, 20 + 50 + 2 * 80, 20 + 50 + 2 * 80);
     std::size_t in_the_middle = 0;
@@ -109,7 +110,7 @@ TEST(MadePartitions, aWallHasACornerWhereARoofBesideItEnds) {
 }
 
 /// Corners of a neighbour on a straight wall are corners of the shell, and of no solid but its own.
-TEST(MadePartitions, solidsHaveNoCornersOfTheirNeighbours) {
+TEST(MakeSurfaces, solidsHaveNoCornersOfTheirNeighbours) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", " b "}}, {20, 30}));
     expect_whole(made, 4, 3 * 20 + 30, 3 * 20 + 30);
     for (const SurfacePart& solid : made.solids)
@@ -118,14 +119,14 @@ TEST(MadePartitions, solidsHaveNoCornersOfTheirNeighbours) {
 }
 
 /// Each is a part of its own with its own base.
-TEST(MadePartitions, whatDoesNotTouchIsApart) {
+TEST(MakeSurfaces, whatDoesNotTouchIsApart) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"a b", "   ", "ccc"}}, {20, 30, 40}, {1, 2, 3}));
     expect_whole(made, 5, 19 + 28 + 3 * 37, 19 + 28 + 3 * 37);
     EXPECT_EQ(made.shell.size(), 3U);
 }
 
 /// Tiers of a stack: one building, one ground, and no walls inside.
-TEST(MadePartitions, aStack) {
+TEST(MakeSurfaces, aStack) {
     const MadeSurfaces made = surfaces_of(stacks_of({{"11111", "12221", "12321", "12221", "11111"}}));
     expect_whole(made, 25, 16 * 10 + 8 * 20 + 30, 16 * 10 + 8 * 20 + 30);
     ASSERT_EQ(made.shell.size(), 1U);
@@ -135,13 +136,13 @@ TEST(MadePartitions, aStack) {
 }
 
 /// What a stack shares with a neighbour or with what it stands on.
-TEST(MadePartitions, stacksWithCommonWalls) {
+TEST(MakeSurfaces, stacksWithCommonWalls) {
     const MadeSurfaces made = surfaces_of(stacks_of({{"333", "321", "123"}}));
     expect_whole(made, 9, 10 * (9 + 6 + 6), 10 * (9 + 6 + 6));
 }
 
 /// A roof that is no higher than the ground encloses nothing.
-TEST(MadePartitions, whatHasNoHeightIsNotThere) {
+TEST(MakeSurfaces, whatHasNoHeightIsNotThere) {
     SurfaceCluster cluster = blocks_of({{"ab"}}, {20, 30}, {0, 30});
     MadeSurfaces made = surfaces_of(cluster);
     EXPECT_TRUE(six_volumes(made.shell) == 6 * 20 * square);
@@ -153,14 +154,8 @@ TEST(MadePartitions, whatHasNoHeightIsNotThere) {
     EXPECT_TRUE(made.solids.empty());
 }
 
-TEST(MadePartitions, nothing) {
-    const MadeSurfaces made = surfaces_of({});
-    EXPECT_TRUE(made.shell.empty());
-    EXPECT_TRUE(made.solids.empty());
-}
-
 /// On a grid that is turned by the angle of 3 to 4, where no edge is parallel to an axis.
-TEST(MadePartitions, aTurnedGrid) {
+TEST(MakeSurfaces, aTurnedGrid) {
     SurfaceCluster cluster = blocks_of({{"aab", "acb", "ccc"}}, {20, 50, 35});
     for (PartitionContour& contour : cluster.contours) {
         const auto turn = [](FineRing& ring) {
@@ -174,7 +169,7 @@ TEST(MadePartitions, aTurnedGrid) {
 }
 
 /// Only what is asked for is made.
-TEST(MadePartitions, oneFormAlone) {
+TEST(MakeSurfaces, oneFormAlone) {
     const SurfaceCluster cluster = blocks_of({{"ab"}}, {20, 30});
     const MadeSurfaces solids = make_surfaces(cluster, {true, false}, with_geos);
     EXPECT_EQ(solids.solids.size(), 2U);
@@ -182,6 +177,80 @@ TEST(MadePartitions, oneFormAlone) {
     const MadeSurfaces shell = make_surfaces(cluster, {false, true}, with_geos);
     EXPECT_EQ(shell.shell.size(), 1U);
     EXPECT_TRUE(shell.solids.empty());
+}
+
+LetterGrid random_grid(std::mt19937& random, const std::string& letters) {
+    const auto up_to = [&](unsigned most) { return static_cast<int>(random() % most); };
+    LetterGrid grid;
+    const int rows = 1 + up_to(9);
+    const int cols = 1 + up_to(9);
+    for (int row = 0; row < rows; ++row) {
+        std::string& line = grid.rows.emplace_back();
+        for (int col = 0; col < cols; ++col)
+            line += letters[static_cast<std::size_t>(up_to(static_cast<unsigned>(letters.size())))];
+    }
+    return grid;
+}
+
+/// As text, for messages.
+std::string shown(const LetterGrid& grid) {
+    std::string text = "\n";
+    for (const std::string& row : grid.rows)
+        text += row + "|\n";
+    return text;
+}
+
+/// Whatever the grid: both forms are closed, nothing is left out, and areas and volumes are those of the
+/// cells but for what mends take.
+void expect_surfaces(const LetterGrid& grid, const SurfaceCluster& cluster, double cells, double heights) {
+    const MadeSurfaces made = surfaces_of(cluster);
+    ASSERT_EQ(fault_of(made.shell), "") << shown(grid);
+    for (const SurfacePart& solid : made.solids)
+        ASSERT_EQ(fault_of({&solid, 1}), "") << shown(grid);
+    ASSERT_TRUE(made.left_out.empty()) << shown(grid);
+    constexpr double cell = static_cast<double>(FinePoint::steps) * static_cast<double>(FinePoint::steps);
+    // A mend moves a corner by two steps, and with it edges of some cells.
+    const double slack = 0.01 * static_cast<double>(made.repairs.size()) * 4;
+    ASSERT_NEAR(static_cast<double>(twice_plan_area(made.shell, FaceKind::roof)) / 2 / cell, cells, slack)
+        << shown(grid);
+    ASSERT_NEAR(static_cast<double>(six_volumes(made.shell)) / 6 / cell, heights, 100 * slack) << shown(grid);
+    ASSERT_NEAR(static_cast<double>(six_volumes(made.solids)) / 6 / cell, heights, 100 * slack)
+        << shown(grid);
+    if (made.repairs.empty()) {
+        ASSERT_EQ(static_cast<double>(six_volumes(made.shell)), 6 * cell * heights);
+    }
+}
+
+TEST(RandomGrids, blocks) {
+    std::mt19937 random(1);
+    const std::vector<std::int64_t> heights{20, 35, 35, 60};
+    for (int run = 0; run < 700; ++run) {
+        const LetterGrid grid = random_grid(random, run % 2 == 0 ? "abcd" : "ab  c");
+        double cells = 0;
+        double sum = 0;
+        for (const std::string& row : grid.rows)
+            for (const char letter : row)
+                if (letter != ' ') {
+                    ++cells;
+                    sum += static_cast<double>(heights[static_cast<std::size_t>(letter - 'a')]);
+                }
+        expect_surfaces(grid, blocks_of(grid, heights), cells, sum);
+    }
+}
+
+TEST(RandomGrids, stacks) {
+    std::mt19937 random(2);
+    for (int run = 0; run < 700; ++run) {
+        const LetterGrid grid = random_grid(random, run % 3 == 0 ? "123" : run % 3 == 1 ? "0124" : "111152");
+        double cells = 0;
+        double sum = 0;
+        for (const std::string& row : grid.rows)
+            for (const char digit : row) {
+                cells += digit > '0' ? 1 : 0;
+                sum += 10 * (digit - '0');
+            }
+        expect_surfaces(grid, stacks_of(grid), cells, sum);
+    }
 }
 
 }  // namespace

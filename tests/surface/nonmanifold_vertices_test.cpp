@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 #include "surface/label_contours.hpp"
 #include "surface/partition.hpp"
+#include "surface/planar_partition.hpp"
 #include "surface/surface_check.hpp"
 
 namespace d2b {
@@ -45,7 +47,7 @@ void expect_mended(const MadeSurfaces& made, double cells, double shell_volume, 
 }
 
 /// Two houses that touch in a corner are cut back from each other.
-TEST(Pinches, housesThatTouchInACorner) {
+TEST(NonmanifoldVertices, housesThatTouchInACorner) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"a ", " b"}}, {20, 30}));
     expect_mended(made, 2, 50, 0, 1);
     EXPECT_EQ(made.shell.size(), 2U);
@@ -57,7 +59,7 @@ TEST(Pinches, housesThatTouchInACorner) {
 
 /// Where more is wanted a corner moves that far, and the long walls beside it stay where they are but for its
 /// neighbourhood.
-TEST(Pinches, asFarAsIsWanted) {
+TEST(NonmanifoldVertices, asFarAsIsWanted) {
     const SurfaceCluster cluster = blocks_of({{"a ", " a"}}, {10});
     PlanarPartition plan = make_partition(cluster.contours).plan;
     const ResolvedVertices taken = resolve_nonmanifold_vertices(plan, cluster.contours, {300});
@@ -97,7 +99,7 @@ std::size_t near_corners(const std::vector<SurfacePart>& parts, const LatticeDis
 
 /// Corners that touch are a gap apart afterwards, along rows or along columns: of cells of 0.5, 0.1 and 30 m,
 /// and of cells that are not square.
-TEST(Pinches, areAGapApart) {
+TEST(NonmanifoldVertices, areAGapApart) {
     for (const CellSize& cell :
          {CellSize{0.5, 0.5}, CellSize{0.1, 0.1}, CellSize{30, 30}, CellSize{0.2, 0.5}, CellSize{2.5, 0.1}}) {
         const GapTolerances gaps = gap_tolerances(cell);
@@ -117,7 +119,7 @@ TEST(Pinches, areAGapApart) {
 
 /// A house stands where the corner would move to: it goes elsewhere, and is as far from that as from the
 /// corner.
-TEST(Pinches, doNotComeNearOthers) {
+TEST(NonmanifoldVertices, doNotComeNearOthers) {
     SurfaceCluster cluster = blocks_of({{"a ", " b"}}, {20, 30});
     // The ground between them, on both sides, has a corner some 12 steps from where one would be cut back.
     const FinePoint middle = fine(LatticePoint{1, 1});
@@ -141,7 +143,7 @@ TEST(Pinches, doNotComeNearOthers) {
 
 /// Where cells are no larger than the gap there is no room for it: the corner moves by as much as there is,
 /// by no less than what is taken for one corner.
-TEST(Pinches, whereThereIsNoRoomForTheGap) {
+TEST(NonmanifoldVertices, whereThereIsNoRoomForTheGap) {
     const GapTolerances gaps{{2000, 2000}, {100, 100}};
     const MadeSurfaces made = surfaces_of(blocks_of({{"a a", " a ", "a a"}}, {20}), gaps);
     EXPECT_TRUE(made.left_out.empty());
@@ -153,20 +155,20 @@ TEST(Pinches, whereThereIsNoRoomForTheGap) {
 }
 
 /// Also where they stand at heights that have nothing in common: their edges would meet.
-TEST(Pinches, housesAtOtherHeightsThatTouchInACorner) {
+TEST(NonmanifoldVertices, housesAtOtherHeightsThatTouchInACorner) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"a ", " b"}}, {20, 90}, {0, 20}));
     expect_mended(made, 2, 20 + 70, 0, 1);
 }
 
 /// A house that touches itself in a corner: the notch is filled.
-TEST(Pinches, aHouseThatTouchesItself) {
+TEST(NonmanifoldVertices, aHouseThatTouchesItself) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "a a", "aa ", "a  "}}, {20}));
     expect_mended(made, 8, 160, 1, 0);
     EXPECT_GT(sums_of(made.shell).roofs, 8);
 }
 
 /// Courtyards that touch each other in a corner are within a house: it is joined there.
-TEST(Pinches, courtyardsThatTouch) {
+TEST(NonmanifoldVertices, courtyardsThatTouch) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaaa", "a aa", "aa a", "aaaa"}}, {20}));
     expect_mended(made, 14, 280, 1, 0);
     ASSERT_EQ(made.solids.size(), 1U);
@@ -174,32 +176,32 @@ TEST(Pinches, courtyardsThatTouch) {
 }
 
 /// Two high roofs and two low ones around a point, of four houses.
-TEST(Pinches, highAndLowRoofsTakeTurns) {
+TEST(NonmanifoldVertices, highAndLowRoofsTakeTurns) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"ab", "cd"}}, {50, 20, 20, 60}));
     expect_mended(made, 4, 150, 0, 1);
     EXPECT_EQ(made.shell.size(), 1U);
 }
 
 /// The two high ones are one house, which goes around: its notch is filled.
-TEST(Pinches, aHouseAroundALowerOne) {
+TEST(NonmanifoldVertices, aHouseAroundALowerOne) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "aba", "caa"}}, {50, 20, 20}));
     expect_mended(made, 9, 7 * 50 + 2 * 20, 1, 0);
 }
 
 /// Nothing sticks out of the block at this point, but the solid of the lower house would touch itself.
-TEST(Pinches, aHouseThatTouchesItselfBesideOthers) {
+TEST(NonmanifoldVertices, aHouseThatTouchesItselfBesideOthers) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "aba", "caa"}}, {20, 50, 10}));
     expect_mended(made, 9, 7 * 20 + 50 + 10, 1, 0);
 }
 
 /// Tiers of one stack.
-TEST(Pinches, tiersThatTouchInACorner) {
+TEST(NonmanifoldVertices, tiersThatTouchInACorner) {
     const MadeSurfaces made = surfaces_of(stacks_of({{"1111", "1211", "1121", "1111"}}));
     expect_mended(made, 16, 14 * 10 + 2 * 20, 1, 0);
 }
 
 /// Every inner corner of a checkerboard is one.
-TEST(Pinches, aCheckerboard) {
+TEST(NonmanifoldVertices, aCheckerboard) {
     for (const int size : {3, 6, 11}) {
         LetterGrid grid;
         for (int row = 0; row < size; ++row) {
@@ -214,7 +216,7 @@ TEST(Pinches, aCheckerboard) {
 }
 
 /// The same with roofs instead of ground.
-TEST(Pinches, aCheckerboardOfRoofs) {
+TEST(NonmanifoldVertices, aCheckerboardOfRoofs) {
     LetterGrid grid;
     for (int row = 0; row < 8; ++row) {
         std::string& line = grid.rows.emplace_back();
@@ -226,7 +228,7 @@ TEST(Pinches, aCheckerboardOfRoofs) {
 }
 
 /// Thin wedges from eight sides: where two steps do not fit into an angle the corner moves farther.
-TEST(Pinches, wedgesAroundAPoint) {
+TEST(NonmanifoldVertices, wedgesAroundAPoint) {
     SurfaceCluster cluster;
     const std::vector<FinePoint> rim{{0, -2000}, {60, -2000}, {2000, -60}, {2000, 0},
                                      {60, 2000}, {0, 2000},   {-2000, 60}, {-2000, 0}};
@@ -243,7 +245,7 @@ TEST(Pinches, wedgesAroundAPoint) {
 }
 
 /// Where there is no room at all, one of those in the way is left out and named, and the rest is made.
-TEST(Pinches, noRoom) {
+TEST(NonmanifoldVertices, noRoom) {
     SurfaceCluster cluster;
     const std::vector<FineRing> slivers{{{0, 0}, {2000, -60000}, {2001, -60000}},
                                         {{0, 0}, {-2000, 60001}, {-2001, 60001}}};
@@ -257,6 +259,46 @@ TEST(Pinches, noRoom) {
     ASSERT_EQ(made.shell.size(), 1U);
     EXPECT_EQ(made.shell[0].buildings[0].id, 7);
     EXPECT_EQ(fault_of(made.shell), "");
+}
+
+/// The steps in a centimetre, rounded up: 10.24 of a metre, and so on; never fewer than two.
+TEST(GapTolerances, followFromTheCell) {
+    const auto pinch = [](double across, double down) { return gap_tolerances({across, down}).pinch; };
+    EXPECT_EQ(pinch(1, 1), (LatticeDistance{11, 11}));
+    EXPECT_EQ(pinch(0.5, 0.5), (LatticeDistance{21, 21}));
+    EXPECT_EQ(pinch(0.25, 0.25), (LatticeDistance{41, 41}));
+    EXPECT_EQ(pinch(0.1, 0.1), (LatticeDistance{103, 103}));
+    EXPECT_EQ(pinch(2.5, 2.5), (LatticeDistance{5, 5}));
+    EXPECT_EQ(pinch(30, 30), (LatticeDistance{2, 2}));
+    EXPECT_EQ(pinch(0.5, 2), (LatticeDistance{6, 21})) << "rows are farther apart";
+    EXPECT_EQ(pinch(0.3048, 0.3048), (LatticeDistance{34, 34})) << "feet";
+}
+
+/// 2 mm.
+TEST(GapTolerances, ofCornersThatAreOne) {
+    EXPECT_EQ(gap_tolerances({1, 1}).corners, (LatticeDistance{3, 3}));
+    EXPECT_EQ(gap_tolerances({0.1, 0.1}).corners, (LatticeDistance{21, 21}));
+    EXPECT_EQ(gap_tolerances({3, 3}).corners, (LatticeDistance{1, 1})) << "each step is as long";
+}
+
+/// Whatever the angle between rows and columns, what lies on the border of the box is as far away.
+TEST(GapTolerances, areLengthsOnTheGround) {
+    for (const double angle : {30.0, 90.0, 140.0})
+        for (const double down : {0.1, 0.7, 5.0}) {
+            const double across = 0.5;
+            const double radians = angle * std::numbers::pi / 180;
+            const LatticeDistance gap = gap_tolerances({across, down, std::sin(radians)}).pinch;
+            double least = 1;
+            for (std::int64_t row = -gap.rows; row <= gap.rows; ++row)
+                for (std::int64_t col = -gap.cols; col <= gap.cols; ++col)
+                    if (gap.parts({0, 0}, {row, col})) {
+                        const double x = across * static_cast<double>(col);
+                        const double y = down * static_cast<double>(row);
+                        least = std::min(least, std::hypot(x + y * std::cos(radians), y * std::sin(radians)) /
+                                                    FinePoint::steps);
+                    }
+            EXPECT_GE(least, 0.01) << angle << " " << down;
+        }
 }
 
 }  // namespace
