@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "contours/level_plan.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b {
 namespace {
@@ -234,23 +235,6 @@ TEST(GlobalLevels, HaveNoSlicesWhereEachBuildingHasItsOwn) {
               (Thresholds{5, 10}));
 }
 
-TEST(QuantiseFootprints, AllTheirPointsAreOfLevelOne) {
-    const LevelPlan plan{0, {{}, {10, 20}, {30}}, true};
-    const BandShape shape{0, 1, 8};
-    // Label 1: below its ground, not valid, above it, on and above its threshold; label 2; no label.
-    const ElevationBand band{shape, {5, not_valid, 15, 20, 25, not_valid, 100, not_valid}};
-    const LabelBand labels{shape, {1, 1, 1, 1, 1, 2, 0, 0}};
-    EXPECT_EQ(quantise<std::uint8_t>(band, labels, plan).counts,
-              (std::vector<std::uint8_t>{2, 2, 2, 2, 3, 2, 1, 0}));
-    EXPECT_EQ(quantise<std::uint16_t>(band, labels, plan).counts,
-              (std::vector<std::uint16_t>{2, 2, 2, 2, 3, 2, 1, 0}));
-    // One by one.
-    EXPECT_EQ(quantise<std::uint8_t>(25, 1, plan), 3);
-    EXPECT_EQ(quantise<std::uint8_t>(not_valid, 1, plan), 2);
-    EXPECT_EQ(quantise<std::uint8_t>(not_valid, 0, plan), 0);
-    EXPECT_EQ(quantise<std::uint16_t>(-1000, 0, plan), 1);
-}
-
 /// The ground is one more: what the whole DEM may have, a building that exceeds all of it may not.
 TEST(BuildingLevels, AreAsManyAsSixteenBitsCount) {
     const auto levels_with = [](int count) {
@@ -265,12 +249,8 @@ TEST(BuildingLevels, AreAsManyAsSixteenBitsCount) {
     EXPECT_EQ(most.level_count(), 65535);
     const ElevationBand top{{0, 1, 1}, {70000}};
     EXPECT_EQ(quantise<std::uint16_t>(top, {{0, 1, 1}, {1}}, most).counts, std::vector<std::uint16_t>{65535});
-    try {
-        static_cast<void>(levels_with(65534));
-        FAIL();
-    } catch (const OptionError& error) {
-        EXPECT_STREQ(error.what(), "-i 1 gives more than 65534 levels on this DEM; use a larger interval.");
-    }
+    EXPECT_EQ(test::error_of<OptionError>([&] { static_cast<void>(levels_with(65534)); }),
+              "-i 1 gives more than 65534 levels on this DEM; use a larger interval.");
 }
 
 }  // namespace

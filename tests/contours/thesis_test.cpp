@@ -112,37 +112,13 @@ TEST(Tracer, CellsThatMeetInACornerAreTwoContours) {
 TEST(Tracer, LowestOutsideIsWithinACellOfTheExteriorRing) {
     Context context;
     // The 1 lies diagonally beside the block, the -9 two cells away, the -5 in the courtyard; NaN is nothing.
-    const TraceGrid grid{7,
-                         7,
-                         {-9, 7,
-                          7,  7,
-                          7,  7,
-                          7,  //
-                          7,  7,
-                          7,  7,
-                          7,  7,
-                          7,  //
-                          7,  7,
-                          20, 20,
-                          20, 7,
-                          7,  //
-                          7,  test::nodata,
-                          20, -5,
-                          20, 7,
-                          7,  //
-                          7,  7,
-                          20, 20,
-                          20, 7,
-                          7,  //
-                          7,  7,
-                          7,  7,
-                          7,  1,
-                          -9,  //
-                          7,  7,
-                          7,  7,
-                          7,  -9,
-                          7},
-                         {}};
+    TraceGrid grid{7, 7, std::vector<double>(49, 7.0), {}};
+    for (const std::size_t i : {16U, 17U, 18U, 23U, 25U, 30U, 31U, 32U})
+        grid.z[i] = 20;
+    grid.z[24] = -5;
+    grid.z[22] = test::nodata;
+    grid.z[40] = 1;
+    grid.z[0] = grid.z[41] = grid.z[47] = -9;
     const test::ContourSet cells = trace_grid(grid, {10}, {TraceMode::cells}, context);
     ASSERT_EQ(cells.buildings.size(), 1U);
     EXPECT_EQ(cells.contours[static_cast<std::size_t>(cells.buildings[0])].lowest_outside, 1);

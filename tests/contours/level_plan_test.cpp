@@ -1,3 +1,5 @@
+#include "contours/level_plan.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "contours/level_plan.hpp"
+#include "contours/reference.hpp"
+#include "support/error_of.hpp"
+#include "support/random_grid.hpp"
 
 namespace d2b {
 namespace {
@@ -38,13 +42,6 @@ TEST(LevelPlan, SlicesMeanPlusMinusDeviation) {
     EXPECT_EQ(context.report.valid_points, 8);
     EXPECT_EQ(context.report.maximum, 9);
     EXPECT_DOUBLE_EQ(context.report.standard_deviation, s);
-}
-
-TEST(LevelPlan, LodOneIsTheMean) {
-    Context context;
-    EXPECT_EQ(plan_global_levels(statistics_of({0, 0, 0, 8}), with_lod(1), LevelSource::global, context)
-                  .threshold(1, 1),
-              2);
 }
 
 TEST(LevelPlan, DropsWhatCutsNothingAndSaysSo) {
@@ -100,21 +97,18 @@ TEST(LevelPlan, TooManyLevelsAreRefused) {
     Context context;
     LevelOptions options;
     options.interval = 1e-6;
-    try {
-        static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, LevelSource::global, context));
-        FAIL();
-    } catch (const OptionError& error) {
-        EXPECT_STREQ(error.what(),
-                     "-i 1e-06 gives more than 65534 levels on this DEM; use a larger interval.");
-    }
+    EXPECT_EQ(test::error_of<OptionError>([&] {
+                  static_cast<void>(
+                      plan_global_levels(statistics_of({0, 1}), options, LevelSource::global, context));
+              }),
+              "-i 1e-06 gives more than 65534 levels on this DEM; use a larger interval.");
     for (int i = 1; i < 70000; ++i)
         options.fixed.push_back(i / 70000.0);
-    try {
-        static_cast<void>(plan_global_levels(statistics_of({0, 1}), options, LevelSource::global, context));
-        FAIL();
-    } catch (const OptionError& error) {
-        EXPECT_STREQ(error.what(), "-fl and -lod give at most 65534 levels, not 69999.");
-    }
+    EXPECT_EQ(test::error_of<OptionError>([&] {
+                  static_cast<void>(
+                      plan_global_levels(statistics_of({0, 1}), options, LevelSource::global, context));
+              }),
+              "-fl and -lod give at most 65534 levels, not 69999.");
 }
 
 TEST(LevelPlan, FlatAndEmptyDataHaveNoThresholds) {
@@ -141,13 +135,6 @@ TEST(ElevationStatistics, BandsInAnyOrderGiveTheSame) {
     EXPECT_EQ(a.maximum, 1e9);
 }
 
-TEST(Quantise, IsStrict) {
-    const LevelPlan plan{0, {{}, {10, 20}}};
-    const ElevationBand band{{0, 1, 7}, {nan, 0, 10, 10.000001, 20, 20.000001, -5}};
-    const auto levels = quantise<std::uint8_t>(band, {{0, 1, 7}, {}}, plan);
-    EXPECT_EQ(levels.counts, (std::vector<std::uint8_t>{0, 1, 1, 2, 2, 3, 1}));
-}
-
 TEST(Quantise, SearchesAndCountsAlike) {
     std::vector<double> many;
     for (int i = 0; i < 300; ++i)
@@ -156,14 +143,6 @@ TEST(Quantise, SearchesAndCountsAlike) {
     const LevelPlan plan{-1, {{}, many}};
     EXPECT_EQ(quantise<std::uint16_t>(band, {{0, 1, 5}, {}}, plan).counts,
               (std::vector<std::uint16_t>{1, 1, 2, 300, 301}));
-}
-
-TEST(Quantise, EachLabelHasItsThresholds) {
-    const LevelPlan plan{0, {{}, {10}, {1, 2, 3}}};
-    const ElevationBand band{{0, 1, 3}, {5, 5, 5}};
-    EXPECT_EQ(quantise<std::uint8_t>(band, {{0, 1, 3}, {0, 1, 2}}, plan).counts,
-              (std::vector<std::uint8_t>{1, 1, 4}));
-    EXPECT_EQ(plan.level_count(), 4);
 }
 
 /// Runs of cells with the same label are looked at several at a time, those of many thresholds one by one.
@@ -187,6 +166,7 @@ TEST(Quantise, CountsByTheDefinition) {
     for (const bool footprints : {false, true}) {
         plan.footprints = footprints;
         const auto counts = quantise<std::uint8_t>(band, labels, plan).counts;
+        EXPECT_TRUE(std::ranges::equal(quantise<std::uint16_t>(band, labels, plan).counts, counts));
         for (std::size_t i = 0; i < counts.size(); ++i) {
             const double z = band.elevations[i];
             const Label label = labels.labels[i];
@@ -200,6 +180,94 @@ TEST(Quantise, CountsByTheDefinition) {
         }
         plan.thresholds[1].swap(plan.thresholds[2]);
     }
+}
+
+using test::TraceGrid;
+
+/// Where the points of a contour lie, seen from its polygon: in -trace cells in its cells; in -trace points
+/// at the corners of its squares.
+std::set<LatticePoint> points_of(const Contour& contour, TraceMode mode) {
+    const std::set<LatticePoint> squares = test::squares_inside(contour);
+    if (mode == TraceMode::cells)
+        return squares;
+    std::set<LatticePoint> points;
+    for (const LatticePoint s : squares)
+        for (const LatticePoint p : {s, LatticePoint{s.row + 1, s.col}, LatticePoint{s.row, s.col + 1},
+                                     LatticePoint{s.row + 1, s.col + 1}})
+            points.insert(p);
+    return points;
+}
+
+class PointStatistics : public testing::TestWithParam<unsigned> {};
+
+TEST_P(PointStatistics, CellsAreCountedInTheContourThatHoldsThem) {
+    const test::RandomGridCase c = test::random_grid(2 * GetParam());
+    Context context;
+    const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, {TraceMode::cells}, context);
+    for (std::size_t i = 0; i < set.contours.size(); ++i) {
+        std::set<LatticePoint> own = points_of(set.contours[i], TraceMode::cells);
+        for (const Contour& child : set.contours)
+            if (child.parent == static_cast<std::int64_t>(i))
+                for (const LatticePoint p : points_of(child, TraceMode::cells))
+                    own.erase(p);
+        double sum = 0;
+        for (const LatticePoint p : own)
+            sum += c.grid.at(p.row, p.col);
+        const PointStats& stats = set.contours[i].own;
+        ASSERT_EQ(stats.n, static_cast<std::int64_t>(own.size()));
+        if (stats.n > 0) {
+            const double largest = c.thresholds.back() + 0.5;
+            EXPECT_DOUBLE_EQ(FixedPoint(largest).mean(stats.sum, stats.n),
+                             sum / static_cast<double>(stats.n));
+        }
+    }
+}
+
+TEST_P(PointStatistics, EveryPointLiesInTheRightPolygonAtEveryLevel) {
+    const test::RandomGridCase c = test::random_grid(GetParam());
+    Context context;
+    const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, {c.mode}, context);
+    std::vector<std::set<LatticePoint>> squares_at(c.thresholds.size() + 1);
+    for (const Contour& contour : set.contours)
+        for (const LatticePoint s : test::squares_inside(contour))
+            EXPECT_TRUE(squares_at[static_cast<std::size_t>(contour.key.level)].insert(s).second)
+                << "two contours of a level cover a square";
+    std::vector<std::size_t> expected(c.thresholds.size() + 1, 0);
+    for (const auto& reference : test::reference_contours(c.grid, c.thresholds, c.mode))
+        expected[static_cast<std::size_t>(reference.level)] += reference.squares.size();
+    for (std::size_t level = 0; level < expected.size(); ++level)
+        EXPECT_EQ(squares_at[level].size(), expected[level]);
+}
+
+TEST_P(PointStatistics, EachPointIsCountedOnceAndInAContourAroundIt) {
+    const test::RandomGridCase c = test::random_grid(2 * GetParam() + 1);
+    Context context;
+    const test::ContourSet set = test::trace_grid(c.grid, c.thresholds, {TraceMode::points}, context);
+    std::set<LatticePoint> all;
+    std::int64_t counted = 0;
+    for (const Contour& contour : set.contours) {
+        const auto points = points_of(contour, TraceMode::points);
+        all.insert(points.begin(), points.end());
+        counted += contour.own.n;
+        EXPECT_LE(contour.own.n, static_cast<std::int64_t>(points.size()));
+    }
+    EXPECT_EQ(counted, static_cast<std::int64_t>(all.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, PointStatistics, testing::Range(500U, 600U));
+
+TEST(Percentiles, AreThoseOfAllPointsOfTheBuilding) {
+    TraceGrid grid{12, 12, std::vector<double>(144, 0.0), {}};
+    for (int i = 0; i < 100; ++i)
+        grid.z[static_cast<std::size_t>((1 + i / 10) * 12 + 1 + i % 10)] = 100 + i;
+    Context context;
+    const test::ContourSet set = test::trace_grid(grid, {50, 150}, {TraceMode::cells}, context);
+    ASSERT_EQ(set.roofs.size(), 1U);
+    // 100 values, 100 to 199: the nearest rank of a share is 99 + 100 share.
+    EXPECT_EQ(set.roofs[0].percentiles[0], 149);
+    EXPECT_EQ(set.roofs[0].percentiles[1], 169);
+    EXPECT_EQ(set.roofs[0].percentiles[2], 189);
+    EXPECT_EQ(set.roofs[0].percentiles[3], 194);
 }
 
 }  // namespace
