@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b {
 namespace {
@@ -18,12 +19,7 @@ using To = CoordinateRounding::To;
 const CoordinateRounding whole{To::decimals, 0, "-lco COORDINATE_PRECISION=0"};
 
 std::string refusal(RoundedPolygons& polygons) {
-    try {
-        polygons.finish();
-    } catch (const OptionError& error) {
-        return error.what();
-    }
-    return "";
+    return test::error_of<OptionError>([&] { polygons.finish(); });
 }
 
 TEST(RoundedCoordinate, IsTheDecimalFractionThatIsReadBack) {
@@ -48,7 +44,7 @@ TEST(RoundedPolygons, AreOnTheGridOfTheDestination) {
     Parts parts{{{{0.04, 0}, {2.06, 0.02}, {2, 2}, {0.04, 2.04}}, {}}};
     EXPECT_FALSE(polygons.round(Layer::buildings, 1, 0, "building 1", parts));
     EXPECT_EQ(parts.at(0).exterior, (WorldRing{{0, 0}, {2.1, 0}, {2, 2}, {0, 2}}));
-    EXPECT_EQ(refusal(polygons), "");
+    EXPECT_EQ(refusal(polygons), "(no error)");
 }
 
 TEST(RoundedPolygons, WhatIsLostIsRefusedWithTheCoarsestPrecisionThatKeepsAll) {
@@ -79,7 +75,7 @@ TEST(RoundedPolygons, AContourThatLeavesItsParentIsRefused) {
     RoundedPolygons alone(whole, true, {});
     parts = child;
     alone.round(Layer::contours, 2, 1, "contour 2", parts);
-    EXPECT_EQ(refusal(alone), "");
+    EXPECT_EQ(refusal(alone), "(no error)");
 }
 
 /// The hypotenuse rises from 6 to 6.4 at x = 8, where a corner of the other building sinks from 6.2 to 6.
@@ -106,7 +102,7 @@ TEST(RoundedPolygons, WhatIsBrokenIsMendedOnTheGrid) {
             EXPECT_EQ(p.x, std::round(p.x));
             EXPECT_EQ(p.y, std::round(p.y));
         }
-    EXPECT_EQ(refusal(polygons), "");
+    EXPECT_EQ(refusal(polygons), "(no error)");
 }
 
 TEST(RoundedPolygons, WhereNoPrecisionHelpsAnotherFormatDoes) {

@@ -38,6 +38,8 @@ inline Options cells(std::vector<double> thresholds) {
 }
 
 struct Result {
+    Result() = default;
+    Result(MemorySource& source, const Options& options) { report = run(options, {source}, {sink}); }
     MemorySink sink;
     RunReport report;
 };

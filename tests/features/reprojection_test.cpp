@@ -1,3 +1,5 @@
+#include "features/reprojection.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -8,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
-#include "features/reprojection.hpp"
 #include "pipeline/pipeline_case.hpp"
 #include "support/random_grid.hpp"
 
@@ -139,11 +140,9 @@ TEST(Pipeline, RepairedOutlinesHaveTheAreasOfTheGround) {
         MemorySource source(c.grid.rows, c.grid.cols, c.grid.z);
         place_in_utm(source, 1);
         Options options = cells(c.thresholds);
-        Result here;
-        run_on(source, options, here);
+        const Result here(source, options);
         options.outline.target_crs = "+proj=tmerc +lat_0=0 +lon_0=9 +k=0.9996 +ellps=GRS80 +x_0=1e16";
-        Result there;
-        run_on(source, options, there);
+        const Result there(source, options);
         repaired += there.report.counted(Reason::polygon_repaired);
         EXPECT_EQ(there.report.counted(Reason::outline_split), 0);
         const auto area_by_id = [](const Result& result) {
