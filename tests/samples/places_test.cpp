@@ -1,10 +1,8 @@
 // What stands at the places of scenes, and that its truth is sound.
 #include <algorithm>
-#include <set>
 
 #include <gtest/gtest.h>
 
-#include "dem2buildings/error.hpp"
 #include "draft.hpp"
 #include "make_scene.hpp"
 #include "sample_files.hpp"
@@ -93,25 +91,6 @@ TEST_P(EachPlace, IsAFunctionOfItsSeed) {
 
 INSTANTIATE_TEST_SUITE_P(Places, EachPlace, testing::ValuesIn(places().begin(), places().end()),
                          [](const auto& tested) { return std::string(tested.param.name); });
-
-TEST(Places, VillagesHaveHousesOf60To150SquareMetres) {
-    const Scene scene = village(1);
-    int houses = 0;
-    int within = 0;
-    std::set<std::string> kinds;
-    for (const Building& building : scene.buildings) {
-        kinds.insert(building.kind);
-        if (building.kind != "house")
-            continue;
-        const double area = polygon_of(building.footprint).get_Area();
-        ++houses;
-        within += area >= 60 && area <= 153 ? 1 : 0;
-    }
-    EXPECT_GT(houses, 150);
-    EXPECT_GT(within, houses * 8 / 10);
-    for (const char* kind : {"house", "shed", "garage", "barn", "church", "row house"})
-        EXPECT_TRUE(kinds.contains(kind)) << kind;
-}
 
 TEST(Places, CrownsLeanOnRoofs) {
     const Scene scene = village(1);
@@ -203,18 +182,6 @@ TEST(Scenes, WriteFoldersThatTellTheTruth) {
     // Where no pulse came down on a narrow house its cell may have been filled from beside it.
     EXPECT_LE(low, roof / 50);
     VSIRmdirRecursive(folder.c_str());
-}
-
-TEST(Scenes, HaveNamesOfAPlaceAndASurvey) {
-    EXPECT_EQ(choose_scene("village_thinned").name(), "village_thinned");
-    for (const char* wrong : {"village", "village_", "city_thinned", "village_thinne"})
-        EXPECT_THROW(static_cast<void>(choose_scene(wrong)), OptionError) << wrong;
-    std::set<std::string_view> seen;
-    for (const SceneChoice& choice : measured_scenes()) {
-        seen.insert(choice.place.name);
-        seen.insert(choice.survey.name);
-    }
-    EXPECT_EQ(seen.size(), places().size() + surveys().size());
 }
 
 }  // namespace

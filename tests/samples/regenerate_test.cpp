@@ -8,6 +8,7 @@
 #include "dem2buildings/error.hpp"
 #include "sample_files.hpp"
 #include "samples.hpp"
+#include "support/error_of.hpp"
 #include "write_truth.hpp"
 
 namespace d2b::test {
@@ -97,19 +98,11 @@ TEST_F(Regenerate, TwiceGivesTheSameBytes) {
     EXPECT_EQ(files, 10);
 }
 
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const OutputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST_F(Regenerate, MissingFolderIsAnError) {
     const std::string missing = folder_ + "/missing";
-    EXPECT_TRUE(message_of([&] { sample::make_samples(missing); }).starts_with("Cannot write " + missing));
-    const std::string message = message_of([&] { sample::TruthWriter(missing + "/truth.gpkg"); });
+    EXPECT_TRUE(
+        error_of<OutputError>([&] { sample::make_samples(missing); }).starts_with("Cannot write " + missing));
+    const std::string message = error_of<OutputError>([&] { sample::TruthWriter(missing + "/truth.gpkg"); });
     EXPECT_TRUE(message.starts_with("Cannot write " + missing + "/truth.gpkg: ")) << message;
     EXPECT_TRUE(message.ends_with("; check that the folder exists, can be written and has space."))
         << message;
@@ -122,7 +115,7 @@ TEST_F(Regenerate, UnknownCrsIsAnError) {
     const std::string path = folder_ + "/bad.tif";
     const std::string expected =
         "Cannot write " + path + ": there is no CRS EPSG:1; give one that PROJ knows.";
-    EXPECT_EQ(message_of([&] { sample::write_raster(path, bad.raster, bad.scene); }), expected);
+    EXPECT_EQ(error_of<OutputError>([&] { sample::write_raster(path, bad.raster, bad.scene); }), expected);
 }
 
 }  // namespace

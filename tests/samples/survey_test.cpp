@@ -192,18 +192,5 @@ TEST(See, RoundsElevationsOrHeightsAlone) {
     }
 }
 
-TEST(Surveys, HaveTheDensitiesThatTheyAreCalledBy) {
-    double least = 100;
-    double most = 0;
-    for (const Survey& survey : surveys()) {
-        if (survey.pulses == 0)
-            continue;
-        least = std::min(least, survey.pulses * survey.kept);
-        most = std::max(most, survey.pulses * survey.kept);
-    }
-    EXPECT_DOUBLE_EQ(least, 0.3);
-    EXPECT_DOUBLE_EQ(most, 20);
-}
-
 }  // namespace
 }  // namespace d2b::test
