@@ -1,9 +1,11 @@
 #include "score/score.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "score/objects.hpp"
 #include "score/shapes.hpp"
 
 namespace d2b::test {
@@ -149,6 +151,70 @@ TEST(Score, comparesHeightsOfPairs) {
     EXPECT_DOUBLE_EQ(errors.mean, 0.5);
     EXPECT_DOUBLE_EQ(errors.rms, std::sqrt(2.5));
     EXPECT_DOUBLE_EQ(errors.median_absolute, 1.5);
+}
+
+TEST(HeightErrors, ofThree) {
+    const HeightErrors errors = height_errors(std::vector<double>{-1, 2, 5}).value();
+    EXPECT_EQ(errors.pairs, 3U);
+    EXPECT_DOUBLE_EQ(errors.mean, 2);
+    EXPECT_DOUBLE_EQ(errors.rms, std::sqrt(10.0));
+    EXPECT_EQ(errors.median_absolute, 2);
+}
+
+TEST(HeightErrors, takeTheMiddleOfTwoMedians) {
+    EXPECT_EQ(height_errors(std::vector<double>{-4, 1, 2, 10}).value().median_absolute, 3);
+}
+
+TEST(HeightErrors, areNothingWithoutPairs) {
+    EXPECT_FALSE(height_errors({}));
+}
+
+TEST(ObjectHeights, areMeansByArea) {
+    Overlay overlay;
+    const Polygons objects{box(0, 0, 10, 10), box(20, 0, 30, 10), box(40, 0, 50, 10)};
+    // In the first object 30 m2 of 4 m, 70 m2 of 14 m, and one without a height; in the second none.
+    const std::vector<Polygons> areas{
+        {box(0, 0, 3, 10)}, {box(3, 0, 10, 10)}, {box(1, 1, 2, 2)}, {box(20, 0, 30, 10)}};
+    const std::vector<std::optional<double>> heights{4.0, 14.0, {}, {}};
+    const auto result = object_heights(heights, areas, objects, overlay);
+    ASSERT_EQ(result.size(), 3U);
+    EXPECT_DOUBLE_EQ(result[0].value(), 0.3 * 4 + 0.7 * 14);
+    EXPECT_FALSE(result[1]);
+    EXPECT_FALSE(result[2]);
+}
+
+TEST(Compare, sharesAreasOutToObjects) {
+    Overlay overlay;
+    // One found object over two of the reference, 6 by 10 and 2 by 10 of it; one alone.
+    const Comparison result =
+        compare({box(0, 0, 10, 10), box(50, 0, 60, 10)}, {box(-4, 0, 6, 10), box(8, 0, 18, 10)}, overlay);
+    EXPECT_DOUBLE_EQ(result.found_area, 200);
+    EXPECT_DOUBLE_EQ(result.reference_area, 200);
+    EXPECT_DOUBLE_EQ(result.shared_area, 80);
+    EXPECT_DOUBLE_EQ(result.found.shared[0], 80);
+    EXPECT_EQ(result.found.shared[1], 0);
+    EXPECT_DOUBLE_EQ(result.reference.shared[0], 60);
+    EXPECT_DOUBLE_EQ(result.reference.shared[1], 20);
+    ASSERT_EQ(result.pairs.size(), 2U);
+    EXPECT_DOUBLE_EQ(result.pairs[0].iou, 60.0 / 140);
+    EXPECT_DOUBLE_EQ(result.pairs[1].iou, 20.0 / 180);
+    EXPECT_EQ(result.pairs[1].reference, 1U);
+}
+
+TEST(CountObjects, leavesSmallOnesOut) {
+    const ScoredObjects objects{{box(0, 0, 7, 7), box(10, 0, 20, 5), box(30, 0, 40, 10), box(50, 0, 60, 10)},
+                                {49, 50, 100, 100},
+                                {49, 25, 49.9, 80}};
+    const ObjectCount count = count_objects(objects, 50);
+    EXPECT_EQ(count.large, 3U);    // 49 is too small, 50 is not
+    EXPECT_EQ(count.covered, 2U);  // exactly half is enough
+    EXPECT_EQ(count_objects(objects, 0).large, 4U);
+}
+
+TEST(Reaches, bearsRounding) {
+    EXPECT_TRUE(at_least(0.1 + 0.7, 0.8));  // 0.7999999999999999
+    EXPECT_FALSE(at_least(0.7999, 0.8));
+    EXPECT_TRUE(at_least(0, 0));
 }
 
 }  // namespace
