@@ -4,18 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
+#include "support/error_of.hpp"
 #include "view/cairo.hpp"
 
 namespace d2b::test {
 namespace {
 
 std::string refusal(const char* library, const char* function) {
-    try {
-        static_cast<void>(load_symbol(library, function));
-    } catch (const OutputError& error) {
-        return error.what();
-    }
-    return "";
+    return error_of<OutputError>([&] { static_cast<void>(load_symbol(library, function)); });
 }
 
 TEST(LazySymbol, CallsAFunctionOfALibrary) {
