@@ -14,6 +14,7 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
+#include "dem2buildings/error.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -211,12 +212,6 @@ TEST_F(GeoTiffTest, CellsThatAreMissingOrTooMany) {
               start + "90000 of its 180000 cells were not given.");
 }
 
-TEST_F(GeoTiffTest, AnExistingFileStays) {
-    write_all(*sink("a.tif"));
-    EXPECT_EQ(refused<OptionError>("a.tif"),
-              quote + path("a.tif") + "\" exists; give another name, or -overwrite to replace it.");
-}
-
 TEST_F(GeoTiffTest, OverwritingReplacesWhatBelongsToTheFile) {
     write_all(*sink("a.tif"));
     put("a.tif.aux.xml", "<PAMDataset><GeoTransform>1,2,3,4,5,6</GeoTransform></PAMDataset>");
@@ -256,14 +251,6 @@ TEST_F(GeoTiffTest, AFileThatChangesMeanwhileStays) {
     EXPECT_EQ(bytes("a.tif"), "changed");
 }
 
-TEST_F(GeoTiffTest, AFileThatTurnsUpMeanwhileStays) {
-    const auto to = sink("a.tif");
-    put("a.tif", "new");
-    EXPECT_EQ(thrown<OutputError>([&] { write_all(*to); }),
-              "Cannot write \"" + path("a.tif") + "\": the finished result cannot be renamed (File exists).");
-    EXPECT_EQ(bytes("a.tif"), "new");
-}
-
 TEST_F(GeoTiffTest, NamesOfOtherFormats) {
     for (const char* name : {"a.asc", "a", "a.tif.gz", "tif"})
         EXPECT_EQ(refused<OptionError>(name),
@@ -294,13 +281,6 @@ TEST_F(GeoTiffTest, ALinkStaysALink) {
     write_all(*sink("a.tif"));
     EXPECT_TRUE(fs::is_symlink(path("a.tif")));
     EXPECT_EQ(entries("there"), (Names{"real.tif"}));
-}
-
-TEST_F(GeoTiffTest, FoldersThatTakeNoFiles) {
-    const std::string text = thrown<OutputError>([&] {
-        static_cast<void>(open_geotiff_sink({"/proc/d2b.tif", false, {}}, grid_, meta_));
-    });
-    EXPECT_EQ(text.find("Cannot write \"/proc/d2b.tif\": no file can be created in \"/proc\" ("), 0u) << text;
 }
 
 TEST_F(GeoTiffTest, InVirtualFileSystems) {

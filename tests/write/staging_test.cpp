@@ -1,7 +1,23 @@
 #include "write/staging.hpp"
 
+#include <csignal>
+#include <filesystem>
 #include <fstream>
+#include <string>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <tuple>
+#include <unistd.h>
 
+#include <gtest/gtest.h>
+
+#include "dem2buildings/commit_list.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/spool.hpp"
+#include "support/error_of.hpp"
+#include "support/spool_checks.hpp"
+#include "support/temporary_folder.hpp"
+#include "write/raster/picture_file.hpp"
 #include "write/vector/layer_writer.hpp"
 #include "write/write_fixture.hpp"
 
@@ -184,6 +200,160 @@ TEST_F(StagingTest, MissingFeaturesAreNoticed) {
                   verify_counts(target, format, path("b.gpkg"), {});
               }).find("Cannot write \"name\": reading the result back failed ("),
               0u);
+}
+
+}  // namespace
+
+}  // namespace d2b::test
+
+namespace d2b::test {
+namespace {
+
+class SpoolFolder : public testing::Test {
+  protected:
+    [[nodiscard]] bool is_empty() const { return std::filesystem::is_empty(folder_.path()); }
+    TemporaryFolder folder_;
+};
+
+TEST_F(SpoolFolder, GivesBackWhatIsInMemory) {
+    FileSpool spool(folder_.path().string(), std::size_t{1} << 30);
+    expect_gives_back(spool, 5'000'000);
+}
+
+TEST_F(SpoolFolder, GivesBackWhatIsInTheFile) {
+    FileSpool spool(folder_.path().string(), 0);
+    expect_gives_back(spool, 5'000'000);
+}
+
+TEST_F(SpoolFolder, GivesBackWhatIsPartlyInTheFile) {
+    FileSpool spool(folder_.path().string(), 6'000'000);
+    expect_gives_back(spool, 5'000'000);
+}
+
+TEST_F(SpoolFolder, IsThereForSeveralThreads) {
+    FileSpool spool(folder_.path().string(), 100'000);
+    expect_serves_threads(spool);
+}
+
+TEST_F(SpoolFolder, ItsFileHasNoName) {
+    FileSpool spool(folder_.path().string(), 0);
+    spool.append(some_bytes(10'000'000, 1));
+    EXPECT_TRUE(is_empty());
+}
+
+TEST_F(SpoolFolder, WithoutAFolderItSaysWhatToDo) {
+    FileSpool spool((folder_.path() / "missing").string(), 100);
+    EXPECT_EQ(spool.append(some_bytes(100, 1)), 0U);  // needs no file yet
+    EXPECT_EQ(error_of<OutputError>([&] { spool.append(some_bytes(100, 1)); }),
+              "The finished part of the result cannot be kept in a temporary file in '" +
+                  (folder_.path() / "missing").string() +
+                  "': No such file or directory; set CPL_TMPDIR to a folder with room.");
+}
+
+TEST_F(SpoolFolder, WithoutRoomItSaysWhatToDo) {
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit small{1'000'000, before.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    FileSpool spool(folder_.path().string(), 0);
+    std::string message;
+    try {
+        spool.append(some_bytes(5'000'000, 1));
+    } catch (const OutputError& error) {
+        message = error.what();
+    }
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, old_handler);
+    EXPECT_NE(message.find("File too large; set CPL_TMPDIR to a folder with room."), std::string::npos)
+        << message;
+}
+
+}  // namespace
+}  // namespace d2b::test
+
+namespace d2b::test {
+
+namespace {
+
+class PictureTest : public WriteTest {
+  protected:
+    [[nodiscard]] FileTarget picture(const std::string& name, bool overwrite = false) const {
+        return {path(name), overwrite, {}, FileKind::picture};
+    }
+};
+
+void publish(PictureFile& file) {
+    CommitList commit;
+    file.prepare(commit);
+    commit.publish();
+}
+
+TEST_F(PictureTest, IsThereWhenItIsPublishedAndNotBefore) {
+    const auto file = open_picture(picture("a.png"));
+    EXPECT_EQ(entries(), Names{});
+    file->write("bytes");
+    EXPECT_FALSE(std::filesystem::exists(path("a.png")));
+    publish(*file);
+    EXPECT_EQ(entries(), Names{"a.png"});
+    EXPECT_EQ(bytes("a.png"), "bytes");
+}
+
+TEST_F(PictureTest, ItsNameSaysItsFormat) {
+    EXPECT_EQ(open_picture(picture("a.PNG"))->format(), PictureFormat::png);
+    EXPECT_EQ(open_picture(picture("a.svg"))->format(), PictureFormat::svg);
+    EXPECT_EQ(open_picture(picture("a.b.pdf"))->format(), PictureFormat::pdf);
+    EXPECT_EQ(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.jpg")); }),
+              "Pictures are written as PNG, SVG or PDF; give \"" + path("a.jpg") +
+                  "\" a name that ends in .png, .svg or .pdf.");
+}
+
+TEST_F(PictureTest, AnAbandonedOneLeavesNothing) {
+    open_picture(picture("a.png"))->write("bytes");
+    EXPECT_EQ(entries(), Names{});
+}
+
+TEST_F(PictureTest, AFullDiskLeavesNothingAndSaysWhy) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::signal(SIGXFSZ, SIG_IGN);
+        const rlimit room{1000, 1000};
+        ::setrlimit(RLIMIT_FSIZE, &room);
+        std::string message;
+        try {
+            open_picture(picture("a.svg"))->write(std::string(100'000, ' '));
+        } catch (const OutputError& error) {
+            message = error.what();
+        }
+        ::_exit(message == "Cannot write \"" + path("a.svg") + "\": File too large." ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+    EXPECT_EQ(entries(), Names{});
+}
+
+TEST_F(PictureTest, AnotherFileIsNotReplaced) {
+    put("a.png", "text");
+    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.png")); }).find("-overwrite"),
+              std::string::npos);
+    EXPECT_NE(thrown<OptionError>([&] {
+                  std::ignore = open_picture(picture("a.png", true));
+              }).find("is not a PNG, SVG or PDF"),
+              std::string::npos);
+    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.tif")); }).find(".png"),
+              std::string::npos);
+    EXPECT_EQ(bytes("a.png"), "text");
+}
+
+TEST_F(PictureTest, AnOldPictureIsReplaced) {
+    for (int i = 0; i < 2; ++i) {
+        const auto file = open_picture(picture("a.png", true));
+        file->write(i == 0 ? "%PDF-1.5 old" : "<svg>new</svg>");
+        publish(*file);
+    }
+    EXPECT_EQ(bytes("a.png"), "<svg>new</svg>");
+    EXPECT_EQ(entries(), Names{"a.png"});
 }
 
 }  // namespace
