@@ -6,6 +6,7 @@
 
 #include "dem2buildings/error.hpp"
 #include "read/rasters.hpp"
+#include "support/error_of.hpp"
 #include "support/vector_file.hpp"
 
 namespace d2b::test {
@@ -114,12 +115,7 @@ class ParcelReaderTest : public ReadTest {
     }
     template <typename E>
     std::string refusal(const ParcelChoice& choice = {}) {
-        try {
-            static_cast<void>(read_from(choice));
-        } catch (const E& error) {
-            return error.what();
-        }
-        return "no exception";
+        return error_of<E>([&] { static_cast<void>(read_from(choice)); });
     }
     std::vector<std::string> heard_of_;
     Callbacks callbacks_ = [this] {

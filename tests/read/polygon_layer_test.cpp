@@ -9,6 +9,7 @@
 #include "dem2buildings/error.hpp"
 #include "read/rasters.hpp"
 #include "score/measure.hpp"
+#include "support/error_of.hpp"
 #include "support/vector_file.hpp"
 
 namespace d2b::test {
@@ -24,12 +25,7 @@ class PolygonLayerTest : public ReadTest {
     }
     template <typename E>
     std::string refusal(LayerChoice choice = {}) {
-        try {
-            (void)read(std::move(choice));
-        } catch (const E& error) {
-            return error.what();
-        }
-        return "no exception";
+        return error_of<E>([&] { (void)read(std::move(choice)); });
     }
     [[nodiscard]] std::string file() const { return quoted("a.gpkg"); }
 };
@@ -230,13 +226,8 @@ TEST_F(ValidCellsTest, refuseARasterWithoutData) {
     RasterSpec empty = spec();
     empty.values.assign(24, -9999);
     write(path("a.tif"), empty);
-    try {
-        (void)valid_cells(path("a.tif"), heard_);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_EQ(error.what(), "No cell of " + quoted("a.tif") +
-                                    " has data; give the raster that the footprints come from.");
-    }
+    EXPECT_EQ(error_of<InputError>([&] { (void)valid_cells(path("a.tif"), heard_); }),
+              "No cell of " + quoted("a.tif") + " has data; give the raster that the footprints come from.");
 }
 
 }  // namespace

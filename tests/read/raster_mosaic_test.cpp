@@ -13,6 +13,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/rasters.hpp"
 #include "read/shared_raster.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 namespace {
@@ -28,12 +29,7 @@ class ReadMosaic : public ReadTest {
         return values("source.vrt");
     }
     std::string refusal(const std::vector<std::string>& names) {
-        try {
-            (void)mosaic(names);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "not refused";
+        return error_of<InputError>([&] { (void)mosaic(names); });
     }
     static RasterSpec at(double x, double y, const std::vector<double>& values) {
         return {.cols = 2, .rows = 1, .values = values, .transform = {{x, 1, 0, y, 0, -1}}};
@@ -169,22 +165,14 @@ TEST(ReadList, hasANameALine) {
     EXPECT_EQ(read("a.tif\r\n\n two words.tif \n/vsizip/b.zip/b.tif"),
               (std::vector<std::string>{"a.tif", " two words.tif", "/vsizip/b.zip/b.tif"}));
     for (const std::string nothing : {"", "\n \n"})
-        try {
-            (void)read(nothing);
-            ADD_FAILURE();
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.what(), "'" + list + "' names no raster; write one raster name per line.");
-        }
+        EXPECT_EQ(error_of<InputError>([&] { (void)read(nothing); }),
+                  "'" + list + "' names no raster; write one raster name per line.");
     std::remove(list.c_str());
     for (const auto& [name, why] :
          {std::pair{list, "No such file or directory"}, std::pair{testing::TempDir(), "Is a directory"}})
-        try {
-            (void)read_raster_list(name);
-            ADD_FAILURE();
-        } catch (const InputError& error) {
-            EXPECT_EQ(error.what(), "'" + name + "' cannot be read: " + why +
-                                        "; give a text file with one raster name per line.");
-        }
+        EXPECT_EQ(
+            error_of<InputError>([&] { (void)read_raster_list(name); }),
+            "'" + name + "' cannot be read: " + why + "; give a text file with one raster name per line.");
 }
 
 }  // namespace
