@@ -82,46 +82,6 @@ TEST_P(OddValues, hugeOnesNeitherOverflowNorHang) {
     }
 }
 
-TEST_P(OddValues, whatNoLandHasIsNoDataAndSaidSo) {
-    for (const double odd : {-9999.0, -32768.0, 9999.0, 65535.0, -3.4028234663852886e38}) {
-        RasterSpec spec = one_block();
-        spec.type = GDT_Float32;
-        for (std::size_t i = 3; i < spec.values.size(); i += 131)
-            spec.values[i] = odd;
-        RasterSpec with_nodata = spec;
-        with_nodata.nodata = odd;
-        const std::vector<std::string> expected = wkts(buildings(with_nodata));
-        EXPECT_FALSE(expected.empty());
-        EXPECT_EQ(wkts(buildings(spec)), expected) << odd;
-        Arguments arguments = GetParam().arguments;
-        arguments.insert(arguments.end(), {"-q", "-overwrite", "--", "dem.tif", "out.gpkg"});
-        EXPECT_NE(run(arguments).err.find("Warning: 23 cells of 'dem.tif' have the elevation "),
-                  std::string::npos);
-    }
-}
-
-TEST_P(OddValues, whereMostAreWhatNoLandHasIsRefused) {
-    write(path("dem.tif"), one_block(20000, 20012));
-    Arguments arguments = GetParam().arguments;
-    arguments.insert(arguments.end(), {"-q", "--", "dem.tif", "out.gpkg"});
-    expect_error(1, "; give the unit of the elevations with -zunit, the range in which they lie with -zrange",
-                 arguments);
-}
-
-TEST_P(OddValues, aUnitThatIsNoLengthIsRefused) {
-    write(path("dem.tif"), one_block());
-    for (const char* unit : {"furlong", "K", "dBZ", "%"}) {
-        const GDALDatasetH dataset = GDALOpen(path("dem.tif").c_str(), GA_Update);
-        GDALSetRasterUnitType(GDALGetRasterBand(dataset, 1), unit);
-        GDALClose(dataset);
-        Arguments arguments = GetParam().arguments;
-        arguments.insert(arguments.end(), {"-q", "--", "dem.tif", "out.gpkg"});
-        expect_error(
-            1, "The unit of 'dem.tif' is '" + std::string(unit) + "', which is not a known unit of length",
-            arguments);
-    }
-}
-
 TEST_P(OddValues, denormalOnesAreNumbers) {
     RasterSpec spec = one_block(std::numeric_limits<double>::denorm_min(), 3e-310);
     spec.type = GDT_Float64;
@@ -157,29 +117,6 @@ TEST_P(OddValues, scaleAndOffsetOfSixteenBits) {
     GDALSetRasterOffset(GDALGetRasterBand(dataset, 1), 100);
     GDALClose(dataset);
     EXPECT_EQ(wkts(buildings("scaled.tif", "scaled.gpkg")), expected);
-}
-
-TEST_P(OddValues, aBandOfSeveral) {
-    RasterSpec spec = one_block();
-    spec.bands = 3;
-    spec.values.assign(3000, 0);
-    const GDALDatasetH dataset = create(path("bands.tif"), spec);
-    std::vector<double> second = one_block().values;
-    ASSERT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, 2), GF_Write, 0, 0, 60, 50, second.data(), 60, 50,
-                           GDT_Float64, 0, 0),
-              CE_None);
-    GDALClose(dataset);
-    EXPECT_EQ(buildings("bands.tif", "first.gpkg").records.size(), 0U);
-    EXPECT_EQ(buildings("bands.tif", "second.gpkg", {"-b", "2"}).records.size(), 1U);
-}
-
-TEST_P(OddValues, complexOnesAreRefused) {
-    RasterSpec spec = one_block();
-    spec.type = GDT_CInt16;
-    write(path("complex.tif"), spec);
-    Arguments arguments = GetParam().arguments;
-    arguments.insert(arguments.end(), {"--", "complex.tif", "out.gpkg"});
-    expect_error(1, "Band 1 of 'complex.tif' holds complex numbers, which are not elevations", arguments);
 }
 
 }  // namespace
