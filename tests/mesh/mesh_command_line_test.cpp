@@ -3,6 +3,7 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings_mesh/command_line.hpp"
 #include "dem2buildings_mesh/help.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 namespace {
@@ -11,36 +12,14 @@ using Arguments = std::vector<std::string>;
 using mesh::parse_mesh_command_line;
 
 std::string refusal(const Arguments& arguments) {
-    try {
-        (void)parse_mesh_command_line(arguments);
-    } catch (const OptionError& error) {
-        return error.what();
-    }
-    return "(not refused)";
+    return error_of<OptionError>([&] { (void)parse_mesh_command_line(arguments); });
 }
 
 TEST(MeshCommandLine, readsOptionsAnywhere) {
-    const mesh::MeshCommand command = parse_mesh_command_line({"-min_angle",
-                                                               "30",
-                                                               "in.city.json",
-                                                               "--max_edge=2.5",
-                                                               "-ground",
-                                                               "g.tif",
-                                                               "out.stl",
-                                                               "-ground_error",
-                                                               "0.1",
-                                                               "-margin",
-                                                               "50",
-                                                               "-base",
-                                                               "3",
-                                                               "-min_wall",
-                                                               "1",
-                                                               "-origin",
-                                                               "-5",
-                                                               "6",
-                                                               "7",
-                                                               "-overwrite",
-                                                               "-json"});
+    Arguments words{"-min_angle", "30", "in.city.json", "--max_edge=2.5", "-ground", "g.tif", "out.stl"};
+    words.insert(words.end(), {"-ground_error", "0.1", "-margin", "50", "-base", "3", "-min_wall", "1"});
+    words.insert(words.end(), {"-origin", "-5", "6", "7", "-overwrite", "-json"});
+    const mesh::MeshCommand command = parse_mesh_command_line(words);
     EXPECT_EQ(command.city, "in.city.json");
     EXPECT_EQ(command.destination, "out.stl");
     EXPECT_EQ(command.min_angle, 30);

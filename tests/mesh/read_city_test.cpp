@@ -8,6 +8,7 @@
 
 #include "dem2buildings/error.hpp"
 #include "mesh/made_city.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 namespace {
@@ -24,12 +25,7 @@ json& solid(json& city) {
 }
 
 std::string said_of(const std::string& text) {
-    try {
-        static_cast<void>(parse_city(text, "x"));
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return error_of<InputError>([&] { static_cast<void>(parse_city(text, "x")); });
 }
 
 TEST(ReadCity, readsABox) {

@@ -1,9 +1,17 @@
-#include "dem2buildings_mesh/refine_plan.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <gtest/gtest.h>
+
+#include "dem2buildings/error.hpp"
+#include "dem2buildings_mesh/city_plan.hpp"
+#include "dem2buildings_mesh/read_city.hpp"
+#include "dem2buildings_mesh/refine_plan.hpp"
+#include "dem2buildings_mesh/stand_up.hpp"
+#include "dem2buildings_mesh/terrain.hpp"
+#include "mesh/made_city.hpp"
+#include "support/error_of.hpp"
 
 namespace d2b::test {
 namespace {
@@ -128,6 +136,102 @@ TEST(RefinePlan, refusesARegionWithinAnother) {
     drawing = two_strips();
     drawing.edges.push_back({0, 4, 0, 1});
     EXPECT_THROW(static_cast<void>(refine_plan(drawing, {})), PlanFault);
+}
+
+mesh::CityPlan plan_of(const std::vector<MadeBlock>& blocks) {
+    return mesh::make_city_plan(mesh::parse_city(made_city(blocks).dump(), "x"), {});
+}
+
+std::string said_of(const std::vector<MadeBlock>& blocks) {
+    return error_of<InputError>([&] { static_cast<void>(plan_of(blocks)); });
+}
+
+TEST(CityPlan, cutsWallsWhereNeighboursHaveCorners) {
+    // The right one begins halfway up the wall of the left one: a node more than their eight corners have.
+    const mesh::CityPlan plan =
+        plan_of({made_box("a", 0, 0, 80, 80, 9000), made_box("b", 80, 40, 160, 80, 7000)});
+    EXPECT_EQ(plan.plan.nodes.size(), 7U);
+    EXPECT_EQ(plan.plan.edges.size(), 8U);
+    EXPECT_EQ(plan.regions[0].top, 9000);
+    EXPECT_EQ(plan.regions[1].building, 1);
+    EXPECT_TRUE(plan.pinches.empty());
+}
+
+TEST(CityPlan, putsTouchingBuildingsOnOneLevel) {
+    const mesh::CityPlan plan =
+        plan_of({made_box("a", 0, 0, 80, 80, 9000, 500), made_box("b", 80, 0, 160, 80, 7000, -300),
+                 made_box("c", 800, 0, 880, 80, 7000, 900)});
+    EXPECT_EQ(plan.regions[0].base, -300);
+    EXPECT_EQ(plan.regions[1].base, -300);
+    EXPECT_EQ(plan.regions[2].base, 900);
+}
+
+TEST(CityPlan, takesPinchesApart) {
+    const mesh::CityPlan plan =
+        plan_of({made_box("a", 0, 0, 80, 80, 9000), made_box("b", 80, 80, 160, 160, 7000)});
+    ASSERT_EQ(plan.pinches.size(), 1U);
+    EXPECT_EQ(plan.pinches[0], (FinePoint{-80, 80}));
+}
+
+TEST(CityPlan, refusesTwoRoofsOverOnePlace) {
+    EXPECT_EQ(said_of({made_box("a", 0, 0, 80, 80, 9000), made_box("b", 40, 40, 160, 160, 7000)}),
+              "'x' has two roofs over one place, or roofs that cross, near 500002.500 5800002.500 (b); the "
+              "file is damaged.");
+    EXPECT_NE(said_of({made_box("a", 0, 0, 80, 80, 9000), made_box("b", 0, 0, 80, 80, 7000)}), "(no error)");
+}
+
+TEST(CityPlan, refusesARoofBelowTheGroundOfItsBlock) {
+    EXPECT_EQ(said_of({made_box("a", 0, 0, 80, 80, -5, 0)}),
+              "'x' has a roof of a that is not above the ground of its block; the file is damaged.");
+}
+
+/// A unit of the plane is a metre, a step of height a millimetre.
+PlanFrame metres() {
+    PlanFrame frame;
+    frame.surface.scale = {1.0 / static_cast<double>(parts_a_step), 1.0 / static_cast<double>(parts_a_step),
+                           0.001};
+    return frame;
+}
+
+/// A square in two triangles.
+PlanMesh square(double side, std::int32_t region) {
+    return {{{0, 0}, {0, side}, {side, 0}, {side, side}}, {{{0, 2, 3}, region}, {{0, 3, 1}, region}}};
+}
+
+TEST(StandUp, dividesWallsUntilTheirEdgesAreShort) {
+    const Shell shell = stand_up(square(1, 0), {{{0, 6000, 0}}, {}, 0}, metres(), 1.5);
+    // Four columns of six metres, in parts of 1.06 m at most.
+    EXPECT_EQ(shell.points.size(), 4U * 7);
+}
+
+/// An edge of the plan that is longer cannot be had shorter by corners above it, and the rounds end.
+TEST(StandUp, namesAWallThatStaysTooLong) {
+    try {
+        static_cast<void>(stand_up(square(10, 0), {{{0, 1000, 0}}, {}, 0}, metres(), 5));
+        FAIL() << "no wall is named";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "Edges of a wall at 0.000 0.000 stay longer than -max_edge; give a larger one.");
+    }
+}
+
+/// A square of 3 x 3 cells, of which one lies three metres above the others.
+TEST(MeasureTerrain, listsCellsThatAreFartherOff) {
+    std::vector<double> elevations(9, 0);
+    elevations[5] = 3000;  // second row, third column
+    const GroundGrid grid(3, 3, elevations, {0, 1, 0, 3, 0, -1});
+    MeshRequest request;
+    MeshReport report;
+    measure_terrain(square(3, open_ground), {{}, {0, 0, 0, 0}, 0}, grid, request, metres(), report);
+    EXPECT_EQ(report.ground_error, 3);
+    ASSERT_EQ(report.missed.size(), 1U);
+    EXPECT_DOUBLE_EQ(report.missed[0].at.x, 2.5);
+    EXPECT_DOUBLE_EQ(report.missed[0].at.y, 1.5);
+    EXPECT_EQ(report.missed[0].figure, 3);
+    request.ground_error = 3;
+    MeshReport wide;
+    measure_terrain(square(3, open_ground), {{}, {0, 0, 0, 0}, 0}, grid, request, metres(), wide);
+    EXPECT_TRUE(wide.missed.empty());
 }
 
 }  // namespace
