@@ -2,19 +2,16 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
+#include <set>
 
 #include <gtest/gtest.h>
 
+#include "core/text.hpp"
 #include "pipeline/made_town.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::Box;
-using test::buildings;
-using test::contours;
-using test::MadeTown;
-using test::TownRun;
 
 TEST(Buildings, AreFoundAndTreesAreNot) {
     TownRun town;
@@ -236,57 +233,6 @@ TEST(Buildings, DisjointBandsAddUpToTheFootprints) {
     EXPECT_EQ(town.report.counted(Reason::polygon_repaired), 0);
 }
 
-TEST(Buildings, SplitWhereTheRoofSteps) {
-    TownRun town;
-    town.options.detect.split_height = 5;
-    town.run();
-    ASSERT_EQ(town.count(), 4U);
-    const std::size_t tower = town.at(MadeTown::tower, buildings, 0.9);
-    EXPECT_NEAR(town.sink.number(buildings, tower, "roof"),
-                MadeTown::middle(MadeTown::podium) + MadeTown::tower_height, 0.1);
-    double area = 0;
-    for (std::size_t i = 0; i < town.count(); ++i)
-        area += town.sink.number(buildings, i, "area_m2");
-    const double expected = MadeTown::flat.area() + MadeTown::gabled.area() + MadeTown::podium.area();
-    EXPECT_NEAR(area, expected, 0.03 * expected);  // the parts share their wall
-}
-
-TEST(Buildings, SmallOnesAreLeftOut) {
-    TownRun town;
-    town.options.filter.min_area_m2 = 255;  // the flat house has 252 m2, the gabled one 264
-    town.run();
-    EXPECT_EQ(town.count(), 2U);
-    town.at(MadeTown::gabled);
-    town.at(MadeTown::podium);
-}
-
-TEST(Buildings, LowOnesAreLeftOut) {
-    TownRun town;
-    town.options.detect.min_height = 12;
-    town.run();
-    EXPECT_EQ(town.count(), 1U);
-    town.at(MadeTown::tower);  // what rises above it
-}
-
-TEST(Buildings, SayHowTheyWereFound) {
-    TownRun town;
-    town.options.detect.min_height = 2.5;
-    town.run();
-    const auto& metadata = town.sink.provenance.metadata;
-    EXPECT_EQ(metadata.at("D2B_PRESET"), "buildings");
-    EXPECT_EQ(metadata.at("D2B_GROUND"), "auto");
-    EXPECT_EQ(metadata.at("D2B_MIN_HEIGHT_M"), "2.5");
-    EXPECT_EQ(metadata.at("D2B_MIN_AREA_M2"), "30");
-    EXPECT_EQ(metadata.at("D2B_MIN_CONFIDENCE"), "0.5");
-    EXPECT_EQ(metadata.at("D2B_LEVELS"), "natural");
-    EXPECT_EQ(metadata.at("D2B_DETAIL_M"), "0.5");
-    EXPECT_EQ(metadata.at("D2B_LOD"), "4");
-    EXPECT_EQ(metadata.at("D2B_REGULARIZE"), "auto");
-    EXPECT_EQ(metadata.at("D2B_TRACE"), "cells");
-    EXPECT_EQ(metadata.at("D2B_OPTIONS"), "-min_height 2.5");
-    EXPECT_FALSE(metadata.contains("D2B_THRESHOLDS"));  // each building has its own
-}
-
 TEST(Buildings, SayNothingOfOptionsWithoutEffect) {
     TownRun town;
     town.options.levels.fixed = {4};
@@ -298,5 +244,196 @@ TEST(Buildings, SayNothingOfOptionsWithoutEffect) {
         EXPECT_FALSE(metadata.contains(name)) << name;
 }
 
+TEST(BuildingGrids, DegreesWithCellsThatAreNotSquare) {
+    TownRun town;
+    // At 60 degrees north a degree of longitude is half of one of latitude, so that cells are 1.1 m by 0.9 m.
+    town.dem.edit().transform = {20, 2e-5, 0, 60, 0, -8e-6};
+    town.dem.edit().crs_wkt = Crs("EPSG:4326").wkt();
+    town.run();
+    EXPECT_EQ(town.count(), 3U);
+    const double degree = std::numbers::pi / 180;
+    const double latitude = (60 - 70 * 8e-6) * degree;
+    const double w = 1 - 0.00669437999014 * std::pow(std::sin(latitude), 2);
+    const double meridian = 6378137 * (1 - 0.00669437999014) / std::pow(w, 1.5);
+    const double parallel = 6378137 / std::sqrt(w) * std::cos(latitude);
+    const double cell = 2e-5 * degree * parallel * 8e-6 * degree * meridian;
+    for (const Box& box : {MadeTown::flat, MadeTown::gabled, MadeTown::podium}) {
+        const std::size_t i = town.at(box, buildings, 0.95);
+        EXPECT_NEAR(town.sink.number(buildings, i, "area_m2"), box.area() * cell, 0.04 * box.area() * cell);
+    }
+    EXPECT_EQ(town.report.units.areas, "geodesic");
+}
+
+TEST(BuildingGrids, Feet) {
+    std::vector<double> z = MadeTown::surface();
+    for (double& value : z)
+        value /= 0.3048;
+    TownRun town(std::move(z));
+    town.dem.edit().band_unit = "ft";
+    town.run();
+    TownRun metres;
+    metres.run();
+    ASSERT_EQ(town.count(), metres.count());
+    for (std::size_t i = 0; i < town.count(); ++i) {
+        EXPECT_NEAR(town.sink.number(buildings, i, "height"), metres.sink.number(buildings, i, "height"),
+                    1e-3);
+        EXPECT_NEAR(town.sink.number(buildings, i, "ground") * 0.3048,
+                    metres.sink.number(buildings, i, "ground"), 1e-3);
+        EXPECT_NEAR(town.sink.number(buildings, i, "volume_m3"),
+                    metres.sink.number(buildings, i, "volume_m3"), 1);
+    }
+    EXPECT_EQ(town.count(contours), metres.count(contours));  // tiers half a metre apart, not half a foot
+    EXPECT_NEAR(town.report.stack_rmse_m, metres.report.stack_rmse_m, 1e-3);
+    const std::size_t lawn = MadeTown::index(60, 10);
+    EXPECT_NEAR(static_cast<double>(town.ground.values[lawn]), MadeTown::ground(60, 10), 0.1);  // metres
+}
+
+TEST(BuildingGrids, RowsThatRunNorth) {
+    TownRun town;
+    town.dem.edit().transform = {600000, 1, 0, 5800000, 0, 1};
+    town.dem.edit().crs_wkt = Crs("EPSG:25832").wkt();
+    town.run();
+    EXPECT_EQ(town.count(), 3U);
+    town.at(MadeTown::podium, buildings, 0.95);
+}
+
+/// A window's first row and column are not the raster's: labels and rasters follow it.
+TEST(BuildingGrids, AWindowOfTheRaster) {
+    TownRun town;
+    const Window window{60, 15, 70, 80};  // around the podium
+    town.dem.edit().window = window;
+    town.run();
+    EXPECT_EQ(town.count(), 1U);
+    EXPECT_EQ(town.height.cells, 70 * 80);
+    const std::size_t i = town.at(MadeTown::podium, buildings, 0.95);
+    EXPECT_EQ(town.sink.whole(buildings, i, "at_edge"), 0);
+    const std::size_t tower = 90 * 95 + 45;  // the raster in memory ends with the window's last column
+    EXPECT_NEAR(static_cast<double>(town.height.values[tower]), MadeTown::tower_height, 0.4);
+}
+
+TEST(BuildingGrids, TracedThroughPointsTheyLoseHalfACell) {
+    TownRun town;
+    town.options.trace.mode = TraceMode::points;
+    town.options.outline.walls = Walls::off;
+    town.run();
+    const std::size_t i = town.at(MadeTown::flat, buildings, 0.7);
+    const double area = (MadeTown::flat.rows - 1) * (MadeTown::flat.cols - 1);
+    EXPECT_NEAR(town.sink.number(buildings, i, "area_m2"), area, 0.03 * area);
+    EXPECT_EQ(town.sink.value(buildings, i, "nodata"), FieldValue{});  // points are no cells
+}
+
+/// The confidences of what is found where nothing is refused.
+std::vector<double> confidences() {
+    TownRun town;
+    town.options.detect.min_confidence = 0;
+    town.run();
+    std::vector<double> result;
+    for (std::size_t i = 0; i < town.count(); ++i)
+        result.push_back(std::get<BuildingRecord>(town.sink.features[buildings][i].record).confidence);
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+TEST(Doubtful, GoToALayerOfTheirOwn) {
+    const std::vector<double> all = confidences();
+    ASSERT_GE(all.size(), 3U);
+    TownRun town;
+    town.options.write.doubtful = true;
+    town.options.detect.min_confidence = all.back();  // what is as sure as this is no doubt
+    town.run();
+    ASSERT_EQ(town.sink.layers.size(), 3U);
+    EXPECT_EQ(town.sink.layers[doubtful].name, "doubtful");
+    EXPECT_EQ(town.sink.layers[doubtful].fields.size(), town.sink.layers[buildings].fields.size());
+    EXPECT_GE(town.count(), 1U);
+    EXPECT_EQ(town.count() + town.count(doubtful), all.size());
+    for (std::size_t i = 0; i < town.count(); ++i)
+        EXPECT_EQ(town.sink.number(buildings, i, "confidence"), floor_to_hundredths(all.back()));
+    for (std::size_t i = 0; i < town.count(doubtful); ++i) {
+        EXPECT_LT(town.sink.number(doubtful, i, "confidence"), all.back());
+        EXPECT_GT(town.sink.number(doubtful, i, "height"), 2);
+        EXPECT_GE(town.sink.number(doubtful, i, "area_m2"), 25);
+    }
+    EXPECT_EQ(town.report.doubtful, static_cast<std::int64_t>(town.count(doubtful)));
+    EXPECT_EQ(town.report.counted(Reason::building_doubtful),
+              static_cast<std::int64_t>(town.count(doubtful)));
+}
+
+TEST(Doubtful, HaveNoContours) {
+    TownRun town;
+    town.options.write.doubtful = true;
+    town.options.detect.min_confidence = confidences().back();
+    town.run();
+    std::set<std::int64_t> ids;
+    for (std::size_t i = 0; i < town.count(); ++i)
+        ids.insert(town.sink.whole(buildings, i, "id"));
+    for (std::size_t i = 0; i < town.count(contours); ++i)
+        EXPECT_EQ(ids.count(town.sink.whole(contours, i, "bldg_id")), 1U);
+    EXPECT_EQ(town.report.contours, static_cast<std::int64_t>(town.count(contours)));
+}
+
+TEST(Doubtful, DoNotChangeWhatIsReportedOfBuildings) {
+    TownRun with;
+    TownRun without;
+    for (TownRun* town : {&with, &without}) {
+        town->options.detect.min_confidence = confidences().back();
+        town->options.write.doubtful = town == &with;
+        town->run();
+    }
+    EXPECT_GT(with.report.doubtful, 0);
+    EXPECT_EQ(with.report.stack_rmse_m, without.report.stack_rmse_m);
+    EXPECT_EQ(with.report.buildings, without.report.buildings);
+    const auto& levels = without.report.levels;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        EXPECT_EQ(with.report.levels[i].contours, levels[i].contours);
+        EXPECT_EQ(with.report.levels[i].points, levels[i].points);
+    }
+}
+
+TEST(Doubtful, AreNoBuildingsInTheCanopy) {
+    TownRun town;
+    town.options.detect.min_confidence = 1;
+    town.options.write.doubtful = true;
+    town.run();
+    EXPECT_EQ(town.count(), 0U);
+    const std::size_t roof = MadeTown::index(26, 26);
+    EXPECT_EQ(town.canopy.values[roof], town.height.values[roof]);
+}
+
+std::string only_warning(const MemorySink& sink, const RunReport& report) {
+    EXPECT_TRUE(sink.finished);
+    EXPECT_EQ(report.buildings, 0);
+    EXPECT_EQ(report.contours, 0);
+    EXPECT_EQ(report.warnings.size(), 1U);
+    return report.warnings.empty() ? "" : report.warnings[0];
+}
+
+TEST(Nothing, ToFindIsAWarning) {
+    const auto warning = [](std::int32_t rows, std::int32_t cols, const std::vector<double>& z) {
+        MemorySource dem(rows, cols, z);
+        MemorySink sink;
+        MemoryRaster ground;
+        const RunReport report = run({}, {dem}, {sink, &ground});
+        EXPECT_TRUE(ground.finished);
+        EXPECT_EQ(ground.values.size(), z.size());
+        return only_warning(sink, report);
+    };
+    const double nan = std::nan("");
+    EXPECT_EQ(warning(9, 9, std::vector<double>(81, nan)),
+              "'memory' has no valid point; the layers are empty.");
+    EXPECT_EQ(warning(1, 1, {nan}), "'memory' has no valid point; the layers are empty.");
+    EXPECT_EQ(warning(1, 1, {7}),
+              "All valid points of 'memory' have the same elevation; no building was found.");
+    EXPECT_EQ(warning(30, 30, std::vector<double>(900, 7.0)),
+              "All valid points of 'memory' have the same elevation; no building was found.");
+    const auto covers = [](const std::string& extent) {
+        return "No building was found: 'memory' covers " + extent +
+               ", which is less than a building; give the right CRS with -a_srs, or a larger part of the "
+               "raster.";
+    };
+    EXPECT_EQ(warning(1, 5, {0, 9, 9, 9, 0}), covers("5 m x 1 m"));
+    EXPECT_EQ(warning(5, 1, {0, 9, nan, 9, 0}), covers("1 m x 5 m"));
+    EXPECT_EQ(warning(2, 2, {0, 1, 0, 1}), covers("2 m x 2 m"));
+}
+
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

@@ -10,13 +10,8 @@
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/made_town.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::BlockTown;
-using test::Box;
-using test::MadeTown;
-using test::MemorySource;
 
 struct Scenery {
     MemorySource dem;
@@ -28,15 +23,15 @@ struct Scenery {
 struct Found {
     FoundBuildings buildings;
     std::vector<Label> labels;
-    test::MemoryRaster ground;
-    test::MemoryRaster height;
-    test::MemoryRaster canopy;
+    MemoryRaster ground;
+    MemoryRaster height;
+    MemoryRaster canopy;
     Context context;
 };
 
 void find(Scenery& scenery, const Options& options, const UnitSize& size, int threads, Found& found) {
     const RunPlan plan = make_run_plan(options, Layers::both);
-    test::MemorySink features;
+    MemorySink features;
     found.context.threads = std::make_unique<Executor>(threads);
     ElevationReader reader(scenery.dem, found.context);
     const Window window = scenery.dem.info().window;
@@ -48,7 +43,7 @@ void find(Scenery& scenery, const Options& options, const UnitSize& size, int th
 }
 
 void expect_same_rasters(const Found& a, const Found& b) {
-    const auto expect_same = [](const test::MemoryRaster& one, const test::MemoryRaster& other) {
+    const auto expect_same = [](const MemoryRaster& one, const MemoryRaster& other) {
         EXPECT_EQ(one.cells, other.cells);
         ASSERT_EQ(one.values.size(), other.values.size());
         for (std::size_t i = 0; i < one.values.size(); ++i)
@@ -322,7 +317,7 @@ class VastSource final : public DemSource {
 /// What a run on it says, and what it ends with.
 std::vector<std::string> told(std::int32_t side, const Options& options) {
     VastSource dem(side);
-    test::MemorySink features;
+    MemorySink features;
     std::vector<std::string> texts;
     Callbacks callbacks;
     callbacks.on_warning = [&](const std::string& text) { texts.push_back(text); };
@@ -364,4 +359,4 @@ TEST(UnitsOfAWindow, AreRefusedWhereTheyAreTooLarge) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

@@ -5,16 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "options/option_table.hpp"
+#include "pipeline/find_buildings.hpp"
 #include "pipeline/made_town.hpp"
+#include "pipeline/pipeline_case.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::Box;
-using test::buildings;
-using test::MadeTown;
-using test::MemorySource;
-using test::TownRun;
 
 TEST(SideRasters, GroundHeightAndCanopy) {
     TownRun town;
@@ -51,13 +47,6 @@ TEST(SideRasters, GroundHeightAndCanopy) {
     EXPECT_GT(trees, 500);
 }
 
-TEST(SideRasters, ThatNobodyWantsAreNotNeeded) {
-    TownRun town;
-    d2b::run(town.options, {town.dem}, {town.sink});
-    EXPECT_EQ(town.count(), 3U);
-    EXPECT_FALSE(town.ground.finished);
-}
-
 TEST(SideRasters, AreNotFinishedWhereTheRunIsCancelled) {
     TownRun town;
     town.callbacks.on_progress = [](double share) { return share < 0.7; };
@@ -92,7 +81,7 @@ TEST(SideRasters, ElevationsAreThoseThatTheRunUses) {
     for (const Preset preset : every_preset) {
         TownRun town(z);
         town.options.preset = preset;
-        test::MemoryRaster elevations;
+        MemoryRaster elevations;
         Sinks sinks{town.sink};
         sinks.elevations = &elevations;
         d2b::run(town.options, {town.dem}, sinks);
@@ -109,7 +98,7 @@ TEST(SideRasters, ElevationsAreThoseThatTheRunUses) {
 TEST(SideRasters, ElevationsAreInMetres) {
     TownRun town;
     town.dem.edit().band_unit = "ft";
-    test::MemoryRaster elevations;
+    MemoryRaster elevations;
     Sinks sinks{town.sink};
     sinks.elevations = &elevations;
     d2b::run(town.options, {town.dem}, sinks);
@@ -182,17 +171,6 @@ TEST(GivenTerrain, WhereItKnowsNothingThereIsNothing) {
     EXPECT_TRUE(std::isnan(town.height.values[0]));
 }
 
-TEST(NoGround, HeightsAreTakenAsTheyAre) {
-    TownRun town(MadeTown::heights());
-    town.options.ground.mode = GroundMode::none;
-    town.run();
-    EXPECT_EQ(town.count(), 3U);
-    for (std::size_t i = 0; i < town.count(); ++i)
-        EXPECT_EQ(town.sink.number(buildings, i, "ground"), 0);
-    EXPECT_NEAR(town.sink.number(buildings, town.at(MadeTown::flat), "p50"), MadeTown::flat_height, 0.1);
-    EXPECT_TRUE(std::ranges::all_of(town.ground.values, [](float z) { return z == 0; }));
-}
-
 TEST(BuildingMask, BoundsWhereBuildingsAreLookedFor) {
     MemorySource mask = MadeTown::source(MadeTown::in({MadeTown::gabled}, 1, 0));
     TownRun town;
@@ -206,30 +184,44 @@ TEST(BuildingMask, BoundsWhereBuildingsAreLookedFor) {
                 0.4);
 }
 
-TEST(BuildingMask, WhatIsNotKnownIsOutside) {
-    MemorySource mask = MadeTown::source(MadeTown::in({MadeTown::gabled}, 7, std::nan("")));
-    TownRun town;
-    town.mask = &mask;
-    town.run();
-    EXPECT_EQ(town.count(), 1U);
+constexpr std::uint8_t flag = 2;
+
+/// Takes the cells 7 and 400 of 600 out of what is seen. @return what the reader gives afterwards
+std::vector<double> after_taking_out(double step, const Window& seen, double metres) {
+    std::vector<double> z;
+    for (int i = 0; i < 600; ++i)
+        z.push_back(100 + step * i);
+    MemorySource source(20, 30, z);
+    Context context;
+    ElevationReader reader(source, context);
+    (void)reader.survey({land_elevations, {1e9, 1e9}, 1, {}}, [](const ElevationBand&) {});
+    {
+        UnitSurface surface(reader, seen, metres, *context.threads);
+        EXPECT_EQ(surface.elevations().rows, seen.rows);
+        Grid<std::uint8_t> flags(seen.rows, seen.cols, 1);
+        flags.values[7] |= flag;
+        flags.values[400] |= flag;
+        surface.mask_flagged(flags, flag, *context.threads);
+        for (std::size_t i = 0; i < surface.elevations().size(); ++i)
+            if (i == 7 || i == 400)
+                EXPECT_TRUE(std::isnan(surface.elevations().values[i]));
+            else
+                EXPECT_EQ(surface.elevations().values[i], static_cast<float>(z[i] * metres)) << i;
+    }
+    std::vector<double> after;
+    reader.for_each([&](const ElevationBand& band) {
+        after.insert(after.end(), band.elevations.begin(), band.elevations.end());
+    });
+    EXPECT_EQ(after, z);
+    return after;
 }
 
-TEST(Ndvi, SpeaksAgainstWhatIsGreen) {
-    const auto confidence = [](double ndvi) {
-        MemorySource index = MadeTown::source(MadeTown::in({MadeTown::gabled}, ndvi, -0.1));
-        TownRun town;
-        town.ndvi = &index;
-        town.options.detect.min_confidence = 0;
-        town.run();
-        const std::size_t i = town.at(MadeTown::gabled);
-        return std::pair{town.sink.number(buildings, i, "confidence"),
-                         town.sink.number(buildings, town.at(MadeTown::flat), "confidence")};
-    };
-    const auto grey = confidence(0.1);
-    const auto green = confidence(0.8);
-    EXPECT_LT(green.first, grey.first);
-    EXPECT_EQ(green.second, grey.second);
+TEST(UnitSurface, LeavesTheReadersElevationsAsTheyWere) {
+    EXPECT_EQ(after_taking_out(0.25, {0, 0, 20, 30}, 1)[7], 101.75);  // the reader's own
+    EXPECT_EQ(after_taking_out(0.25, {0, 0, 19, 30}, 1)[7], 101.75);  // a part
+    EXPECT_EQ(after_taking_out(0.25, {0, 0, 20, 30}, 0.3048)[7], 101.75);
+    EXPECT_EQ(after_taking_out(0.1, {0, 0, 20, 30}, 1).size(), 600U);  // doubles
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

@@ -1,25 +1,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <random>
+#include <string>
+#include <variant>
 
 #include <gtest/gtest.h>
 
 #include "geometry/geos.hpp"
 #include "geometry/overlay.hpp"
+#include "pipeline/made_town.hpp"
 #include "pipeline/pipeline_case.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::area_of;
-using test::buildings;
-using test::contours;
-using test::doubtful;
-using test::MemorySink;
-using test::MemorySource;
 
 /// Blocks of random sizes and heights on a slope, over and beside each other and cut by the edge, rough
 /// places, and points that are not valid.
@@ -126,5 +123,169 @@ TEST(RandomBuildingsTogether, AreMany) {
     EXPECT_GT(tiers, 50U);
 }
 
+constexpr std::size_t rejected = 2;  // after buildings and contours
+
+std::map<std::string, int> reasons(const MemorySink& sink) {
+    std::map<std::string, int> counts;
+    for (std::size_t i = 0; i < sink.features[rejected].size(); ++i)
+        ++counts[std::get<std::string>(sink.value(rejected, i, "reason"))];
+    return counts;
+}
+
+void expect_all_are_there(const MemorySink& sink, const RunReport& report) {
+    std::map<std::string, int> counts = reasons(sink);
+    for (const Reason reason : {Reason::contour_short, Reason::contour_small, Reason::contour_on_dropped,
+                                Reason::hole_short, Reason::hole_small, Reason::polygon_repaired}) {
+        const auto name = std::string(reason_names[static_cast<std::size_t>(reason)]);
+        EXPECT_EQ(counts[name], report.counted(reason)) << name;
+    }
+}
+
+/// 16 x 16 cells of 0. A plate of 10 x 10 cells at 20 has a pit of a cell and one of 4 x 4 cells; on it
+/// stands a cell at 40; beside it a cell at 20.
+MemorySource plate() {
+    std::vector<double> z(256, 0);
+    const auto set = [&](int row, int col, int rows, int cols, double value) {
+        for (int r = row; r < row + rows; ++r)
+            for (int c = col; c < col + cols; ++c)
+                z[static_cast<std::size_t>(r * 16 + c)] = value;
+    };
+    set(2, 2, 10, 10, 20);
+    set(3, 3, 1, 1, 0);
+    set(6, 6, 4, 4, 0);
+    set(4, 10, 1, 1, 40);
+    set(14, 14, 1, 1, 20);
+    return {16, 16, z};
+}
+
+TEST(Rejected, WhatTheFilterTookIsThereAsItWasTraced) {
+    MemorySource source = plate();
+    Options options = cells({10, 30});
+    options.filter.noise_factor = 10;
+    options.write.rejected = true;
+    MemorySink sink;
+    const RunReport report = run(options, {source}, {sink});
+    ASSERT_EQ(sink.layers.size(), 3U);
+    EXPECT_EQ(sink.layers[rejected].name, "rejected");
+    EXPECT_EQ(sink.layers[rejected].title, "Rejected");
+    EXPECT_EQ(reasons(sink), (std::map<std::string, int>{{"contour_short", 2}, {"hole_short", 1}}));
+    expect_all_are_there(sink, report);
+    // In the order of keys: level 1, the hole in the plate before the cell below it; then level 2.
+    const std::array<Position, 3> low{Position{3, -4}, {14, -15}, {10, -5}};
+    const std::array<std::int64_t, 3> level{1, 1, 2};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Feature& feature = sink.features[rejected][i];
+        EXPECT_EQ(sink.value(rejected, i, "id"), FieldValue{static_cast<std::int64_t>(i + 1)});
+        EXPECT_EQ(sink.value(rejected, i, "level"), FieldValue{level[i]});
+        EXPECT_EQ(sink.value(rejected, i, "building"), FieldValue{});
+        EXPECT_EQ(sink.value(rejected, i, "contour"), FieldValue{});
+        EXPECT_EQ(sink.number(rejected, i, "area_m2"), 1);
+        EXPECT_EQ(sink.number(rejected, i, "perim_m"), 4);
+        ASSERT_EQ(feature.parts.size(), 1U);
+        const auto [x, y] = low[i];
+        EXPECT_EQ(feature.parts[0].exterior, (WorldRing{{x, y + 1}, {x, y}, {x + 1, y}, {x + 1, y + 1}}))
+            << i;
+    }
+}
+
+TEST(Rejected, WhatStandsOnNoiseIsThereToo) {
+    // A block of 4 x 4 passes 16 points; an E of ten cells on it passes 22.
+    std::vector<double> z(36, 0.0);
+    for (int row = 1; row <= 4; ++row)
+        for (int col = 1; col <= 4; ++col)
+            z[static_cast<std::size_t>(row * 6 + col)] = col == 1 || row == 1 || row == 3 ? 30 : 20;
+    MemorySource source(6, 6, z);
+    Options options = cells({10, 25});
+    options.filter.noise_factor = 17;
+    options.write.rejected = true;
+    MemorySink sink;
+    const RunReport report = run(options, {source}, {sink});
+    EXPECT_EQ(reasons(sink), (std::map<std::string, int>{{"contour_short", 1}, {"contour_on_dropped", 1}}));
+    EXPECT_EQ(sink.number(rejected, 0, "area_m2"), 16);
+    EXPECT_EQ(sink.number(rejected, 1, "area_m2"), 10);
+}
+
+TEST(Rejected, OutlinesThatStayAsTracedNameWhatTheyAreOf) {
+    TownRun town;
+    town.options.write.rejected = true;
+    town.options.levels.lod = 6;
+    town.options.filter.noise_factor = 4;
+    town.options.outline.wall_tolerance = 0.2;  // no wall comes so near to a staircase
+    town.run();
+    expect_all_are_there(town.sink, town.report);
+    int kept = 0;
+    for (const std::size_t layer : {buildings, contours})
+        for (std::size_t i = 0; i < town.count(layer); ++i) {
+            if (town.sink.value(layer, i, "status") != FieldValue{std::string("kept_traced")})
+                continue;
+            ++kept;
+            const char* field = layer == buildings ? "building" : "contour";
+            const FieldValue id = town.sink.value(layer, i, "id");
+            std::size_t found = 0;
+            for (std::size_t k = 0; k < town.count(rejected); ++k)
+                if (town.sink.value(rejected, k, field) == id) {
+                    ++found;
+                    EXPECT_EQ(town.sink.value(rejected, k, "reason"),
+                              FieldValue{std::string("outline_kept_traced")});
+                }
+            EXPECT_EQ(found, 1U) << field << ' ' << i;
+        }
+    EXPECT_GT(kept, 0);
+    EXPECT_EQ(town.report.counted(Reason::outline_kept_traced), kept);
+}
+
+/// What a feature is and what its fields say are one thing.
+TEST(FeatureRecords, SayWhatTheFieldsSay) {
+    TownRun town;
+    town.options.write.rejected = true;
+    town.options.outline.wall_tolerance = 0.2;  // no wall comes so near to a staircase
+    town.run();
+    ASSERT_EQ(town.count(buildings), 3U);
+    for (std::size_t i = 0; i < town.count(buildings); ++i) {
+        const auto& building = std::get<BuildingRecord>(town.sink.features[buildings][i].record);
+        EXPECT_EQ(building.id, town.sink.whole(buildings, i, "id"));
+        EXPECT_EQ(building.ground, town.sink.number(buildings, i, "ground"));
+        EXPECT_EQ(building.roof, town.sink.number(buildings, i, "roof"));
+        EXPECT_EQ(building.area_m2, town.sink.number(buildings, i, "area_m2"));
+    }
+    for (std::size_t i = 0; i < town.count(contours); ++i) {
+        const auto& contour = std::get<ContourRecord>(town.sink.features[contours][i].record);
+        EXPECT_EQ(contour.id, town.sink.whole(contours, i, "id"));
+        EXPECT_EQ(contour.level, town.sink.whole(contours, i, "level"));
+        EXPECT_EQ(contour.base, town.sink.number(contours, i, "base"));
+        EXPECT_EQ(contour.top, town.sink.number(contours, i, "top"));
+        EXPECT_EQ(contour.area_m2, town.sink.number(contours, i, "area_m2"));
+    }
+    const std::size_t rejected = town.sink.features.size() - 1;
+    ASSERT_GT(town.count(rejected), 0U);
+    for (std::size_t i = 0; i < town.count(rejected); ++i)
+        EXPECT_EQ(
+            FieldValue{std::string(std::get<RejectedRecord>(town.sink.features[rejected][i].record).reason)},
+            town.sink.value(rejected, i, "reason"));
+}
+
+/// A stack from its records alone: no gap, and every contour on one of the level below.
+TEST(FeatureRecords, AreEnoughToStackATower) {
+    TownRun town;
+    town.run();
+    std::int64_t with_parent = 0;
+    for (const Feature& feature : town.sink.features[contours]) {
+        const auto& contour = std::get<ContourRecord>(feature.record);
+        EXPECT_LE(contour.base, contour.top);
+        if (contour.parent_id == 0)
+            continue;
+        ++with_parent;
+        for (const Feature& other : town.sink.features[contours]) {
+            const auto& below = std::get<ContourRecord>(other.record);
+            if (below.id != contour.parent_id)
+                continue;
+            EXPECT_EQ(below.building_id, contour.building_id);
+            EXPECT_EQ(below.level, contour.level - 1);
+            EXPECT_EQ(below.top, contour.base);
+        }
+    }
+    EXPECT_GT(with_parent, 0);
+}
+
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

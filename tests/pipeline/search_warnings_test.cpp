@@ -7,12 +7,8 @@
 #include "core/crs.hpp"
 #include "pipeline/made_town.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::MadeTown;
-using test::MemorySource;
-using test::TownRun;
 
 using Texts = std::vector<std::string>;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -267,7 +263,7 @@ TEST(SearchWarnings, OutlinesThatStayAsTraced) {
         << warnings[0];
     double length = 0;
     for (std::size_t i = 0; i < coarse.count(); ++i)
-        length += coarse.sink.number(test::buildings, i, "perim_m");
+        length += coarse.sink.number(buildings, i, "perim_m");
     EXPECT_NEAR(coarse.report.building_outlines.whole(), length, 0.005 * static_cast<double>(coarse.count()));
     EXPECT_GT(coarse.report.building_outlines.traced, 0.05 * length);
     TownRun off;
@@ -278,10 +274,10 @@ TEST(SearchWarnings, OutlinesThatStayAsTraced) {
     EXPECT_EQ(off.report.building_outlines.fitted, 0);
     EXPECT_GT(off.report.building_outlines.traced, 0);
     length = 0;
-    for (std::size_t i = 0; i < off.sink.features[test::contours].size(); ++i)
-        length += off.sink.number(test::contours, i, "perim_m");
+    for (std::size_t i = 0; i < off.sink.features[contours].size(); ++i)
+        length += off.sink.number(contours, i, "perim_m");
     EXPECT_NEAR(off.report.contour_outlines.traced, length, 1e-9 * length);
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

@@ -8,13 +8,8 @@
 #include "options/option_table.hpp"
 #include "pipeline/made_town.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::MadeTown;
-using test::MemorySource;
-using test::Result;
-using test::run_on;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -61,8 +56,8 @@ void expect_same_features(const Result& one, const Result& other) {
 
 std::vector<double> numbers(const Result& result, const std::string& field) {
     std::vector<double> values;
-    for (std::size_t i = 0; i < result.sink.features[test::buildings].size(); ++i)
-        values.push_back(result.sink.number(test::buildings, i, field));
+    for (std::size_t i = 0; i < result.sink.features[buildings].size(); ++i)
+        values.push_back(result.sink.number(buildings, i, field));
     return values;
 }
 
@@ -75,14 +70,12 @@ TEST_P(NoElevation, IsAsIfItWereDeclared) {
         Options options;
         options.preset = preset;
         TownWith declared({in_flat_roof, in_street}, none);
-        Result clean;
-        run_on(declared, options, clean);
+        const Result clean(declared, options);
         EXPECT_EQ(clean.report.warnings, std::vector<std::string>());
         for (const bool ignoring : {false, true}) {
             options.read.ignore_nodata = ignoring;
             TownWith undeclared({in_flat_roof, in_street}, GetParam());
-            Result result;
-            run_on(undeclared, options, result);
+            const Result result(undeclared, options);
             expect_same_features(result, clean);
             const RunReport& report = result.report;
             EXPECT_EQ(report.counted(Reason::elevation_outside_range), 2);
@@ -102,8 +95,7 @@ TEST_P(NoElevation, IsAsIfItWereDeclared) {
 TEST(SuspiciousValues, TheRangeIsInTheUnitOfTheElevations) {
     const auto counted = [](double value, const std::string& unit, double metres) {
         TownWith town({in_flat_roof}, value, metres);
-        Result result;
-        run_on(town, in_unit(unit), result);
+        const Result result(town, in_unit(unit));
         return result.report.counted(Reason::elevation_outside_range);
     };
     EXPECT_EQ(counted(-1700, "ft", 0.3048), 1);
@@ -117,8 +109,7 @@ TEST(SuspiciousValues, AGivenRangeTakesThePlaceOfWhatIsOnLand) {
     Options options;
     options.read.elevation_range = {{0, 120}};
     TownWith town({in_flat_roof}, -1);
-    Result result;
-    run_on(town, options, result);
+    const Result result(town, options);
     EXPECT_EQ(result.report.counted(Reason::elevation_outside_range), 1 + MadeTown::tower.area());
     EXPECT_LE(result.report.maximum, 120);
     ASSERT_GE(result.report.warnings.size(), 1U);
@@ -128,8 +119,7 @@ TEST(SuspiciousValues, AGivenRangeTakesThePlaceOfWhatIsOnLand) {
         << result.report.warnings[0];
     options.read.elevation_range = {{-20000, 20000}};
     TownWith deep({in_street}, -9999);
-    Result all;
-    run_on(deep, options, all);
+    const Result all(deep, options);
     EXPECT_EQ(all.report.minimum, -9999);
 }
 
@@ -147,8 +137,7 @@ TEST(SuspiciousValues, WhereMostAreNoElevationsTheRunIsRefused) {
             "the unit of the elevations with -zunit, the range in which they lie with -zrange."))
             << text;
     }
-    Result in_millimetres;
-    run_on(town, in_unit("0.001"), in_millimetres);
+    const Result in_millimetres(town, in_unit("0.001"));
     EXPECT_EQ(in_millimetres.report.warnings, std::vector<std::string>());
 }
 
@@ -162,8 +151,7 @@ TEST(SuspiciousValues, WhatManyCellsShareFarFromAllOthersIsWarnedOf) {
         TownWith town(cells, 0);
         town.edit().scale = 0.5;
         town.edit().offset = -100;
-        Result result;
-        run_on(town, options, result);
+        const Result result(town, options);
         ASSERT_GE(result.report.warnings.size(), 1U);
         EXPECT_EQ(
             result.report.warnings[0],
@@ -178,8 +166,7 @@ TEST(SuspiciousValues, ADeclaredValueThatComesBackIsSaidSo) {
     town.edit().overridden_nodata = 99;
     Options options;
     options.read.nodata = -1;
-    Result result;
-    run_on(town, options, result);
+    const Result result(town, options);
     ASSERT_EQ(result.report.warnings.size(), 1U);
     EXPECT_EQ(result.report.warnings[0],
               "1 cell of 'town.tif' has the elevation 99, the NoData value that the file declares and "
@@ -192,8 +179,7 @@ TEST(SuspiciousValues, ADeclaredValueThatNoLandHasIsNamedAsSuch) {
         town.edit().overridden_nodata = -9999;
         Options options;
         options.read.ignore_nodata = ignoring;
-        Result result;
-        run_on(town, options, result);
+        const Result result(town, options);
         ASSERT_EQ(result.report.warnings.size(), 1U);
         EXPECT_EQ(result.report.warnings[0],
                   std::string("1 cell of 'town.tif' has the elevation -9999, which is outside the range of "
@@ -208,12 +194,10 @@ TEST(SuspiciousValues, ASpikeIsNoElevationOrNoRoof) {
     TownWith town({}, 0);
     run_on(town, {}, clean);
     TownWith holes({in_flat_roof}, none);
-    Result hole;
-    run_on(holes, {}, hole);
+    const Result hole(holes, {});
     const double roof = MadeTown::middle(MadeTown::flat) + MadeTown::flat_height;
     TownWith high({in_flat_roof}, roof + 101);
-    Result invalid_above;
-    run_on(high, {}, invalid_above);
+    const Result invalid_above(high, {});
     expect_same_features(invalid_above, hole);
     EXPECT_EQ(invalid_above.report.counted(Reason::elevation_spike), 1);
     ASSERT_EQ(invalid_above.report.warnings.size(), 1U);
@@ -222,8 +206,7 @@ TEST(SuspiciousValues, ASpikeIsNoElevationOrNoRoof) {
               std::string::npos);
 
     TownWith mast({in_flat_roof}, roof + 50);
-    Result no_roof;
-    run_on(mast, {}, no_roof);
+    const Result no_roof(mast, {});
     EXPECT_EQ(no_roof.report.counted(Reason::roof_spike), 1);
     EXPECT_EQ(no_roof.report.valid_points, clean.report.valid_points);
     EXPECT_EQ(no_roof.report.warnings, std::vector<std::string>());
@@ -243,8 +226,7 @@ TEST(SuspiciousValues, ASpikeIsNoElevationOrNoRoof) {
 
     Options thesis;
     thesis.preset = Preset::thesis;
-    Result taken;
-    run_on(high, thesis, taken);
+    const Result taken(high, thesis);
     EXPECT_EQ(taken.report.counted(Reason::elevation_spike), 0);
     EXPECT_EQ(taken.report.maximum, roof + 101);
 }
@@ -260,8 +242,7 @@ std::vector<Cell> patch(int side) {
 
 TEST(SuspiciousValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesThem) {
     TownWith high(patch(4), 9999, 0.3048);  // 3,048 m is an elevation
-    Result result;
-    run_on(high, in_unit("ft"), result);
+    const Result result(high, in_unit("ft"));
     ASSERT_EQ(result.report.warnings.size(), 1U);
     const std::string& text = result.report.warnings[0];
     EXPECT_NE(text.find(" is more than 1000 m high: building "), std::string::npos) << text;
@@ -271,10 +252,9 @@ TEST(SuspiciousValues, HeightsThatCannotBeAreWarnedOfWithTheElevationThatMakesTh
               std::string::npos)
         << text;
     TownWith low(patch(9), -30, 1);
-    Result deep;
-    run_on(low, {}, deep);
-    for (std::size_t i = 0; i < deep.sink.features[test::buildings].size(); ++i)
-        if (deep.sink.number(test::buildings, i, "volume_m3") < 0) {
+    const Result deep(low, {});
+    for (std::size_t i = 0; i < deep.sink.features[buildings].size(); ++i)
+        if (deep.sink.number(buildings, i, "volume_m3") < 0) {
             EXPECT_TRUE(std::ranges::any_of(deep.report.warnings, [](const std::string& said) {
                 return said.find("has a negative volume, because it is lower than the ground on average") !=
                            std::string::npos &&
@@ -287,8 +267,7 @@ TEST(SuspiciousValues, ThesisBuildingsThatCannotBeAreWarnedOfAsWell) {
     Options options;
     options.preset = Preset::thesis;
     TownWith high(patch(8), 3000);
-    Result result;
-    run_on(high, options, result);
+    const Result result(high, options);
     EXPECT_TRUE(std::ranges::any_of(result.report.warnings, [](const std::string& said) {
         return said.find(" more than 1000 m high: building ") != std::string::npos &&
                said.find(" has an elevation of 3000; give the value that stands for no data with -snodata") !=
@@ -324,12 +303,10 @@ TEST_P(Collar, IsAsIfItWereDeclared) {
             options.preset = preset;
             options.read.vertical_unit = number_text(metres);
             TownWithCollar declared(none, metres);
-            Result clean;
-            run_on(declared, options, clean);
+            const Result clean(declared, options);
             EXPECT_EQ(clean.report.warnings, std::vector<std::string>());
             TownWithCollar undeclared(GetParam(), metres);
-            Result result;
-            run_on(undeclared, options, result);
+            const Result result(undeclared, options);
             expect_same_features(result, clean);
             EXPECT_EQ(result.report.counted(Reason::elevation_undeclared_nodata), TownWithCollar::cells);
             EXPECT_EQ(result.report.valid_points, clean.report.valid_points);
@@ -348,8 +325,7 @@ TEST(SuspiciousValues, ACollarStaysWithInodata) {
     Options options;
     options.read.ignore_nodata = true;
     TownWithCollar town(0);
-    Result result;
-    run_on(town, options, result);
+    const Result result(town, options);
     EXPECT_EQ(result.report.counted(Reason::elevation_undeclared_nodata), 0);
     EXPECT_EQ(result.report.minimum, 0);
     EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
@@ -361,8 +337,7 @@ TEST(SuspiciousValues, ANarrowCollarIsNamed) {
         for (int col = 0; col < 3; ++col)
             cells.push_back({row, col});
     TownWith town(cells, 60);  // some 40 m below the ground
-    Result result;
-    run_on(town, {}, result);
+    const Result result(town, {});
     ASSERT_GE(result.report.warnings.size(), 1U);
     EXPECT_EQ(
         result.report.warnings[0],
@@ -379,12 +354,10 @@ TEST(SuspiciousValues, TheNumberOfThreadsDoesNotMatter) {
         TownWith town(cells, value);
         Options options;
         options.run.threads = 1;
-        Result one;
-        run_on(town, options, one);
+        const Result one(town, options);
         for (const int threads : {2, 16}) {
             options.run.threads = threads;
-            Result several;
-            run_on(town, options, several);
+            const Result several(town, options);
             expect_same_features(several, one);
             EXPECT_EQ(several.report.warnings, one.report.warnings);
         }
@@ -392,4 +365,4 @@ TEST(SuspiciousValues, TheNumberOfThreadsDoesNotMatter) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

@@ -191,13 +191,5 @@ TEST(Surfaces, cutsOfTheThesis) {
     EXPECT_GT(town.report.cuts.front().rmse_m, town.report.cuts.back().rmse_m);
 }
 
-/// Nothing is looked for that nobody takes.
-TEST(Surfaces, areNotReportedWhereNoneIsAskedFor) {
-    TownRun town;
-    town.run();
-    EXPECT_FALSE(town.report.surface);
-    EXPECT_TRUE(town.report.cuts.empty());
-}
-
 }  // namespace
 }  // namespace d2b::test

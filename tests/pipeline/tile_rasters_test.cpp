@@ -17,16 +17,10 @@
 #include "pipeline/run.hpp"
 #include "pipeline/tiles_case.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
 
 namespace fs = std::filesystem;
-using test::MemorySource;
-using test::refusal;
-using test::Result;
-using test::some_plan;
-using test::StepsInTiles;
-using test::TemporaryFolder;
 
 constexpr UnitSize many_units{0, 64};
 
@@ -101,15 +95,15 @@ void compare_rasters(MemorySource& dem, Options options) {
 }
 
 TEST(TileRasters, AreThoseOfOneRun) {
-    MemorySource dem = test::random_town(3, {150, 190, 30, true, true});
-    test::place_in_utm(dem, 1);
+    MemorySource dem = random_town(3, {150, 190, 30, true, true});
+    place_in_utm(dem, 1);
     compare_rasters(dem, {});
     dem.edit().window = {31, 17, 110, 150};
     compare_rasters(dem, {});
 }
 
 TEST(TileRasters, OfRotatedGrids) {
-    MemorySource dem = test::random_town(4, {110, 130, 15, false, true});
+    MemorySource dem = random_town(4, {110, 130, 15, false, true});
     dem.edit().transform = {600000, 0.8, -0.6, 5800000, -0.6, -0.8};
     dem.edit().crs_wkt = "";
     Options options;
@@ -120,8 +114,8 @@ TEST(TileRasters, OfRotatedGrids) {
 /// A town of six tiles.
 class RastersOfATown : public testing::Test {
   protected:
-    RastersOfATown() : dem_(test::random_town(4, {110, 130, 15, false, true})) {
-        test::place_in_utm(dem_, 1);
+    RastersOfATown() : dem_(random_town(4, {110, 130, 15, false, true})) {
+        place_in_utm(dem_, 1);
         options_.ground.max_building_width = 20;
         options_.write.ground = (folder_.path() / "ground.vrt").string();
     }
@@ -207,4 +201,4 @@ TEST_F(RastersOfATown, HaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

@@ -15,19 +15,8 @@
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles_case.hpp"
 
-namespace d2b {
+namespace d2b::test {
 namespace {
-
-using test::BlockTown;
-using test::Box;
-using test::MemorySource;
-using test::random_town;
-using test::refusal;
-using test::Result;
-using test::some_plan;
-using test::StepsInTiles;
-using test::TemporaryFolder;
-using test::TileOrder;
 
 Options options_of(unsigned seed) {
     Options options;
@@ -44,13 +33,13 @@ Options options_of(unsigned seed) {
 
 void compare(MemorySource& dem, const Options& options, const UnitSize& units, const TileOrder& order) {
     Result whole;
-    test::expect_same_in_tiles({dem}, options, units, order, whole);
+    expect_same_in_tiles({dem}, options, units, order, whole);
     EXPECT_GT(whole.report.buildings, 0);
 }
 
 /// North up in metres, rotated in metres, or in degrees.
 void place_somehow(MemorySource& dem, unsigned seed) {
-    test::place_in_utm(dem, 1);
+    place_in_utm(dem, 1);
     if (seed % 6 == 4)
         dem.edit().transform = {600000, 0.8, -0.6, 5800000, -0.6, -0.8};
     if (seed % 6 != 5)
@@ -69,9 +58,9 @@ TEST(Tiles, UndeclaredNoDataIsThatOfOneRun) {
             if (row + col < 150)
                 values[static_cast<std::size_t>(row * 330 + col)] = -100;
     MemorySource collared(270, 330, values);
-    test::place_in_utm(collared, 1);
+    place_in_utm(collared, 1);
     Result whole;
-    test::expect_same_in_tiles({collared}, options_of(3), {0, 90}, {2, true, false, 2}, whole);
+    expect_same_in_tiles({collared}, options_of(3), {0, 90}, {2, true, false, 2}, whole);
     EXPECT_EQ(whole.report.counted(Reason::elevation_undeclared_nodata), 150 * 151 / 2);
 }
 
@@ -127,7 +116,7 @@ std::size_t left_over(const std::filesystem::path& work, std::int64_t tiles) {
 
 TEST(Tiles, OfBlocksThatSeamsCut) {
     MemorySource dem = cut_town().source();
-    test::place_in_utm(dem, 1);
+    place_in_utm(dem, 1);
     Options options = options_for_blocks();
     const UnitSize units{0, 100};
     for (const double split : {0.0, 3.0}) {
@@ -155,7 +144,7 @@ TEST(Tiles, OfAClusterOverTwelveUnits) {
     for (int house = 0; house < 80; ++house)
         town.build({60 + house % 2, 40 + 14 * house, 12, 14}, 5 + 3.0 * (house % 4));
     MemorySource dem = town.source();
-    test::place_in_utm(dem, 1);
+    place_in_utm(dem, 1);
     Options options = options_for_blocks();
     options.detect.split_height = 2;
     const TemporaryFolder folder;
@@ -189,14 +178,14 @@ TEST(Tiles, OfRotatedGridsAndDegrees) {
 
 TEST(Tiles, OfAWindowOfALargerRaster) {
     MemorySource dem = cut_town().source();
-    test::place_in_utm(dem, 1);
+    place_in_utm(dem, 1);
     dem.edit().window = {15, 25, 370, 440};
     compare(dem, options_for_blocks(), {0, 97}, {1, true});
 }
 
 TEST(Tiles, OfContoursOrBuildingsAlone) {
     MemorySource dem = cut_town().source();
-    test::place_in_utm(dem, 1);
+    place_in_utm(dem, 1);
     Options options = options_for_blocks();
     options.detect.split_height = 3;
     const UnitSize units{0, 100};
@@ -217,7 +206,7 @@ TEST(Tiles, OfOneColumnAndOfNothing) {
     for (const auto& [rows, cols, z] :
          {std::tuple{700, 1, std::vector<double>(700, 5)}, std::tuple{90, 200, nothing}}) {
         MemorySource dem(rows, cols, z);
-        test::place_in_utm(dem, 1);
+        place_in_utm(dem, 1);
         Result whole;
         whole.report = run_in_units(options_for_blocks(), {dem}, {whole.sink}, {}, {0, 64});
         TemporaryFolder folder;
@@ -246,7 +235,7 @@ TEST(Tiles, WithWhatLiesBesideTheDem) {
     MemorySource dem = town.source();
     Beside beside(town);
     for (MemorySource* source : {&dem, &beside.terrain, &beside.mask, &beside.ndvi})
-        test::place_in_utm(*source, 1);
+        place_in_utm(*source, 1);
     Options options;
     options.ground.mode = GroundMode::given;
     options.ground.terrain = "terrain";
@@ -301,7 +290,7 @@ TEST(Tiles, OfATerrainThatIsPartlyNone) {
     MemorySource dem = town.source();
     MemorySource sound = town.on_grid([&](int r, int c) { return town.ground(r, c); });
     for (MemorySource* source : {&dem, &sound})
-        test::place_in_utm(*source, 1);
+        place_in_utm(*source, 1);
     Options options;
     options.ground.mode = GroundMode::given;
     options.ground.terrain = "terrain";
@@ -323,7 +312,7 @@ TEST(Tiles, OfATerrainThatIsPartlyNone) {
 
 class TilesOfATown : public testing::Test {
   protected:
-    TilesOfATown() : dem_(cut_town().source()) { test::place_in_utm(dem_, 1); }
+    TilesOfATown() : dem_(cut_town().source()) { place_in_utm(dem_, 1); }
     [[nodiscard]] StepsInTiles steps(std::uint64_t plan = some_plan) {
         // The town has no undeclared values, as plan would have found.
         return {{dem_}, options_for_blocks(), {folder_.path(), plan, 2, {0, 100}, UndeclaredNodata{}}};
@@ -493,4 +482,4 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::test

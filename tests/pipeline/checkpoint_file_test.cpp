@@ -1,10 +1,12 @@
+#include "pipeline/tiles/checkpoint_file.hpp"
+
 #include <fstream>
 #include <iterator>
 
 #include <gtest/gtest.h>
 
-#include "pipeline/tiles/checkpoint_file.hpp"
 #include "pipeline/tiles/file_cache.hpp"
+#include "support/error_of.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace d2b {
@@ -19,9 +21,9 @@ std::vector<std::byte> bytes_from(const std::string& text) {
     return {bytes.begin(), bytes.end()};
 }
 
-class TileFiles : public testing::Test {
+class CheckpointFileTest : public testing::Test {
   protected:
-    TileFiles() {
+    CheckpointFileTest() {
         write_checkpoint(path_, seal, bytes_from("the body"), bytes_from("and the tail"));
         whole_ = content();
     }
@@ -32,12 +34,7 @@ class TileFiles : public testing::Test {
     void put(const std::string& content) const { std::ofstream(path_, std::ios::binary) << content; }
     /// "" where the file is taken.
     [[nodiscard]] std::string refusal(const CheckpointId& wanted = seal) const {
-        try {
-            const CheckpointFile file(path_, wanted);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return test::error_of<InputError>([&] { const CheckpointFile file(path_, wanted); });
     }
 
     test::TemporaryFolder folder_;
@@ -45,7 +42,7 @@ class TileFiles : public testing::Test {
     std::string whole_;
 };
 
-TEST_F(TileFiles, GiveBackWhatWasWritten) {
+TEST_F(CheckpointFileTest, GiveBackWhatWasWritten) {
     EXPECT_TRUE(checkpoint_exists(path_, seal));
     CheckpointFile file(path_, seal);
     ByteReader body = file.body();
@@ -57,7 +54,7 @@ TEST_F(TileFiles, GiveBackWhatWasWritten) {
     EXPECT_THROW((void)file.payload(~std::uint64_t{0}, 2), InputError);
 }
 
-TEST_F(TileFiles, StayOpenWhereTheyAreReadByTurns) {
+TEST_F(CheckpointFileTest, StayOpenWhereTheyAreReadByTurns) {
     FileHandleCache recent;
     CheckpointFile file(path_, seal, &recent);
     fs::remove(path_);
@@ -65,30 +62,30 @@ TEST_F(TileFiles, StayOpenWhereTheyAreReadByTurns) {
     EXPECT_THROW((void)file.payload(5, 8), InputError);
 }
 
-TEST_F(TileFiles, AreRefusedWhereverTheyEnd) {
+TEST_F(CheckpointFileTest, AreRefusedWhereverTheyEnd) {
     for (std::size_t length = 0; length < whole_.size(); ++length) {
         put(whole_.substr(0, length));
         EXPECT_TRUE(refusal().starts_with("'" + path_.string() + "' is damaged: ")) << length;
         EXPECT_FALSE(checkpoint_exists(path_, seal)) << length;
     }
     put(whole_ + "x");
-    EXPECT_NE(refusal(), "");
+    EXPECT_NE(refusal(), "(no error)");
     EXPECT_FALSE(checkpoint_exists(path_, seal));
 }
 
 /// Blocks in the tail have digests of their own.
-TEST_F(TileFiles, AreRefusedWhicheverByteHasChanged) {
+TEST_F(CheckpointFileTest, AreRefusedWhicheverByteHasChanged) {
     const std::size_t payload = std::string("and the tail").size();
     for (std::size_t i = 0; i < whole_.size() - payload; ++i)
         for (const char change : {'\x01', '\x80', '\xff'}) {
             std::string changed = whole_;
             changed[i] = static_cast<char>(changed[i] ^ change);
             put(changed);
-            EXPECT_NE(refusal(), "") << "byte " << i;
+            EXPECT_NE(refusal(), "(no error)") << "byte " << i;
         }
 }
 
-TEST_F(TileFiles, AreOfOneStepTileAndPlan) {
+TEST_F(CheckpointFileTest, AreOfOneStepTileAndPlan) {
     const std::string again = "; delete it and run 'draw' of tile 8 again.";
     EXPECT_EQ(refusal({TileStep::draw, 0x1234, 8}),
               "'" + path_.string() + "' is not the file that 'draw' of tile 8 writes" + again);

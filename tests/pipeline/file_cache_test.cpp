@@ -1,17 +1,18 @@
+#include "pipeline/tiles/file_cache.hpp"
+
 #include <array>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
-#include "pipeline/tiles/file_cache.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace d2b {
 namespace {
 
-class RecentFilesTest : public testing::Test {
+class FileCacheTest : public testing::Test {
   protected:
-    RecentFilesTest() {
+    FileCacheTest() {
         for (const char* one : {"a", "b", "c"})
             std::ofstream(folder_.path() / one) << one;
     }
@@ -27,7 +28,7 @@ class RecentFilesTest : public testing::Test {
     FileHandleCache files_{FileHandleCache::ReadAhead::none, 2};
 };
 
-TEST_F(RecentFilesTest, StayOpenUntilTooManyOthersWereRead) {
+TEST_F(FileCacheTest, StayOpenUntilTooManyOthersWereRead) {
     const std::weak_ptr<const OpenFile> a = open("a");
     const std::weak_ptr<const OpenFile> b = open("b");
     EXPECT_EQ(open("a"), a.lock());
@@ -38,14 +39,14 @@ TEST_F(RecentFilesTest, StayOpenUntilTooManyOthersWereRead) {
     EXPECT_TRUE(a.expired());
 }
 
-TEST_F(RecentFilesTest, StayOpenForThoseWhoHaveThem) {
+TEST_F(FileCacheTest, StayOpenForThoseWhoHaveThem) {
     const auto a = open("a");
     for (const char* other : {"b", "c", "b", "c"})
         EXPECT_EQ(letter(*open(other)), other[0]);
     EXPECT_EQ(letter(*a), 'a');
 }
 
-TEST_F(RecentFilesTest, AreLookedForAgainWhereThereWasNone) {
+TEST_F(FileCacheTest, AreLookedForAgainWhereThereWasNone) {
     EXPECT_FALSE(open("d")->is_open());
     std::ofstream(folder_.path() / "d") << "d";
     EXPECT_EQ(letter(*open("d")), 'd');

@@ -1,6 +1,7 @@
+#include "pipeline/tiles/drawn_tile.hpp"
+
 #include <gtest/gtest.h>
 
-#include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/file_cache.hpp"
 #include "support/temporary_folder.hpp"
 
