@@ -33,6 +33,14 @@ class TilesTool : public CliTest {
         EXPECT_EQ(result.err, "");
         return result.out;
     }
+    /// All steps of a plan of one tile, up to the result.
+    void run_steps() const {
+        for (const Arguments& step : {Arguments{"find", "work", "0"},
+                                      {"join", "work"},
+                                      {"draw", "work", "0"},
+                                      {"merge", "-q", "work"}})
+            well(step);
+    }
     void expect_refused(int status, const std::string& message, const Arguments& arguments) const {
         const std::vector<std::string> before = entries();
         const ToolResult result = tiles(arguments);
@@ -131,9 +139,7 @@ TEST_F(TilesTool, readsAListOfRasters) {
         EXPECT_NE(made.find(std::string("\"name\": \"") + name), std::string::npos) << made;
     well(plan);  // once more, which changes nothing
     EXPECT_EQ(read_bytes(path("work/plan.json")), made);
-    for (const Arguments& step : {Arguments{"find", "work", "0"}, Arguments{"join", "work"},
-                                  Arguments{"draw", "work", "0"}, Arguments{"merge", "-q", "work"}})
-        well(step);
+    run_steps();
     run_well({"-q", "work/source.vrt", "one.gpkg"}, {.environment = {date_}});
     EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
     cut("both.tif", {"300", "300", "400", "200"});
@@ -216,9 +222,7 @@ TEST_F(TilesTool, writesPartsUnderNamesThatAreNotUtf8) {
     const std::string name = "ground_\xE4";
     run_well({"-q", "-write_ground", "ground.tif", sample("town.tif"), "one.gpkg"});
     well({"plan", "-q", "-write_ground", name + ".vrt", sample("town.tif"), "parts.gpkg", "work"});
-    for (const Arguments& step :
-         {Arguments{"find", "work", "0"}, {"join", "work"}, {"draw", "work", "0"}, {"merge", "-q", "work"}})
-        well(step);
+    run_steps();
     run_well({"-q", "-ground", "ground.tif", sample("town.tif"), "by_one.gpkg"});
     run_well({"-q", "-ground", name + ".vrt", sample("town.tif"), "by_parts.gpkg"});
     EXPECT_EQ(layer("by_parts.gpkg", "buildings").records.size(),

@@ -1,4 +1,11 @@
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
 #include "cli/cli_test_case.hpp"
+#include "cli/town_files.hpp"
 
 namespace d2b::test {
 namespace {
@@ -34,29 +41,54 @@ class Warnings : public CliTest {
     }
 };
 
-TEST_F(Warnings, noValidPoint) {
-    RasterSpec spec = blocks();
-    spec.values.assign(600, -9999);
-    spec.nodata = -9999;
-    warned(spec, {"'dem.tif' has no valid point; the layers are empty."});
-    expect_layers(0, 0);
+TEST_F(Warnings, ofRastersWithoutABuilding) {
+    const auto raster = [](int rows, int cols, double z) {
+        RasterSpec spec = blocks();
+        spec.rows = rows;
+        spec.cols = cols;
+        spec.values.assign(static_cast<std::size_t>(rows * cols), z);
+        spec.nodata = -9999;
+        return spec;
+    };
+    RasterSpec row = raster(1, 30, 0);
+    row.values[10] = row.values[11] = row.values[12] = 9;
+    const std::string none_valid = "'dem.tif' has no valid point; the layers are empty.";
+    const std::string flat = "All valid points of 'dem.tif' have the same elevation; no building was found.";
+    const std::string nothing =
+        "No building was found; a smaller -nf or -min_area, or more levels, may show some.";
+    struct Case {
+        RasterSpec spec;
+        Arguments arguments;
+        std::string warning;
+        std::size_t contours;
+    };
+    for (const Case& one : std::vector<Case>{
+             {raster(20, 30, -9999), {}, none_valid, 0},
+             {raster(20, 30, 12.5), {}, flat, 1},
+             {raster(1, 1, 7), {}, flat, 0},
+             {row, {}, nothing, 0},  // points without area have no outline
+             {blocks(), {"-nf", "1000", "-fl", "5"}, nothing, 1},
+             {blocks(),
+              {"-fl", "-5", "50"},
+              "No threshold lies between the lowest and the highest elevation; no building was found.",
+              1}}) {
+        Arguments arguments = one.arguments;
+        arguments.insert(arguments.begin(), "-overwrite");
+        warned(one.spec, {one.warning}, arguments);
+        expect_layers(0, one.contours);
+    }
 }
 
-TEST_F(Warnings, flatData) {
+TEST_F(Warnings, ofCoarseCells) {
     RasterSpec spec = blocks();
-    spec.values.assign(600, 12.5);
-    warned(spec, {"All valid points of 'dem.tif' have the same elevation; no building was found."});
-    expect_layers(0, 1);
-    EXPECT_EQ(layer("out.gpkg", "contours").records[0].number("elev_max"), 12.5);
-}
-
-TEST_F(Warnings, oneRow) {
-    RasterSpec spec = blocks();
-    spec.rows = 1;
-    spec.values.assign(30, 0);
-    spec.values[10] = spec.values[11] = spec.values[12] = 9;
-    warned(spec, {"No building was found; a smaller -nf or -min_area, or more levels, may show some."});
-    expect_layers(0, 0);  // points without area have no outline
+    spec.transform = std::array<double, 6>{391000, 5, 0, 5820000, 0, -5};
+    warned(spec, {"The cells are 5.0 m wide, which is too coarse for single buildings; up to 1 m is best"},
+           {"-fl", "5"});
+    expect_layers(2, 3);
+    spec.transform = std::array<double, 6>{13, 0.0001, 0, 52, 0, -0.0001};
+    spec.crs = "EPSG:4326";
+    // sqrt(11.13 m x cos(52 degrees) x 11.13 m) = 8.7 m
+    warned(spec, {"The cells are 8.7 m wide"}, {"-overwrite", "-fl", "5", "-inodata"});
 }
 
 TEST_F(Warnings, oneColumnInCells) {
@@ -69,27 +101,6 @@ TEST_F(Warnings, oneColumnInCells) {
     run_well({"-q", "-trace", "cells", "-nf", "0", "-fl", "5", "--", "dem.tif", "out.gpkg"});
     expect_layers(1, 2);
     EXPECT_EQ(layer("out.gpkg", "buildings").records[0].area(), 3);
-}
-
-TEST_F(Warnings, onePoint) {
-    RasterSpec spec = blocks();
-    spec.rows = spec.cols = 1;
-    spec.values = {7};
-    warned(spec, {"All valid points of 'dem.tif' have the same elevation"});
-    expect_layers(0, 0);
-}
-
-TEST_F(Warnings, nothingFound) {
-    warned(blocks(), {"No building was found; a smaller -nf or -min_area, or more levels, may show some."},
-           {"-nf", "1000", "-fl", "5"});
-    expect_layers(0, 1);
-}
-
-TEST_F(Warnings, noThresholdInside) {
-    warned(blocks(),
-           {"No threshold lies between the lowest and the highest elevation; no building was found."},
-           {"-fl", "-5", "50"});
-    expect_layers(0, 1);
 }
 
 TEST_F(Warnings, noCrs) {
@@ -117,24 +128,6 @@ TEST_F(Warnings, noGeotransform) {
     EXPECT_EQ(box.MinY, -10.5);
 }
 
-TEST_F(Warnings, coarseCells) {
-    RasterSpec spec = blocks();
-    spec.transform = std::array<double, 6>{391000, 5, 0, 5820000, 0, -5};
-    warned(spec,
-           {"The cells are 5.0 m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m "
-            "may do."},
-           {"-fl", "5"});
-    expect_layers(2, 3);
-}
-
-TEST_F(Warnings, coarseCellsInDegrees) {
-    RasterSpec spec = blocks();
-    spec.transform = std::array<double, 6>{13, 0.0001, 0, 52, 0, -0.0001};
-    spec.crs = "EPSG:4326";
-    // sqrt(11.13 m x cos(52 degrees) x 11.13 m) = 8.7 m
-    warned(spec, {"The cells are 8.7 m wide"}, {"-fl", "5", "-inodata"});
-}
-
 TEST_F(Warnings, oneLayer) {
     write(path("dem.tif"), blocks());
     run_warned(
@@ -153,19 +146,89 @@ TEST_F(Warnings, cutlineElsewhere) {
     expect_layers(0, 0);
 }
 
-TEST_F(Warnings, colourTable) {
-    RasterSpec spec = blocks();
-    spec.type = GDT_Byte;
-    const GDALDatasetH dataset = create(path("dem.tif"), spec);
-    GDALColorTableH colours = GDALCreateColorTable(GPI_RGB);
-    const GDALColorEntry black{0, 0, 0, 255};
-    GDALSetColorEntry(colours, 0, &black);
-    ASSERT_EQ(GDALSetRasterColorTable(GDALGetRasterBand(dataset, 1), colours), CE_None);
-    GDALDestroyColorTable(colours);
-    GDALClose(dataset);
-    run_warned({"-q", "-fl", "5", "--", "dem.tif", "out.gpkg"},
-               {"Band 1 of 'dem.tif' holds indices into a colour table; they are taken as elevations."});
-    expect_layers(2, 3);
+using nlohmann::json;
+
+/// What a user is told who gives the wrong thing, with the default preset.
+class Diagnosis : public CliTest {
+  protected:
+    void SetUp() override {
+        CliTest::SetUp();
+        preset_ = "";
+    }
+    void save(const std::string& name, std::vector<double> values) const {
+        write(path(name), town_raster(std::move(values)));
+    }
+    void save_town() const { save("town.tif", MadeTown::surface()); }
+    json dropped(Arguments arguments) const {
+        arguments.insert(arguments.begin(), {"-json", "-overwrite"});
+        const ToolResult result = run(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return json::parse(result.out)["dropped"];
+    }
+    [[nodiscard]] std::size_t buildings() const { return layer("out.gpkg", "buildings").records.size(); }
+};
+
+TEST_F(Diagnosis, optionsCountWhatTheyLeaveOut) {
+    const std::string town = sample("town.tif");
+    const json usual = dropped({town, "out.gpkg"});
+    const std::size_t all = buildings();
+    const json large = dropped({"-min_area", "500", town, "out.gpkg"});
+    EXPECT_GE(large["building_small"].get<std::size_t>(), all - buildings());
+    EXPECT_EQ(large["building_small"].get<std::size_t>(),
+              all - buildings() + usual["building_small"].get<std::size_t>());
+    const json high = dropped({"-min_height", "8", town, "out.gpkg"});
+    EXPECT_GT(high["building_low"].get<std::size_t>(), usual["building_low"].get<std::size_t>());
+    const json sure = dropped({"-min_confidence", "0.99", town, "out.gpkg"});
+    EXPECT_EQ(sure["building_doubtful"].get<std::size_t>(), all - buildings());
+    const std::string out = run_well({"-overwrite", "-min_area", "500", town, "out.gpkg"});
+    EXPECT_NE(out.find(" in out.gpkg (left out: " + large["building_small"].dump() + " below -min_area"),
+              std::string::npos)
+        << out;
+}
+
+TEST_F(Diagnosis, areasOfShearedCellsAreThoseOnTheGround) {
+    // Houses of 10 x 10 cells of 0.25 m2 on a grid whose rows are shifted by 100 cells each: 25 m2.
+    RasterSpec spec =
+        town_raster(MadeTown::in({{30, 30, 10, 10}, {30, 90, 10, 10}, {90, 60, 10, 10}}, 60, 50));
+    spec.transform = std::array<double, 6>{391000, 0.5, 50, 5820000, 0, -0.5};
+    write(path("sheared.tif"), spec);
+    run_warned({"-q", "sheared.tif", "out.gpkg"}, {"No building was found: -min_area 30 leaves 3 out"});
+    // What is that oblique keeps its outlines as they were traced.
+    run_warned({"-q", "-overwrite", "-min_area", "20", "sheared.tif", "out.gpkg"},
+               {"keeps the staircase of the cells"});
+    EXPECT_EQ(buildings(), 3U);
+}
+
+/// GDAL's driver says on stdout what it thinks of it.
+class Grib : public Diagnosis {
+  protected:
+    void SetUp() override {
+        Diagnosis::SetUp();
+        save_town();
+        const OpenDataset town(GDALOpen(path("town.tif").c_str(), GA_ReadOnly));
+        const GDALDriverH driver = GDALGetDriverByName("GRIB");
+        if (driver == nullptr)
+            GTEST_SKIP() << "this GDAL has no GRIB";
+        GDALDatasetH copy =
+            GDALCreateCopy(driver, path("town.grb2").c_str(), town.get(), FALSE, nullptr, nullptr, nullptr);
+        ASSERT_NE(copy, nullptr);
+        GDALClose(copy);
+        std::ofstream(path("town.grb2"), std::ios::app) << "junk junk junk junk junk\n";
+    }
+};
+
+TEST_F(Grib, stdoutIsTheReportAlone) {
+    const ToolResult result = run({"-json", "town.grb2", "out.gpkg"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.out.substr(0, 2), "{\n");
+    EXPECT_EQ(json::parse(result.out)["output"]["buildings"], 3);
+    EXPECT_NE(result.err, "") << "what the driver says is on stderr";
+}
+
+TEST_F(Grib, stdoutIsTheLayerAlone) {
+    const ToolResult result = run({"-f", "GeoJSON", "-layers", "buildings", "town.grb2", "/vsistdout/"});
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(json::parse(result.out)["features"].size(), 3U);
 }
 
 }  // namespace
