@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 #include <ogr_api.h>
@@ -314,10 +313,12 @@ TEST_F(ReadCutline, hasNoLayer) {
 void write_layers(const std::string& path) {
     write_layer(path, {.name = "notes", .epsg = 0, .geometry = wkbNone});
     write_layer(path, {.name = "first", .features = {{cell_0}}, .epsg = 32632});
-    write_layer(path,
-                {.name = "second",
-                 .features = {{"POLYGON((500020 5538680,500030 5538680,500030 5538670,500020 5538680))"}},
-                 .epsg = 32632});
+    write_layer(
+        path,
+        {.name = "second",
+         .features =
+             {{"POLYGON((500020 5538680,500030 5538680,500030 5538670,500020 5538670,500020 5538680))"}},
+         .epsg = 32632});
 }
 
 TEST_F(ReadCutline, theLayerIsTheOneThatIsNamed) {
@@ -371,7 +372,7 @@ TEST_F(ReadCutline, neitherHasACrs) {
 /// A GeoPackage says by the numbers 0 and -1 that it knows no CRS, and GDAL makes up one for each.
 TEST_F(ReadCutline, aGeoPackageWithoutACrsIsTakenAsOtherFilesWithoutOne) {
     for (const char* number : {"0", "-1"}) {
-        const std::string file = path("cut.gpkg");
+        const std::string file = path(std::string("cut") + number + ".gpkg");
         write_layer(file, {.name = "cut", .features = {{cell_0}}, .epsg = 0});
         const GDALDatasetH dataset =
             GDALOpenEx(file.c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, nullptr, nullptr, nullptr);
@@ -388,7 +389,6 @@ TEST_F(ReadCutline, aGeoPackageWithoutACrsIsTakenAsOtherFilesWithoutOne) {
                       "' has no coordinate reference system; its coordinates are taken as the DEM's."}))
             << number;
         warnings_.clear();
-        std::filesystem::remove(file);
     }
 }
 
