@@ -6,8 +6,8 @@
 #include "core/band.hpp"
 #include "core/grid.hpp"
 #include "detect/detection.hpp"
-#include "detect/morphology.hpp"
-#include "detect/regions.hpp"
+#include "raster/morphology.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 

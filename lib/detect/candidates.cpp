@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "detect/morphology.hpp"
 #include "detect/object_features.hpp"
-#include "detect/regions.hpp"
 #include "detect/smoothness.hpp"
 #include "detect/surface_quality.hpp"
 #include "detect/tree_crowns.hpp"
+#include "raster/morphology.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 namespace {

@@ -6,9 +6,9 @@
 #include "core/executor.hpp"
 #include "detect/detection.hpp"
 #include "detect/object_features.hpp"
-#include "detect/regions.hpp"
 #include "detect/scene.hpp"
 #include "detect/smoothness.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 

@@ -9,27 +9,23 @@
 #include "detect/detection_passes.hpp"
 #include "detect/divide_buildings.hpp"
 #include "detect/priors.hpp"
-#include "detect/regions.hpp"
 #include "detect/smoothness.hpp"
 #include "detect/threshold_scale.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 namespace {
 
 constexpr float lowest_roof_m = 1;  // lower objects are cars, hedges or errors of the ground
 
-/// Returns the first cells of the chosen regions. Regions are numbered in the order of their first cells.
+/// Returns the first cells of the chosen regions.
 template <typename Chosen>
 std::vector<FirstCell> first_cells(const Regions& regions, const Chosen& chosen) {
     std::vector<FirstCell> cells;
-    Label seen = 0;
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r))
-            if (run.label > seen) {
-                seen = run.label;
-                if (chosen(regions.cells[seen]))
-                    cells.push_back({r, run.begin});
-            }
+    for_first_runs(regions, [&](std::int32_t r, const RegionRun& run) {
+        if (chosen(regions.cells[run.label]))
+            cells.push_back({r, run.begin});
+    });
     return cells;
 }
 

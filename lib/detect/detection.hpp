@@ -8,8 +8,8 @@
 #include "core/context.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/parcel_source.hpp"
-#include "detect/regions.hpp"
 #include "detect/scene.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 

@@ -12,7 +12,7 @@
 #include "core/grid.hpp"
 #include "detect/classify.hpp"
 #include "detect/priors.hpp"
-#include "detect/regions.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 
@@ -67,16 +67,6 @@ std::vector<Chosen> choose(std::span<const Candidates> passes) {
             chosen.back()[k] = *next++ ? 1 : 0;
     }
     return chosen;
-}
-
-void paint(const Regions& regions, const Chosen& chosen, Mask& cells, Executor& threads) {
-    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (const RegionRun& run : regions.row(r))
-                if (chosen[run.label] != 0)
-                    std::fill(cells.row(r).begin() + run.begin, cells.row(r).begin() + run.end,
-                              std::uint8_t{1});
-    });
 }
 
 /// True if a mask has a set cell in columns [begin, end) of a row. Both may exceed the grid.
@@ -138,10 +128,14 @@ Candidates select_candidates(std::span<const Candidates> passes, std::size_t usu
     std::vector<Chosen> chosen = choose(passes);
     const Regions& shape = passes[usual].regions;
     Mask taken(shape.rows, shape.cols, 0, threads);
+    const auto paint_chosen = [&](const Regions& regions, const Chosen& of) {
+        paint(
+            regions, [&](Label label) { return of[label] != 0; }, 1, taken, threads);
+    };
     for (std::size_t i = 0; i < passes.size(); ++i)
-        paint(passes[i].regions, chosen[i], taken, threads);
+        paint_chosen(passes[i].regions, chosen[i]);
     keep_separate(taken, shape, chosen[usual]);
-    paint(shape, chosen[usual], taken, threads);
+    paint_chosen(shape, chosen[usual]);
     Candidates result = merge_selected(passes, chosen, taken, threads);
     result.rejected = still_rejected(passes[usual].rejected, taken);
     return result;
@@ -203,13 +197,6 @@ void clear_with_border(const Regions& regions, Mask& cells, Executor& threads) {
     });
 }
 
-/// Returns the run that contains a column, or null.
-const RegionRun* run_at(std::span<const RegionRun> row, std::int32_t col) {
-    const auto run =
-        std::ranges::partition_point(row, [&](const RegionRun& before) { return before.end <= col; });
-    return run != row.end() && run->begin <= col ? &*run : nullptr;
-}
-
 }  // namespace
 
 bool needs_relaxed_pass(double filled) {
@@ -230,20 +217,18 @@ Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m
 
 Candidates merge_candidates(Candidates one, const Candidates& other, Executor& threads) {
     Mask cells = mask_of(one.regions, threads);
-    for (std::int32_t r = 0; r < cells.rows; ++r)
-        for (const RegionRun& run : other.regions.row(r))
-            std::fill(cells.row(r).begin() + run.begin, cells.row(r).begin() + run.end, std::uint8_t{1});
+    paint(
+        other.regions, [](Label) { return true; }, 1, cells, threads);
     Candidates both;
     both.regions = connected_regions(cells, 1, 0, threads);
-    // Regions are numbered in the order of their first cells.
-    for (std::int32_t r = 0; r < cells.rows; ++r)
-        for (const RegionRun& run : both.regions.row(r))
-            if (run.label > both.objects.size()) {
-                const Candidates& source = run_at(one.regions.row(r), run.begin) != nullptr ? one : other;
-                const Label label = run_at(source.regions.row(r), run.begin)->label;
-                both.objects.push_back(source.objects[label - 1]);
-                both.features.push_back(source.features[label - 1]);
-            }
+    for_first_runs(both.regions, [&](std::int32_t r, const RegionRun& first) {
+        const RegionRun* run = run_at(one.regions.row(r), first.begin);
+        const Candidates& source = run != nullptr ? one : other;
+        if (run == nullptr)
+            run = run_at(other.regions.row(r), first.begin);
+        both.objects.push_back(source.objects[run->label - 1]);
+        both.features.push_back(source.features[run->label - 1]);
+    });
     both.rejected = std::move(one.rejected);
     both.rejected.crowns.insert(both.rejected.crowns.end(), other.rejected.crowns.begin(),
                                 other.rejected.crowns.end());

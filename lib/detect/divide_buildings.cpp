@@ -10,9 +10,9 @@
 
 #include "core/band.hpp"
 #include "detect/building_pieces.hpp"
-#include "detect/morphology.hpp"
-#include "detect/regions.hpp"
 #include "detect/scene.hpp"
+#include "raster/morphology.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 

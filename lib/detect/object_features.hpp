@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "detect/detection.hpp"
-#include "detect/regions.hpp"
 #include "detect/scene.hpp"
 #include "detect/smoothness.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 

@@ -5,7 +5,7 @@
 
 #include "detect/candidates.hpp"
 #include "detect/detection.hpp"
-#include "detect/regions.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 

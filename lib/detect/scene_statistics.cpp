@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "detect/regions.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 
@@ -112,13 +112,6 @@ void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first
 namespace {
 
 constexpr std::int64_t least_missing = 20;  // at least one in this many cells
-struct Box {
-    std::int32_t first_row;
-    std::int32_t end_row;
-    std::int32_t begin;
-    std::int32_t end;
-};
-
 Mask known_cells(const MetreGrid& surface, const Window& own, Executor& threads) {
     Mask known = Mask::unset(own.rows, own.cols, threads);
     for_row_bands(threads, own.rows, own.cols, [&](RowBand band) {
@@ -129,20 +122,6 @@ Mask known_cells(const MetreGrid& surface, const Window& own, Executor& threads)
         }
     });
     return known;
-}
-
-std::vector<Box> boxes_of(const Regions& regions) {
-    std::vector<Box> boxes(regions.cells.size(), Box{-1, 0, 0, 0});
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r)) {
-            Box& box = boxes[run.label];
-            if (box.first_row < 0)
-                box = {r, r + 1, run.begin, run.end};
-            box.end_row = r + 1;
-            box.begin = std::min(box.begin, run.begin);
-            box.end = std::max(box.end, run.end);
-        }
-    return boxes;
 }
 
 }  // namespace
@@ -161,11 +140,10 @@ void add_islands(const MetreGrid& surface, const CellSize& cell, const Window& o
     ValidIslands here{cells, 0, 0, 0};
     if (least_missing * (own.points() - cells) >= own.points()) {
         const Regions regions = connected_regions(known, 1, cells_covering(min_area_m2, cell), threads);
-        const std::vector<Box> boxes = boxes_of(regions);
+        const std::vector<CellBox> boxes = bounding_boxes(regions);
         for (Label label = 1; label < boxes.size(); ++label) {
-            const Box& box = boxes[label];
-            if (std::min((box.end_row - box.first_row) * cell.down * cell.sine,
-                         (box.end - box.begin) * cell.across) > max_width_m)
+            const CellBox& box = boxes[label];
+            if (std::min(box.rows() * cell.down * cell.sine, box.cols() * cell.across) > max_width_m)
                 continue;
             here.narrow += regions.cells[label];
             ++here.islands;

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "detect/regions.hpp"
 #include "detect/scene.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "detect/regions.hpp"
 #include "detect/smoothness.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "detect/morphology.hpp"
+#include "raster/morphology.hpp"
 
 namespace d2b {
 namespace {
@@ -139,36 +139,21 @@ constexpr double least_sharp = 0.6;
 constexpr std::array<double, 4> stricter{0.9, 0.8, 0.7, 0.6};
 constexpr std::int64_t most_lost = 5;  // per thousand
 
-/// Returns the cells of the objects with a property.
-/// @param has has(i): true if object i has it
-template <typename Has>
-Mask cells_of(const Candidates& judged, const Has& has, Executor& threads) {
-    Mask cells(judged.regions.rows, judged.regions.cols, 0, threads);
-    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (const RegionRun& run : judged.regions.row(r))
-                if (has(run.label - 1))
-                    std::fill(cells.row(r).begin() + run.begin, cells.row(r).begin() + run.end,
-                              std::uint8_t{1});
-    });
-    return cells;
-}
-
 /// Returns roofs that are certain even without their right angles, because the surface alone has to show its
 /// smoothness.
 Mask sure_roofs(const Candidates& judged, double filled, Executor& threads) {
-    const auto is_sure = [&](std::size_t i) {
-        ObjectFeatures without = judged.features[i];
+    const auto is_sure = [&](Label label) {
+        ObjectFeatures without = judged.features[label - 1];
         without.right_angles = neutral_right_angles;
-        return judged.objects[i].confidence > surely_roof &&
+        return judged.objects[label - 1].confidence > surely_roof &&
                classify(without, filled).confidence > surely_roof;
     };
-    return cells_of(judged, is_sure, threads);
+    return mask_of(judged.regions, is_sure, threads);
 }
 
 Mask likely_roofs(const Candidates& judged, Executor& threads) {
-    return cells_of(
-        judged, [&](std::size_t i) { return judged.objects[i].confidence > likely_roof; }, threads);
+    const auto is_likely = [&](Label label) { return judged.objects[label - 1].confidence > likely_roof; };
+    return mask_of(judged.regions, is_likely, threads);
 }
 
 std::int64_t common_cells(const Mask& a, const Mask& b) {

@@ -10,8 +10,8 @@
 
 #include "core/grid.hpp"
 #include "detect/detection.hpp"
-#include "detect/morphology.hpp"
 #include "detect/object_features.hpp"
+#include "raster/morphology.hpp"
 
 namespace d2b {
 
@@ -393,21 +393,16 @@ Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t min_ce
     return connected_regions(rest, 1, min_cells, threads);
 }
 
-/// Clears the parts to be cut. Regions are numbered in the order of their first cells.
+/// Clears the parts to be cut.
 std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::vector<CutLine>>& cuts,
-                            Mask& objects) {
+                            Mask& objects, Executor& threads) {
+    const auto is_cut = [&](Label label) { return !cuts[label - 1].empty(); };
+    paint(parts, is_cut, 0, objects, threads);
     std::vector<CutCrown> crowns;
-    Label seen = 0;
-    for (std::int32_t r = 0; r < parts.rows; ++r)
-        for (const RegionRun& run : parts.row(r)) {
-            if (cuts[run.label - 1].empty())
-                continue;
-            std::fill(objects.row(r).begin() + run.begin, objects.row(r).begin() + run.end, std::uint8_t{0});
-            if (run.label > seen) {
-                seen = run.label;
-                crowns.push_back({{r, run.begin}, parts.cells[seen]});
-            }
-        }
+    for_first_runs(parts, [&](std::int32_t r, const RegionRun& run) {
+        if (is_cut(run.label))
+            crowns.push_back({{r, run.begin}, parts.cells[run.label]});
+    });
     return crowns;
 }
 
@@ -417,16 +412,12 @@ void relabel_remaining(const Mask& cells, std::int64_t min_cells, Candidates& ju
     left.regions = connected_regions(cells, 1, 0, threads);
     const std::vector<FirstCell> small = remove_small(left.regions, min_cells);
     judged.rejected.small.insert(judged.rejected.small.end(), small.begin(), small.end());
-    for (std::int32_t r = 0; r < cells.rows; ++r)
-        for (const RegionRun& run : left.regions.row(r))
-            if (run.label > left.objects.size()) {
-                const std::span<const RegionRun> before = judged.regions.row(r);
-                const auto whole = std::ranges::partition_point(
-                    before, [&](const RegionRun& other) { return other.end <= run.begin; });
-                left.objects.push_back(judged.objects[whole->label - 1]);
-                left.objects.back().cells = left.regions.cells[run.label];
-                left.features.push_back(judged.features[whole->label - 1]);
-            }
+    for_first_runs(left.regions, [&](std::int32_t r, const RegionRun& run) {
+        const Label whole = run_at(judged.regions.row(r), run.begin)->label;
+        left.objects.push_back(judged.objects[whole - 1]);
+        left.objects.back().cells = left.regions.cells[run.label];
+        left.features.push_back(judged.features[whole - 1]);
+    });
     judged.regions = std::move(left.regions);
     judged.objects = std::move(left.objects);
     judged.features = std::move(left.features);
@@ -449,7 +440,7 @@ std::vector<CutCrown> remove_attached_crowns(const Scene& scene, const SmoothSeg
     threads.for_each(seams.size(), [&](std::size_t i) {
         cuts[i] = crown_cuts(seams[i], features[i], parts.cells, scene.cell, eaves);
     });
-    std::vector<CutCrown> crowns = clear(parts.regions, cuts, parts.cells);
+    std::vector<CutCrown> crowns = clear(parts.regions, cuts, parts.cells, threads);
     for (const std::vector<CutLine>& lines : cuts)
         for (const CutLine& cut : lines)
             clear_beyond_wall(cut.seam, cut.wall, roofs, scene.cell, parts.cells);

@@ -88,7 +88,7 @@ void LabelRows::append(const Unit& unit, const Grid<Label>& labels, Executor& th
         [&](std::size_t k, std::size_t) {
             ByteWriter writer;
             const RowBand rows = slab_of(here.rows, static_cast<std::int32_t>(k));
-            std::vector<Run> runs;
+            std::vector<RegionRun> runs;
             for (std::int32_t row = rows.begin; row < rows.end; ++row) {
                 runs.clear();
                 const auto cells = labels.row(row - unit.seen.row)
@@ -112,12 +112,12 @@ void LabelRows::read_slab(const SpoolEntry& entry, RowBand rows, LabelBand& band
         const auto runs = reader.take<std::uint32_t>();
         const std::int32_t r = row - band.shape.first_row;
         if (r < 0 || r >= band.shape.rows) {
-            (void)reader.take_bytes(runs * sizeof(Run));
+            (void)reader.take_bytes(runs * sizeof(RegionRun));
             continue;
         }
         const auto cells = band.labels.begin() + std::ptrdiff_t{r} * band.shape.cols;
         for (std::uint32_t i = 0; i < runs; ++i) {
-            const Run run = reader.take<Run>();
+            const RegionRun run = reader.take<RegionRun>();
             std::fill(cells + run.begin, cells + run.end, number_[run.label]);
         }
     }

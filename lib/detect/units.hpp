@@ -16,7 +16,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/spool.hpp"
 #include "detect/detection.hpp"
-#include "detect/regions.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 
@@ -89,12 +89,6 @@ class LabelRows {
     [[nodiscard]] LabelBand band(const BandShape& shape) const;
 
   private:
-    /// Run of cells in columns of the window.
-    struct Run {
-        std::int32_t begin;
-        std::int32_t end;
-        Label label;
-    };
     /// Row of adjacent units.
     struct UnitRow {
         RowBand rows;                                ///< rows of the whole raster

@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b::ground {
 
@@ -26,21 +27,13 @@ inline constexpr std::array<BlockIndex, 8> neighbours_8{
 
 namespace {
 
-/// Offset of a neighbouring block.
-struct Neighbour {
-    std::int32_t down;
-    std::int32_t across;
-};
-constexpr std::array<Neighbour, 8> neighbour_offsets{
-    {{-1, -1}, {-1, 0}, {-1, 1}, {0, -1}, {0, 1}, {1, -1}, {1, 0}, {1, 1}}};
-
 class RegionGrowing {
   public:
     RegionGrowing(const AlignedGrid& blocks, const MetreGrid& limits, double slope, Executor& threads)
         : grid_(blocks.grid), mask_(Mask::unset(grid_.rows, grid_.cols, threads)) {
-        for (const Neighbour& n : neighbour_offsets)
-            steps_.push_back(static_cast<float>(
-                slope * std::hypot(n.down * blocks.cell.down, n.across * blocks.cell.across)));
+        for (const BlockIndex& n : neighbours_8)
+            steps_.push_back(
+                static_cast<float>(slope * std::hypot(n.row * blocks.cell.down, n.col * blocks.cell.across)));
         for_row_bands(threads, grid_.rows, grid_.cols, [&](RowBand band) {
             for (std::int32_t i = band.begin; i < band.end; ++i) {
                 const std::span<const float> z = grid_.row(i);
@@ -57,25 +50,25 @@ class RegionGrowing {
     /// at the start.
     void first_step(Executor& threads) {
         const std::vector<RowBand> bands = row_bands(grid_.rows, grid_.cols);
-        std::vector<std::vector<Cell>> joined(bands.size());
+        std::vector<std::vector<BlockIndex>> joined(bands.size());
         threads.for_each(bands.size(), [&](std::size_t band) {
             for (std::int32_t i = bands[band].begin; i < bands[band].end; ++i)
                 for (std::int32_t j = 0; j < grid_.cols; ++j)
                     if (mask_.at(i, j) == 0 && grid_.at(i, j) != no_value && touches_ground({i, j}))
                         joined[band].push_back({i, j});
         });
-        for (const std::vector<Cell>& some : joined)
+        for (const std::vector<BlockIndex>& some : joined)
             front_.insert(front_.end(), some.begin(), some.end());
-        for (const Cell& place : front_)
+        for (const BlockIndex& place : front_)
             mask_.at(place.row, place.col) = 1;
     }
 
     /// Adds all blocks that touch one added in the previous step.
     void step() {
-        std::vector<Cell> joined;
-        for (const Cell& from : front_)
+        std::vector<BlockIndex> joined;
+        for (const BlockIndex& from : front_)
             for (std::size_t k = 0; k < steps_.size(); ++k) {
-                const Cell to{from.row + neighbour_offsets[k].down, from.col + neighbour_offsets[k].across};
+                const BlockIndex to{from.row + neighbours_8[k].row, from.col + neighbours_8[k].col};
                 if (grid_.holds(to.row, to.col) && mask_.at(to.row, to.col) == 0 && is_step(from, to, k)) {
                     mask_.at(to.row, to.col) = 1;
                     joined.push_back(to);
@@ -88,18 +81,13 @@ class RegionGrowing {
     [[nodiscard]] Mask take() { return std::move(mask_); }
 
   private:
-    struct Cell {
-        std::int32_t row;
-        std::int32_t col;
-    };
-
-    [[nodiscard]] bool is_step(const Cell& from, const Cell& to, std::size_t k) const {
+    [[nodiscard]] bool is_step(const BlockIndex& from, const BlockIndex& to, std::size_t k) const {
         const float z = grid_.at(to.row, to.col);
         return z != no_value && std::fabs(z - grid_.at(from.row, from.col)) < steps_[k];
     }
-    [[nodiscard]] bool touches_ground(const Cell& at) const {
+    [[nodiscard]] bool touches_ground(const BlockIndex& at) const {
         for (std::size_t k = 0; k < steps_.size(); ++k) {
-            const Cell from{at.row + neighbour_offsets[k].down, at.col + neighbour_offsets[k].across};
+            const BlockIndex from{at.row + neighbours_8[k].row, at.col + neighbours_8[k].col};
             if (grid_.holds(from.row, from.col) && mask_.at(from.row, from.col) != 0 && is_step(from, at, k))
                 return true;
         }
@@ -108,7 +96,7 @@ class RegionGrowing {
 
     const MetreGrid& grid_;
     std::vector<float> steps_;
-    std::vector<Cell> front_;
+    std::vector<BlockIndex> front_;
     Mask mask_;
 };
 
@@ -126,97 +114,65 @@ Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& 
 
 namespace {
 
-/// Collects connected pieces of blocks and measures their surroundings.
-class Components {
-  public:
-    Components(const AlignedGrid& blocks, const MetreGrid& limits, const Mask& ground)
-        : blocks_(blocks),
-          grid_(blocks.grid),
-          open_(grid_.rows, grid_.cols),
-          inside_(grid_.rows, grid_.cols) {
-        for (std::size_t i = 0; i < ground.size(); ++i) {
-            const float z = grid_.values[i];
-            inside_.values[i] = ground.values[i] != 0 && z != no_value && z > limits.values[i] ? 1 : 0;
-        }
-        open_ = inside_;
-    }
-
-    /// Returns the piece that contains a block, or nothing if it was returned before.
-    [[nodiscard]] std::vector<BlockIndex> take(BlockIndex first) {
-        std::vector<BlockIndex> component;
-        add(first, component);
-        for (std::size_t i = 0; i < component.size(); ++i)
-            for (const BlockIndex& side : neighbours_4)
-                add({component[i].row + side.row, component[i].col + side.col}, component);
-        return component;
-    }
-
-    /// Returns the share of a piece's border at which the surface steps by more than `rise`: up or down in
-    /// the next block, or down within two, because a wall may extend into a block.
-    [[nodiscard]] double walled_share(const std::vector<BlockIndex>& component, float rise) const {
-        std::int64_t border = 0;
-        std::int64_t walled = 0;
-        for (const BlockIndex& at : component)
-            for (const BlockIndex& side : neighbours_4) {
-                const BlockIndex beside{at.row + side.row, at.col + side.col};
-                if (!grid_.holds(beside.row, beside.col))
-                    ++border;  // the piece may continue beyond the raster
-                if (!outside(beside))
-                    continue;
-                ++border;
-                const BlockIndex behind{beside.row + side.row, beside.col + side.col};
-                const float z = grid_.at(at.row, at.col);
-                const float there = grid_.at(beside.row, beside.col);
-                const float lower =
-                    outside(behind) ? std::min(there, grid_.at(behind.row, behind.col)) : there;
-                walled += there > z + rise || lower < z - rise ? 1 : 0;
-            }
-        return border > 0 ? static_cast<double>(walled) / static_cast<double>(border) : 0;
-    }
-
-    [[nodiscard]] double length(const std::vector<BlockIndex>& component) const {
-        const auto [top, bottom] =
-            std::minmax_element(component.begin(), component.end(),
-                                [](const BlockIndex& a, const BlockIndex& b) { return a.row < b.row; });
-        const auto [left, right] =
-            std::minmax_element(component.begin(), component.end(),
-                                [](const BlockIndex& a, const BlockIndex& b) { return a.col < b.col; });
-        return std::max((bottom->row - top->row + 1) * blocks_.cell.down,
-                        (right->col - left->col + 1) * blocks_.cell.across);
-    }
-
-  private:
-    void add(BlockIndex at, std::vector<BlockIndex>& component) {
-        if (!grid_.holds(at.row, at.col) || open_.at(at.row, at.col) == 0)
-            return;
-        open_.at(at.row, at.col) = 0;
-        component.push_back(at);
-    }
-    [[nodiscard]] bool outside(BlockIndex at) const {
-        return grid_.holds(at.row, at.col) && inside_.at(at.row, at.col) == 0 &&
-               grid_.at(at.row, at.col) != no_value;
-    }
-
-    const AlignedGrid& blocks_;
-    const MetreGrid& grid_;
-    Mask open_;
-    Mask inside_;
+/// Border of a component of blocks, counted by sides of blocks.
+struct BorderSides {
+    std::int64_t all = 0;
+    std::int64_t walled = 0;
 };
+
+/// Counts the sides at which the surface steps by more than `rise`: up or down in the next block, or down
+/// within two, because a wall may extend into a block.
+std::vector<BorderSides> border_sides(const MetreGrid& grid, const Mask& inside, const Regions& components,
+                                      float rise) {
+    const auto is_outside = [&](BlockIndex at) {
+        return grid.holds(at.row, at.col) && inside.at(at.row, at.col) == 0 &&
+               grid.at(at.row, at.col) != no_value;
+    };
+    std::vector<BorderSides> borders(components.cells.size());
+    const auto add = [&](BlockIndex at, BorderSides& border) {
+        for (const BlockIndex& side : neighbours_4) {
+            const BlockIndex beside{at.row + side.row, at.col + side.col};
+            if (!grid.holds(beside.row, beside.col))
+                ++border.all;  // the component may continue beyond the raster
+            if (!is_outside(beside))
+                continue;
+            ++border.all;
+            const BlockIndex behind{beside.row + side.row, beside.col + side.col};
+            const float z = grid.at(at.row, at.col);
+            const float there = grid.at(beside.row, beside.col);
+            const float lower = is_outside(behind) ? std::min(there, grid.at(behind.row, behind.col)) : there;
+            border.walled += there > z + rise || lower < z - rise ? 1 : 0;
+        }
+    };
+    for (std::int32_t r = 0; r < components.rows; ++r)
+        for (const RegionRun& run : components.row(r))
+            for (std::int32_t c = run.begin; c < run.end; ++c)
+                add({r, c}, borders[run.label]);
+    return borders;
+}
 
 }  // namespace
 
 void remove_enclosed_by_walls(const AlignedGrid& blocks, const MetreGrid& limits, const Rules& rules,
-                              double largest, Grid<std::uint8_t>& ground) {
-    Components components(blocks, limits, ground);
-    for (std::int32_t row = 0; row < ground.rows; ++row)
-        for (std::int32_t col = 0; col < ground.cols; ++col) {
-            const std::vector<BlockIndex> component = components.take({row, col});
-            if (component.empty() || components.length(component) > largest ||
-                components.walled_share(component, static_cast<float>(rules.wall_rise)) <= rules.wall_share)
-                continue;
-            for (const BlockIndex& at : component)
-                ground.at(at.row, at.col) = 0;
-        }
+                              double largest, Mask& ground, Executor& threads) {
+    const MetreGrid& grid = blocks.grid;
+    Mask inside(grid.rows, grid.cols);
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        const float z = grid.values[i];
+        inside.values[i] = ground.values[i] != 0 && z != no_value && z > limits.values[i] ? 1 : 0;
+    }
+    const Regions components = connected_regions(inside, 1, 0, threads);
+    const std::vector<CellBox> boxes = bounding_boxes(components);
+    const std::vector<BorderSides> borders =
+        border_sides(grid, inside, components, static_cast<float>(rules.wall_rise));
+    const auto is_enclosed = [&](Label label) {
+        const BorderSides& border = borders[label];
+        return std::max(boxes[label].rows() * blocks.cell.down, boxes[label].cols() * blocks.cell.across) <=
+                   largest &&
+               border.all > 0 &&
+               static_cast<double>(border.walled) / static_cast<double>(border.all) > rules.wall_share;
+    };
+    paint(components, is_enclosed, 0, ground, threads);
 }
 
 namespace {

@@ -23,7 +23,7 @@ namespace d2b::ground {
 /// @param ground 1 for connected ground; modified
 /// @param largest metres
 void remove_enclosed_by_walls(const AlignedGrid& blocks, const MetreGrid& limits, const Rules& rules,
-                              double largest, Grid<std::uint8_t>& ground);
+                              double largest, Mask& ground, Executor& threads);
 
 /// Finds roofs that became connected ground although nothing leads up to them. Roofs of a mall are wider than
 /// most elements: their lower parts are never cut off, and ground grows from there to the rest. A plateau is

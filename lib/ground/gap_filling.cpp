@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/grid.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
 namespace d2b::ground {
 

@@ -12,7 +12,7 @@
 #include "ground/gap_filling.hpp"
 #include "ground/initial_terrain.hpp"
 #include "ground/low_outliers.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 #include "ground/rules.hpp"
 
 namespace d2b::ground {

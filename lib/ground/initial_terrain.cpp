@@ -9,7 +9,7 @@
 #include "ground/connected_ground.hpp"
 #include "ground/gap_filling.hpp"
 #include "ground/progressive_opening.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {
@@ -97,7 +97,7 @@ MetreGrid block_limits(AlignedGrid& blocks, double next_radius, double width, co
     const auto follow_ground = [&] {
         ground = connected_ground(blocks, sure, link_slope(blocks.cell, rules), rules.link_steps, threads);
         roofs = enclosed_plateaus(blocks, sure, ground, rules, rules.wall_length * width);
-        remove_enclosed_by_walls(blocks, sure, rules, rules.wall_length * width, ground);
+        remove_enclosed_by_walls(blocks, sure, rules, rules.wall_length * width, ground, threads);
     };
     elements.rise = rules.line_rise;
     elements.slope = rules.line_slope;

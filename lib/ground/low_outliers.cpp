@@ -5,9 +5,9 @@
 #include <tuple>
 
 #include "ground/aligned_grid.hpp"
-#include "ground/opening.hpp"
+#include "raster/opening.hpp"
 #include "ground/quantized_elevations.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {

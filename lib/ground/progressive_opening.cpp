@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {

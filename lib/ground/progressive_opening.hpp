@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ground/aligned_grid.hpp"
-#include "ground/opening.hpp"
+#include "raster/opening.hpp"
 #include "ground/quantized_elevations.hpp"
 
 namespace d2b::ground {

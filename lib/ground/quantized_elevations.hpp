@@ -4,7 +4,7 @@
 #include <span>
 
 #include "ground/aligned_grid.hpp"
-#include "ground/opening.hpp"
+#include "raster/opening.hpp"
 
 namespace d2b::ground {
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "detect/regions.hpp"
+#include "raster/regions.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "detect/morphology.hpp"
+#include "raster/morphology.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 

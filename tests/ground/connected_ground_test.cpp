@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::ground {
@@ -77,7 +77,7 @@ struct Blocks {
     /// What is still ground: #.
     [[nodiscard]] Drawing left(double largest = any_length) const {
         Grid<std::uint8_t> mask = ground;
-        remove_enclosed_by_walls(surface, limits, {}, largest, mask);
+        remove_enclosed_by_walls(surface, limits, {}, largest, mask, test::threads());
         return drawing(mask);
     }
     [[nodiscard]] Drawing before() const { return drawing(ground); }
@@ -292,7 +292,7 @@ TEST(WalledBack, WhereNothingWasConnectedNothingChanges) {
     std::fill(ground.limits.values.begin(), ground.limits.values.end(), 5.0F);
     EXPECT_EQ(ground.left(), ground.before()) << "high, but never an object";
     Grid<std::uint8_t> none;
-    remove_enclosed_by_walls({}, {}, {}, any_length, none);
+    remove_enclosed_by_walls({}, {}, {}, any_length, none, test::threads());
     EXPECT_EQ(none.size(), 0U);
 }
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/random_surface.hpp"
+#include "support/random_surface.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::ground {

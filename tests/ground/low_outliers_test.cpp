@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::ground {

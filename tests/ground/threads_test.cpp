@@ -9,7 +9,7 @@
 
 #include "ground/ground.hpp"
 #include "ground/progressive_opening.hpp"
-#include "ground/random_surface.hpp"
+#include "support/random_surface.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b {

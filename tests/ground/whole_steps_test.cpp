@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "ground/quantized_elevations.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
 namespace d2b::ground {
 namespace {

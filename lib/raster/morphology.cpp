@@ -1,15 +1,15 @@
-#include "detect/morphology.hpp"
+#include "raster/morphology.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <span>
 #include <vector>
 
 #include "core/grid.hpp"
-#include "detect/regions.hpp"
+#include "raster/rank_filter.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b {
 
@@ -191,20 +191,13 @@ Mask dilate_within(Mask mask, const Mask& within, int steps, Executor& threads) 
 
 void fill_small_holes(Mask& mask, std::int64_t fewer_than, Executor& threads) {
     const Regions holes = connected_regions(mask, 0, 0, threads);
-    std::vector<std::uint8_t> fill(holes.cells.size(), 0);
-    for (std::size_t i = 1; i < fill.size(); ++i)
-        fill[i] = holes.cells[i] < fewer_than ? 1 : 0;
-    for (std::int32_t r = 0; r < mask.rows; ++r)
-        for (const RegionRun& run : holes.row(r))
-            if (r == 0 || r + 1 == mask.rows || run.begin == 0 || run.end == mask.cols)
-                fill[run.label] = 0;
-    for_row_bands(threads, mask.rows, mask.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (const RegionRun& run : holes.row(r))
-                if (fill[run.label] != 0)
-                    std::memset(mask.row(r).data() + run.begin, 1,
-                                static_cast<std::size_t>(run.end - run.begin));
-    });
+    const std::vector<CellBox> boxes = bounding_boxes(holes);
+    const auto is_small = [&](Label label) {
+        const CellBox& box = boxes[label];
+        return holes.cells[label] < fewer_than && box.first_row > 0 && box.end_row < mask.rows &&
+               box.first_col > 0 && box.end_col < mask.cols;
+    };
+    paint(holes, is_small, 1, mask, threads);
 }
 
 namespace {
@@ -212,14 +205,8 @@ namespace {
 /// Thresholds in per cent: a cell joins if buildings cover more than `gain` of its neighbourhood, and a
 /// building cell stays if they cover more than `keep`.
 struct MajorityThresholds {
-    std::int64_t gain;
-    std::int64_t keep;
-};
-
-/// Half sides of a neighbourhood in cells.
-struct Radius {
-    std::int32_t up;
-    std::int32_t side;
+    std::uint32_t gain;
+    std::uint32_t keep;
 };
 
 constexpr double growth_reach_m = 3.5;
@@ -229,8 +216,11 @@ constexpr double border_reach_m = 1;
 constexpr MajorityThresholds border_shares{50, 50};
 
 std::int32_t radius_in_cells(double reach_m, double step, std::int32_t cells) {
+    constexpr std::int32_t most =
+        3000;  // so that a hundred times the count of a neighbourhood fits into 32 bits
     const double reached = std::round(reach_m / step);
-    return std::max(1, static_cast<std::int32_t>(std::min(reached, static_cast<double>(cells))));
+    return std::max(1,
+                    static_cast<std::int32_t>(std::min(reached, static_cast<double>(std::min(cells, most)))));
 }
 
 /// Counts the set cells of a mask in a sliding window, from sums down the columns and along the row.
@@ -240,20 +230,22 @@ class WindowCounts {
     WindowCounts(const Mask& mask, Radius radius, std::int32_t first)
         : mask_(mask),
           radius_(radius),
-          columns_(static_cast<std::size_t>(mask.cols + 2 * radius.side), 0),
-          sums_(columns_.size() + 1, 0) {
-        for (std::int32_t r = first - radius.up; r < first + radius.up; ++r)
+          columns_(static_cast<std::size_t>(mask.cols + 2 * radius.across), 0),
+          sums_(columns_.size() + 1, 0),
+          counts_(static_cast<std::size_t>(mask.cols)) {
+        for (std::int32_t r = first - radius.down; r < first + radius.down; ++r)
             add_row(r, 1);
     }
-    /// Slides the window to row `r`, which must follow the last requested row.
-    void move_to(std::int32_t r) {
-        add_row(r + radius_.up, 1);
+    /// Returns the counts around the cells of row `r`, which must follow the last requested row.
+    [[nodiscard]] std::span<const std::uint32_t> row(std::int32_t r) {
+        add_row(r + radius_.down, 1);
         for (std::size_t c = 0; c < columns_.size(); ++c)
             sums_[c + 1] = sums_[c] + columns_[c];
-        add_row(r - radius_.up, -1);
-    }
-    [[nodiscard]] std::int64_t at(std::size_t col) const {
-        return sums_[col + 2 * static_cast<std::size_t>(radius_.side) + 1] - sums_[col];
+        const std::size_t width = columns_.size() + 1 - counts_.size();
+        for (std::size_t c = 0; c < counts_.size(); ++c)
+            counts_[c] = sums_[c + width] - sums_[c];
+        add_row(r - radius_.down, -1);
+        return counts_;
     }
 
   private:
@@ -261,7 +253,7 @@ class WindowCounts {
         if (r < 0 || r >= mask_.rows)
             return;
         const std::span<const std::uint8_t> cells = mask_.row(r);
-        std::uint32_t* const columns = columns_.data() + radius_.side;
+        std::uint32_t* const columns = columns_.data() + radius_.across;
         for (std::size_t c = 0; c < cells.size(); ++c)
             columns[c] += static_cast<std::uint32_t>(sign * cells[c]);
     }
@@ -271,21 +263,22 @@ class WindowCounts {
     std::vector<std::uint32_t>
         columns_;                      ///< set cells per column of the window's rows; zeros beyond the mask
     std::vector<std::uint32_t> sums_;  ///< set cells in the columns before
+    std::vector<std::uint32_t> counts_;
 };
 
 D2B_MULTIVERSION void vote(const Mask& now, const Mask& voters, const Mask& within, Radius radius,
                            MajorityThresholds thresholds, RowBand band, Mask& next) {
-    WindowCounts buildings(now, radius, band.begin);
-    WindowCounts all(voters, radius, band.begin);
+    WindowCounts building_counts(now, radius, band.begin);
+    WindowCounts voter_counts(voters, radius, band.begin);
     for (std::int32_t r = band.begin; r < band.end; ++r) {
-        buildings.move_to(r);
-        all.move_to(r);
+        const std::span<const std::uint32_t> buildings = building_counts.row(r);
+        const std::span<const std::uint32_t> all = voter_counts.row(r);
         const std::span<const std::uint8_t> is = now.row(r);
         const std::span<const std::uint8_t> may = within.row(r);
         const std::span<std::uint8_t> out = next.row(r);
         for (std::size_t c = 0; c < out.size(); ++c) {
-            const std::int64_t share = is[c] != 0 ? thresholds.keep : thresholds.gain;
-            out[c] = may[c] & (100 * buildings.at(c) > share * all.at(c) ? 1 : 0);
+            const std::uint32_t share = is[c] != 0 ? thresholds.keep : thresholds.gain;
+            out[c] = may[c] & (100 * buildings[c] > share * all[c] ? 1 : 0);
         }
     }
 }
@@ -297,7 +290,7 @@ Mask majority_filter(const Mask& now, const Mask& voters, const Mask& within, do
                         radius_in_cells(reach_m, cell.across, now.cols)};
     Mask next = Mask::unset(now.rows, now.cols, threads);
     // Bands have a minimum height, because each begins by summing up its first neighbourhood.
-    const std::int32_t least = 8 * std::min(radius.up, now.rows);
+    const std::int32_t least = 8 * std::min(radius.down, now.rows);
     for_row_bands(
         threads, now.rows, now.cols,
         [&](RowBand band) { vote(now, voters, within, radius, thresholds, band, next); },

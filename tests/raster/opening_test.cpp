@@ -1,4 +1,4 @@
-#include "ground/opening.hpp"
+#include "raster/opening.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "ground/random_surface.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
+#include "support/random_surface.hpp"
 
-namespace d2b::ground {
+namespace d2b {
 namespace {
 
 struct Offset {
@@ -147,4 +147,4 @@ TEST(Opening, ClosesWholeNumbersAsItClosesFloats) {
 }
 
 }  // namespace
-}  // namespace d2b::ground
+}  // namespace d2b

@@ -1,4 +1,4 @@
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
 #include <algorithm>
 #include <span>
@@ -6,7 +6,7 @@
 
 #include "core/grid.hpp"
 
-namespace d2b::ground {
+namespace d2b {
 namespace {
 
 /// Sliding minimum or maximum by van Herk (1992) and Gil and Werman (1993) on whole rows: lines run down,
@@ -178,4 +178,4 @@ MetreGrid minimum_3x3(const MetreGrid& grid, Executor& threads) {
     return around;
 }
 
-}  // namespace d2b::ground
+}  // namespace d2b

@@ -1,10 +1,10 @@
-#include "detect/morphology.hpp"
+#include "raster/morphology.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "detect_case.hpp"
+#include "support/masks.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::test {

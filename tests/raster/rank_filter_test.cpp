@@ -1,14 +1,15 @@
+#include "raster/rank_filter.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
 #include <gtest/gtest.h>
 
-#include "ground/random_surface.hpp"
-#include "ground/rank_filter.hpp"
+#include "support/random_surface.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::ground {
+namespace d2b {
 namespace {
 
 /// Cell by cell and element by element.
@@ -88,4 +89,4 @@ TEST(LowestAround, IsTheLowestOfNineCells) {
 }
 
 }  // namespace
-}  // namespace d2b::ground
+}  // namespace d2b

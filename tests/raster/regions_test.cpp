@@ -1,4 +1,4 @@
-#include "detect/regions.hpp"
+#include "raster/regions.hpp"
 
 #include <atomic>
 #include <numeric>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "detect/morphology.hpp"
-#include "detect_case.hpp"
+#include "raster/morphology.hpp"
+#include "support/masks.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::test {

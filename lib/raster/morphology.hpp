@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "core/grid.hpp"
-#include "detect/scene.hpp"
 
 namespace d2b {
 

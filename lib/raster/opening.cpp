@@ -1,4 +1,4 @@
-#include "ground/opening.hpp"
+#include "raster/opening.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,11 +6,12 @@
 #include <span>
 
 #include "core/grid.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
-namespace d2b::ground {
+namespace d2b {
 namespace {
 
+/// Replaces the neutral element of one extremum by that of the other in cells without data.
 template <typename First, typename Second, typename T>
 void swap_neutral_values(std::span<T> row) {
     constexpr T from = First::template neutral<T>;
@@ -28,8 +29,10 @@ void open_along_row(std::span<T> row, std::int32_t radius, OpeningBuffers<T>& bu
     filter_row<Second>(buffers.first.data(), row.size(), reach, buffers.lines, row.data());
 }
 
+/// Completes an opening (or closing) by a rectangle for a row of extrema along columns: takes the same
+/// extremum along the row, then the opposite one.
 template <typename T>
-void open_row_impl(std::span<T> row, Extremum first, std::int32_t radius, OpeningBuffers<T>& buffers) {
+void open_row(std::span<T> row, Extremum first, std::int32_t radius, OpeningBuffers<T>& buffers) {
     if (first == Extremum::lowest)
         open_along_row<Minimum, Maximum>(row, radius, buffers);
     else
@@ -37,49 +40,20 @@ void open_row_impl(std::span<T> row, Extremum first, std::int32_t radius, Openin
 }
 
 template <typename T>
-void swap_neutral_impl(std::span<T> row, Extremum from) {
+void swap_neutral(std::span<T> row, Extremum from) {
     if (from == Extremum::lowest)
         swap_neutral_values<Minimum, Maximum>(row);
     else
         swap_neutral_values<Maximum, Minimum>(row);
 }
 
+/// Clears cells of `opened` that have no value in `surface`.
 template <typename T>
-void clear_gaps(std::span<const T> surface, std::span<T> opened) {
+void keep_gaps(const Grid<T>& surface, Grid<T>& opened) {
     constexpr T none = no_value_of<T>;
-    for (std::size_t j = 0; j < opened.size(); ++j)
-        opened[j] = surface[j] == none ? none : opened[j];
+    for (std::size_t k = 0; k < opened.size(); ++k)
+        opened.values[k] = surface.values[k] == none ? none : opened.values[k];
 }
-
-}  // namespace
-
-D2B_MULTIVERSION void open_row(std::span<float> row, Extremum first, std::int32_t radius,
-                               OpeningBuffers<float>& buffers) {
-    open_row_impl(row, first, radius, buffers);
-}
-
-D2B_MULTIVERSION void open_row(std::span<std::int16_t> row, Extremum first, std::int32_t radius,
-                               OpeningBuffers<std::int16_t>& buffers) {
-    open_row_impl(row, first, radius, buffers);
-}
-
-D2B_MULTIVERSION void swap_neutral(std::span<float> row, Extremum from) {
-    swap_neutral_impl(row, from);
-}
-
-D2B_MULTIVERSION void swap_neutral(std::span<std::int16_t> row, Extremum from) {
-    swap_neutral_impl(row, from);
-}
-
-D2B_MULTIVERSION void keep_gaps(std::span<const float> surface, std::span<float> opened) {
-    clear_gaps(surface, opened);
-}
-
-D2B_MULTIVERSION void keep_gaps(std::span<const std::int16_t> surface, std::span<std::int16_t> opened) {
-    clear_gaps(surface, opened);
-}
-
-namespace {
 
 template <typename T>
 void resize_like(Grid<T>& grid, const Grid<T>& like) {
@@ -180,7 +154,7 @@ void open_by(ElementShape element, const Grid<T>& surface, Radius radius, Radius
         else
             open_by_lines(grid, radius, workspace, out);
         if (workspace.gaps)
-            keep_gaps(std::span<const T>(grid.values), std::span<T>(out.values));
+            keep_gaps(grid, out);
     });
 }
 
@@ -215,4 +189,4 @@ D2B_MULTIVERSION void close_rectangle(const Grid<std::int16_t>& surface, Radius 
     close_rectangle_impl(surface, radius, workspace, closed);
 }
 
-}  // namespace d2b::ground
+}  // namespace d2b

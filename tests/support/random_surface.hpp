@@ -3,7 +3,7 @@
 #include <random>
 
 #include "core/grid.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
 namespace d2b::test {
 
@@ -12,7 +12,7 @@ inline MetreGrid random_surface(unsigned seed, std::int32_t rows, std::int32_t c
     std::mt19937 random(seed);
     MetreGrid grid(rows, cols);
     for (float& z : grid.values)
-        z = random() % gaps == 0 ? ground::no_value : static_cast<float>(random() % 50);
+        z = random() % gaps == 0 ? no_value : static_cast<float>(random() % 50);
     return grid;
 }
 

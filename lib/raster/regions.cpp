@@ -1,4 +1,4 @@
-#include "detect/regions.hpp"
+#include "raster/regions.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -196,34 +196,37 @@ std::vector<LabelRange> label_ranges(const Regions& regions) {
     std::int64_t all = 0;
     for (const std::int64_t cells : regions.cells)
         all += cells;
-    std::vector<RowBand> rows(regions.cells.size(), {regions.rows, 0});
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r))
-            rows[run.label] = {std::min(rows[run.label].begin, r), r + 1};
+    const std::vector<CellBox> boxes = bounding_boxes(regions);
     std::vector<LabelRange> ranges;
     std::int64_t cells = 0;
-    for (Label label = 1; label < rows.size(); ++label) {
+    for (Label label = 1; label < boxes.size(); ++label) {
         if (ranges.empty() || cells > all / most) {
-            ranges.push_back({label, label, rows[label]});
+            ranges.push_back({label, label, {boxes[label].first_row, 0}});
             cells = 0;
         }
         LabelRange& range = ranges.back();
         range.end = label + 1;
-        range.rows.end = std::max(range.rows.end, rows[label].end);
+        range.rows.end = std::max(range.rows.end, boxes[label].end_row);
         cells += regions.cells[label];
     }
     return ranges;
 }
 
-Mask mask_of(const Regions& regions, Executor& threads) {
-    Mask result(regions.rows, regions.cols, 0, threads);
-    for_row_bands(threads, regions.rows, regions.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (const RegionRun& run : regions.row(r))
-                std::memset(result.row(r).data() + run.begin, 1,
-                            static_cast<std::size_t>(run.end - run.begin));
-    });
-    return result;
+const RegionRun* run_at(std::span<const RegionRun> row, std::int32_t col) {
+    const auto run =
+        std::ranges::partition_point(row, [&](const RegionRun& before) { return before.end <= col; });
+    return run != row.end() && run->begin <= col ? &*run : nullptr;
+}
+
+std::vector<CellBox> bounding_boxes(const Regions& regions) {
+    std::vector<CellBox> boxes(regions.cells.size());
+    for (std::int32_t r = 0; r < regions.rows; ++r)
+        for (const RegionRun& run : regions.row(r)) {
+            CellBox& box = boxes[run.label];
+            box = {std::min(box.first_row, r), r + 1, std::min(box.first_col, run.begin),
+                   std::max(box.end_col, run.end)};
+        }
+    return boxes;
 }
 
 Grid<Label> label_grid(const Regions& regions, std::span<const Label> number, Executor& threads) {

@@ -1,60 +1,35 @@
 #pragma once
 
-#include <bit>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "core/band.hpp"
 #include "core/disjoint_sets.hpp"
 #include "core/grid.hpp"
-#include "detect/scene.hpp"
 
 namespace d2b {
 
-/// Packs the lowest bits of eight bytes, each 0 or 1; the first byte becomes the lowest bit.
-[[nodiscard]] inline std::uint64_t bits_of_eight(const std::uint8_t* cells) {
-    static_assert(std::endian::native == std::endian::little);
-    constexpr std::uint64_t gather = 0x0102040810204080U;  // moves bit 8 i to bit 56 + i without collisions
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, cells, sizeof eight);
-    return (eight * gather) >> 56U;
-}
-
-/// Calls use(begin, end) for each run of cells with a value in a row of a mask. Processes 64 cells at a time,
-/// and skips words without a transition.
+/// Calls use(begin, end) for each run of cells with a value in a row of a mask.
 /// @param value 0 or 1
 template <typename Use>
 void for_mask_runs(std::span<const std::uint8_t> row, std::uint8_t value, const Use& use) {
-    constexpr std::size_t step = 64;
-    const std::uint64_t turned = value != 0 ? 0 : ~std::uint64_t{0};
-    std::uint64_t before = 0;  // 1 if the previous cell belongs to a run
-    std::int32_t begin = 0;
-    for (std::size_t first = 0; first < row.size(); first += step) {
-        const std::size_t cells = row.size() - first < step ? row.size() - first : step;
-        std::uint64_t in = 0;
-        std::size_t c = 0;
-        for (; c + 8 <= cells; c += 8)
-            in |= bits_of_eight(row.data() + first + c) << c;
-        for (; c < cells; ++c)
-            in |= std::uint64_t{row[first + c]} << c;
-        in ^= turned;
-        if (cells < step)
-            in &= (std::uint64_t{1} << cells) - 1;
-        for (std::uint64_t turns = in ^ (in << 1U | before); turns != 0; turns &= turns - 1) {
-            const auto at = static_cast<std::int32_t>(first) + std::countr_zero(turns);
-            if ((in >> static_cast<unsigned>(at - static_cast<std::int32_t>(first)) & 1U) != 0)
-                begin = at;
-            else
-                use(begin, at);
-        }
-        before = in >> (step - 1);
-        // A run that reaches the end of the row has no transition there if the row fills all 64 bits.
-        if (first + cells == row.size() && before != 0)
-            use(begin, static_cast<std::int32_t>(row.size()));
+    const auto next = [&](std::size_t from, int wanted) {
+        const void* const found =
+            from < row.size() ? std::memchr(row.data() + from, wanted, row.size() - from) : nullptr;
+        return found == nullptr
+                   ? row.size()
+                   : static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - row.data());
+    };
+    for (std::size_t begin = next(0, value); begin < row.size();) {
+        const std::size_t end = next(begin, value ^ 1);
+        use(static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end));
+        begin = next(end, value);
     }
 }
 
@@ -173,7 +148,57 @@ void for_runs_by_label(Executor& threads, const Regions& regions, const Use& use
     });
 }
 
-[[nodiscard]] Mask mask_of(const Regions& regions, Executor& threads);
+/// Calls use(row, run) for the first run of each region, in the order of the labels.
+template <typename Use>
+void for_first_runs(const Regions& regions, const Use& use) {
+    Label seen = 0;
+    for (std::int32_t r = 0; r < regions.rows; ++r)
+        for (const RegionRun& run : regions.row(r))
+            if (run.label > seen) {
+                seen = run.label;
+                use(r, run);
+            }
+}
+
+/// Returns the run of a row that contains a column, or null.
+[[nodiscard]] const RegionRun* run_at(std::span<const RegionRun> row, std::int32_t col);
+
+/// Writes a value into the cells of the regions with a property.
+/// @param has has(label): true if the region has it
+template <typename Has>
+void paint(const Regions& regions, const Has& has, std::uint8_t value, Mask& mask, Executor& threads) {
+    for_row_bands(threads, regions.rows, regions.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (const RegionRun& run : regions.row(r))
+                if (has(run.label))
+                    std::fill_n(mask.row(r).data() + run.begin, run.end - run.begin, value);
+    });
+}
+
+/// Returns the cells of all regions, or of those with a property.
+template <typename Has>
+[[nodiscard]] Mask mask_of(const Regions& regions, const Has& has, Executor& threads) {
+    Mask result(regions.rows, regions.cols, 0, threads);
+    paint(regions, has, 1, result, threads);
+    return result;
+}
+[[nodiscard]] inline Mask mask_of(const Regions& regions, Executor& threads) {
+    return mask_of(
+        regions, [](Label) { return true; }, threads);
+}
+
+/// Smallest rectangle of cells that contains a region.
+struct CellBox {
+    std::int32_t first_row = std::numeric_limits<std::int32_t>::max();
+    std::int32_t end_row = 0;
+    std::int32_t first_col = std::numeric_limits<std::int32_t>::max();
+    std::int32_t end_col = 0;
+
+    [[nodiscard]] std::int32_t rows() const { return end_row - first_row; }
+    [[nodiscard]] std::int32_t cols() const { return end_col - first_col; }
+};
+/// Returns the boxes of all regions by label; [0] is unused.
+[[nodiscard]] std::vector<CellBox> bounding_boxes(const Regions& regions);
 
 /// Paints regions into a grid.
 /// @param number value written per label; [0] is used for cells outside of regions

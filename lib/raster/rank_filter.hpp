@@ -8,7 +8,13 @@
 #include "core/executor.hpp"
 #include "core/grid.hpp"
 
-namespace d2b::ground {
+namespace d2b {
+
+/// Half a structuring element in cells.
+struct Radius {
+    std::int32_t down = 1;
+    std::int32_t across = 1;
+};
 
 enum class Extremum { lowest, highest };
 
@@ -89,4 +95,4 @@ void filter_row(const T* in, std::size_t cols, std::size_t reach, RowBuffers<T>&
         out[j] = pick(near[j], far[j]);
 }
 
-}  // namespace d2b::ground
+}  // namespace d2b

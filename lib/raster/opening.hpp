@@ -2,40 +2,18 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/grid.hpp"
-#include "ground/rank_filter.hpp"
+#include "raster/rank_filter.hpp"
 
-namespace d2b::ground {
+namespace d2b {
 
 /// Buffers reused between rows.
 template <typename T>
 struct OpeningBuffers {
     RowBuffers<T> lines;
     std::vector<T> first;
-};
-
-/// Completes an opening (or closing) by a rectangle for a row of extrema along columns: takes the same
-/// extremum along the row, then the opposite one. Elements without a value become neutral for the second
-/// extremum.
-void open_row(std::span<float> row, Extremum first, std::int32_t radius, OpeningBuffers<float>& buffers);
-void open_row(std::span<std::int16_t> row, Extremum first, std::int32_t radius,
-              OpeningBuffers<std::int16_t>& buffers);
-
-/// Replaces the neutral element of one extremum by that of the other in cells without data.
-void swap_neutral(std::span<float> row, Extremum from);
-void swap_neutral(std::span<std::int16_t> row, Extremum from);
-
-/// Clears cells of `opened` that have no value in `surface`.
-void keep_gaps(std::span<const float> surface, std::span<float> opened);
-void keep_gaps(std::span<const std::int16_t> surface, std::span<std::int16_t> opened);
-
-/// Half a structuring element in cells.
-struct Radius {
-    std::int32_t down = 1;
-    std::int32_t across = 1;
 };
 
 /// Buffers of openings, reused so that memory is allocated once.
@@ -68,4 +46,4 @@ void close_rectangle(const MetreGrid& surface, Radius radius, Workspace<float>& 
 void close_rectangle(const Grid<std::int16_t>& surface, Radius radius, Workspace<std::int16_t>& workspace,
                      Grid<std::int16_t>& closed);
 
-}  // namespace d2b::ground
+}  // namespace d2b
