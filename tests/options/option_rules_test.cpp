@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <regex>
@@ -213,9 +214,13 @@ TEST(OptionChecks, ThesisRefusesFieldsOfWhatLooksForBuildings) {
     for (const OptionCase& option : option_cases()) {
         const OptionRow& row = *find_option(option.name);
         Request request;
-        for (const std::string& needed : option.with)
-            if (const OptionRow* other = needed.starts_with('-') ? find_option(needed) : nullptr)
-                apply_option(*other, request, Texts{option.with.back()});
+        for (std::size_t i = 0; i < option.with.size(); ++i) {
+            if (!option.with[i].starts_with('-'))
+                continue;
+            const bool has_value = i + 1 < option.with.size() && !option.with[i + 1].starts_with('-');
+            if (const OptionRow* other = find_option(option.with[i]))
+                apply_option(*other, request, has_value ? Texts{option.with[i + 1]} : Texts{});
+        }
         apply_option(row, request, option.values);
         if (row.has_meaning(Preset::thesis) || row.show(request) == row.standard ||
             row.show(request) == row.scope.elsewhere)
