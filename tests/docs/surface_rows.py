@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 SOURCE = pathlib.Path(sys.argv[2])
-sys.path[:0] = [str(SOURCE / "tests/flow"), str(SOURCE / "tests/solids")]
+sys.path[:0] = [str(SOURCE / "tests/surface"), str(SOURCE / "tests/solids")]
 
 import block_change  # noqa: E402
 import check_flow  # noqa: E402
