@@ -256,12 +256,12 @@ TEST(FeatureRecords, SayWhatTheFieldsSay) {
         EXPECT_EQ(contour.top, town.sink.number(contours, i, "top"));
         EXPECT_EQ(contour.area_m2, town.sink.number(contours, i, "area_m2"));
     }
-    const std::size_t rejected = town.sink.features.size() - 1;
-    ASSERT_GT(town.count(rejected), 0U);
-    for (std::size_t i = 0; i < town.count(rejected); ++i)
+    const std::size_t last = town.sink.features.size() - 1;
+    ASSERT_GT(town.count(last), 0U);
+    for (std::size_t i = 0; i < town.count(last); ++i)
         EXPECT_EQ(
-            FieldValue{std::string(std::get<RejectedRecord>(town.sink.features[rejected][i].record).reason)},
-            town.sink.value(rejected, i, "reason"));
+            FieldValue{std::string(std::get<RejectedRecord>(town.sink.features[last][i].record).reason)},
+            town.sink.value(last, i, "reason"));
 }
 
 /// A stack from its records alone: no gap, and every contour on one of the level below.
