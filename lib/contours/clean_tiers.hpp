@@ -65,9 +65,9 @@ class CleanRows {
     RowSlabs<std::vector<SpoolEntry>> slabs_;  ///< spool entries with runs in each slab
 };
 
-/// Cleans the elevations of each building separately (contours/merge_regions), in one pass over the DEM. Memory
-/// holds the buildings that the pass has begun but not finished. The result depends neither on bands nor on
-/// threads.
+/// Cleans the elevations of each building separately (contours/merge_regions), in one pass over the DEM.
+/// Memory holds the buildings that the pass has begun but not finished. The result depends neither on bands
+/// nor on threads.
 /// @param labels labels of the buildings, from 1 to `count`
 /// @param window window of the DEM
 /// @param use called once per building, with its clean cells, on any thread

@@ -100,8 +100,7 @@ std::array<Term, terms_of_a_sum> terms_of(const ObjectFeatures& features) {
 DetectedObject classify(const ObjectFeatures& features, double filled) {
     if (!has_walls(features))
         return {0, CounterEvidence::no_step, 0};
-    const double thinness =
-        std::clamp((filled - filled_by_any) / (thin_points - filled_by_any), 0.0, 1.0);
+    const double thinness = std::clamp((filled - filled_by_any) / (thin_points - filled_by_any), 0.0, 1.0);
     const std::array<Term, terms_of_a_sum> model_terms = terms_of(features);
     std::array<double, terms_of_a_sum> terms{};
     std::ranges::transform(model_terms, terms.begin(),

@@ -12,8 +12,8 @@
 #include "ground/gap_filling.hpp"
 #include "ground/initial_terrain.hpp"
 #include "ground/low_outliers.hpp"
-#include "raster/rank_filter.hpp"
 #include "ground/rules.hpp"
+#include "raster/rank_filter.hpp"
 
 namespace d2b::ground {
 

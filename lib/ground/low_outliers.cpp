@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "ground/aligned_grid.hpp"
-#include "raster/opening.hpp"
 #include "ground/quantized_elevations.hpp"
+#include "raster/opening.hpp"
 #include "raster/rank_filter.hpp"
 
 namespace d2b::ground {

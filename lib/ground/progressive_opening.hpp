@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ground/aligned_grid.hpp"
-#include "raster/opening.hpp"
 #include "ground/quantized_elevations.hpp"
+#include "raster/opening.hpp"
 
 namespace d2b::ground {
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "raster/morphology.hpp"
 #include "detect_case.hpp"
+#include "raster/morphology.hpp"
 #include "support/test_threads.hpp"
 
 namespace d2b::test {

@@ -1,3 +1,5 @@
+#include "view/cairo.hpp"
+
 #include <string>
 #include <utility>
 
@@ -5,7 +7,6 @@
 
 #include "dem2buildings/error.hpp"
 #include "support/error_of.hpp"
-#include "view/cairo.hpp"
 
 namespace d2b::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.hpp"
-#include "view/preview.hpp"
 #include "view/map_page.hpp"
+#include "view/preview.hpp"
 
 namespace d2b {
 namespace {

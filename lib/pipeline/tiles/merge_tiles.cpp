@@ -14,7 +14,6 @@
 #include "contours/level_plan.hpp"
 #include "core/lattice.hpp"
 #include "dem2buildings/spool.hpp"
-#include "features/suspicious_values.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/feature_writer.hpp"
 #include "features/record_builder.hpp"
