@@ -76,9 +76,9 @@ class ClassError {
     std::vector<Sums> sums_;
 };
 
-/// Row of the dynamic programme. By break (index of the first bin of a class): the least error of all classes
-/// below it, and the previous break.
-struct Row {
+/// Row of the dynamic programme. By break (index of the first bin of a class): the least error of all
+/// classes below it, and the previous break.
+struct BreakRow {
     std::vector<double> error;
     std::vector<std::uint32_t> before;
 };
@@ -94,9 +94,9 @@ struct Task {
 /// Adds a class below each of the breaks first ... size.
 /// @param room room(a, b): true if break b may follow break a
 template <typename Room>
-Row with_one_more(const Row& below, const ClassError& error, std::size_t first, const Room& room) {
+BreakRow with_one_more(const BreakRow& below, const ClassError& error, std::size_t first, const Room& room) {
     const std::size_t size = below.error.size() - 1;
-    Row row{std::vector<double>(size + 1, impossible), std::vector<std::uint32_t>(size + 1, 0)};
+    BreakRow row{std::vector<double>(size + 1, impossible), std::vector<std::uint32_t>(size + 1, 0)};
     std::vector<Task> tasks{{first, size, 1, size}};
     while (!tasks.empty()) {
         const Task task = tasks.back();
@@ -121,7 +121,7 @@ Row with_one_more(const Row& below, const ClassError& error, std::size_t first, 
     return row;
 }
 
-std::vector<std::int64_t> followed_back(const std::vector<Row>& rows, std::size_t highest,
+std::vector<std::int64_t> followed_back(const std::vector<BreakRow>& rows, std::size_t highest,
                                         std::span<const HistogramBin> bins) {
     std::vector<std::int64_t> breaks{bins[highest].bin};
     for (std::size_t k = rows.size() - 1; k > 0; --k) {
@@ -143,7 +143,7 @@ std::vector<std::int64_t> natural_breaks(std::span<const HistogramBin> bins, int
     const auto room = [&](std::size_t before, std::size_t at) {
         return at == bins.size() || bins[at].bin - bins[before].bin >= least_bins;
     };
-    std::vector<Row> rows(1);  // rows[k]: k breaks below a break
+    std::vector<BreakRow> rows(1);  // rows[k]: k breaks below a break
     rows[0].error.assign(bins.size() + 1, impossible);
     for (std::size_t end = 1; end <= bins.size(); ++end)
         if (room(0, end))
@@ -153,7 +153,7 @@ std::vector<std::int64_t> natural_breaks(std::span<const HistogramBin> bins, int
     double least_cost = last_error;
     std::vector<std::int64_t> breaks;
     for (int k = 1; k <= most; ++k) {
-        const Row whole =
+        const BreakRow whole =
             with_one_more(rows.back(), error, bins.size(), [](std::size_t, std::size_t) { return true; });
         if (!(whole.error.back() < last_error))
             break;

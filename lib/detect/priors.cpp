@@ -138,7 +138,7 @@ PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects
 namespace {
 
 // Radii up to 300 m are equally good in the places of docs/accuracy.md; units have a halo of that size.
-constexpr double reach_m = 150;
+constexpr double neighbour_reach_m = 150;
 constexpr std::size_t no_reference = std::numeric_limits<std::size_t>::max();
 
 struct Candidate {
@@ -169,7 +169,7 @@ std::vector<CellSums> cell_sums(const Regions& regions, Executor& threads) {
 class Strips {
   public:
     Strips(const std::vector<Candidate>& candidates, double height)
-        : strips_(static_cast<std::size_t>(height / reach_m) + 1) {
+        : strips_(static_cast<std::size_t>(height / neighbour_reach_m) + 1) {
         for (const Candidate& candidate : candidates)
             strips_[strip_of(candidate)].push_back(candidate);
         for (std::vector<Candidate>& strip : strips_)
@@ -184,9 +184,9 @@ class Strips {
         double weights = 1;
         const std::size_t strip = strip_of(middle);
         for (std::size_t i = strip == 0 ? 0 : strip - 1; i <= std::min(strip + 1, strips_.size() - 1); ++i)
-            for (auto other =
-                     std::ranges::lower_bound(strips_[i], middle.across - reach_m, {}, &Candidate::across);
-                 other != strips_[i].end() && other->across <= middle.across + reach_m; ++other) {
+            for (auto other = std::ranges::lower_bound(strips_[i], middle.across - neighbour_reach_m, {},
+                                                       &Candidate::across);
+                 other != strips_[i].end() && other->across <= middle.across + neighbour_reach_m; ++other) {
                 if (other->object == middle.object)
                     continue;
                 const double weight = weight_of(*other, middle);
@@ -198,12 +198,12 @@ class Strips {
 
   private:
     static std::size_t strip_of(const Candidate& candidate) {
-        return static_cast<std::size_t>(candidate.down / reach_m);
+        return static_cast<std::size_t>(candidate.down / neighbour_reach_m);
     }
     /// Decreases smoothly from 1 to 0 at the radius.
     static double weight_of(const Candidate& other, const Candidate& middle) {
-        const double down = (other.down - middle.down) / reach_m;
-        const double across = (other.across - middle.across) / reach_m;
+        const double down = (other.down - middle.down) / neighbour_reach_m;
+        const double across = (other.across - middle.across) / neighbour_reach_m;
         const double left = std::max(0.0, 1 - down * down - across * across);
         return left * left;
     }

@@ -239,7 +239,7 @@ double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& t
 namespace {
 
 constexpr std::size_t difference_bins = 1000;  // number of bins of HeightDifferences
-constexpr float bin_m = 0.005F;
+constexpr float difference_bin_m = 0.005F;
 constexpr std::int64_t fewest_pairs = 300;
 // Converts pairs to cells. A filled cell is equal to one neighbour, or to more if the neighbour was filled as
 // well; there are two pairs per cell. Measured on simulated scans of 0.25 to 2 pulses per m^2, for which the
@@ -283,9 +283,10 @@ struct RoughCells {
 void add_difference(float difference, HeightDifferences& differences) {
     constexpr double half = 0.5;  // of a bin; rounds non-negative values without a function call
     if (!std::isnan(difference))
-        differences.add(difference < bin_m * (difference_bins - 1)
-                            ? static_cast<std::size_t>(static_cast<double>(difference / bin_m) + half)
-                            : difference_bins);
+        differences.add(
+            difference < difference_bin_m * (difference_bins - 1)
+                ? static_cast<std::size_t>(static_cast<double>(difference / difference_bin_m) + half)
+                : difference_bins);
 }
 
 void add_differences(std::span<const float> heights, const float* heights_below,

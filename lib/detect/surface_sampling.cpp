@@ -13,7 +13,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::int32_t reach = SurfaceSampling::reach;
+constexpr std::int32_t sampling_reach = SurfaceSampling::reach;
 constexpr std::int64_t fewest_steps = 100;
 /// At least one rough pair per this many cells of buildings: scans have two thirds to two pairs per cell,
 /// block models on a terrain a fiftieth, at their corners.
@@ -99,18 +99,18 @@ void SamplingOfRows::add_pairs(std::int32_t r, const std::vector<std::uint8_t>& 
 /// @param down, right offset to the neighbour outside
 void SamplingOfRows::add_step(std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right) {
     const Grid<Label>& labels = detection_.labels;
-    if (!labels.holds(r - (reach - 1) * down, c - (reach - 1) * right) ||
-        !labels.holds(r + reach * down, c + reach * right))
+    if (!labels.holds(r - (sampling_reach - 1) * down, c - (sampling_reach - 1) * right) ||
+        !labels.holds(r + sampling_reach * down, c + sampling_reach * right))
         return;
     if (labels.at(r + down, c + right) != 0)  // same as inside of buildings
         return;
     float largest = 0;
     float fall = 0;
-    for (std::int32_t i = 1 - reach; i <= reach; ++i) {
+    for (std::int32_t i = 1 - sampling_reach; i <= sampling_reach; ++i) {
         const Label label = labels.at(r + i * down, c + i * right);
         if (i <= 0 ? !detection_.is_building(label) : label != 0)
             return;
-        if (i == reach)
+        if (i == sampling_reach)
             break;
         const float next = scene_.surface.at(r + i * down, c + i * right) -
                            scene_.surface.at(r + (i + 1) * down, c + (i + 1) * right);

@@ -45,10 +45,10 @@ std::vector<std::string> read_raster_list(const std::string& list) {
     return names;
 }
 
-bool are_disjoint(std::vector<CellBox> boxes) {
-    std::vector<CellBox> ended = boxes;
-    std::ranges::sort(boxes, {}, [](const CellBox& box) { return box[1][0]; });
-    std::ranges::sort(ended, {}, [](const CellBox& box) { return box[1][1]; });
+bool are_disjoint(std::vector<RasterBox> boxes) {
+    std::vector<RasterBox> ended = boxes;
+    std::ranges::sort(boxes, {}, [](const RasterBox& box) { return box[1][0]; });
+    std::ranges::sort(ended, {}, [](const RasterBox& box) { return box[1][1]; });
     auto next_end = ended.begin();
     // Sweep line: boxes that contain the row at which the next box begins, from left to right, [begin, end)
     // of columns.
@@ -207,9 +207,9 @@ bool can_copy_rows(const std::vector<MosaicRaster>& rasters, double nodata) {
     };
     if (!std::ranges::all_of(rasters, fits))
         return false;
-    std::vector<CellBox> boxes;
+    std::vector<RasterBox> boxes;
     for (const MosaicRaster& raster : rasters) {
-        CellBox& box = boxes.emplace_back();
+        RasterBox& box = boxes.emplace_back();
         for (std::size_t i = 0; i < box.size(); ++i) {
             const RasterAxis& origin = rasters.front().axes[i];
             const double first = std::round((raster.axes[i].first - origin.first) / origin.step);

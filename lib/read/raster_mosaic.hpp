@@ -11,10 +11,10 @@ namespace d2b {
 [[nodiscard]] std::vector<std::string> read_raster_list(const std::string& list);
 
 /// Rectangle of cells: columns, then rows, as half-open ranges [begin, end).
-using CellBox = std::array<std::array<double, 2>, 2>;
+using RasterBox = std::array<std::array<double, 2>, 2>;
 
 /// Returns true if no two boxes overlap. @pre no box is empty
-[[nodiscard]] bool are_disjoint(std::vector<CellBox> boxes);
+[[nodiscard]] bool are_disjoint(std::vector<RasterBox> boxes);
 
 /// Writes a VRT of rasters on one grid. Later rasters cover earlier ones; cells without data in all rasters
 /// are NoData.

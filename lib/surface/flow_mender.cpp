@@ -13,7 +13,7 @@ namespace {
 /// Factor by which new walls exceed the limit, because their corners are rounded to the lattice.
 constexpr double slack = 1.02;
 /// Distances along a wall at which a corner may be cut off, in lengths of the limit.
-constexpr std::array reaches{1.0, 1.4, 2.0, 2.7};
+constexpr std::array mend_reaches{1.0, 1.4, 2.0, 2.7};
 /// Share of a block's remaining budget for moving one long wall, because otherwise the first ones would use
 /// it up.
 constexpr double merge_share = 0.1;
@@ -134,7 +134,7 @@ bool FlowMender::slant(std::uint32_t gone, std::uint32_t stays) {
     const double least = slack * std::max(limits_.wall, limits_.gap);
     if (ends_a_narrow_place(gone, stays, next))
         return false;
-    for (const double reach : reaches) {
+    for (const double reach : mend_reaches) {
         if (m.distance(plan_.at(gone), plan_.at(next)) < (reach + 1) * least)
             return false;
         const FinePoint place = along(gone, next, reach * least);
@@ -172,7 +172,7 @@ bool FlowMender::cut_corner(const FlowFault& fault) {
     const double least = slack * std::max(limits_.wall, limits_.gap);
     std::vector<std::pair<std::uint32_t, FinePoint>> places;
     for (const IncidentEdge& arm : arms)
-        for (const double reach : reaches) {
+        for (const double reach : mend_reaches) {
             if (m.distance(plan_.at(fault.node), plan_.at(arm.end)) < (reach + 1) * least)
                 return false;
             const FinePoint place = along(fault.node, arm.end, reach * least);

@@ -16,7 +16,7 @@
 namespace d2b {
 namespace {
 
-constexpr int most_rounds = 4;
+constexpr int most_snapping_rounds = 4;
 
 /// Returns the projection of a point onto a b, times the length of a b.
 Int128 along(FinePoint a, FinePoint b, FinePoint point) {
@@ -134,7 +134,8 @@ bool has_area(const FineRing& ring) {
 }  // namespace
 
 void snap_round(std::vector<PartitionContour>& contours) {
-    for (int round = 0; round < most_rounds && !make_partition(contours).conflicting.empty(); ++round) {
+    for (int round = 0; round < most_snapping_rounds && !make_partition(contours).conflicting.empty();
+         ++round) {
         const Corners corners(contours);
         for (PartitionContour& contour : contours) {
             FinePolygon& outline = contour.outline;

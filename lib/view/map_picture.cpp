@@ -113,7 +113,7 @@ int cells_per_sample(const MapFrame& frame) {
     return std::max(1, static_cast<int>(std::lround(std::min(across, down))));
 }
 
-int samples(std::int32_t cells, int step) {
+int relief_samples(std::int32_t cells, int step) {
     return static_cast<int>((std::int64_t{cells} + step - 1) / step);
 }
 
@@ -126,8 +126,8 @@ double rise_between(double from, double to, double here) {
 Relief::Impl::Impl(const MapFrame& map)
     : frame(map),
       step(cells_per_sample(map)),
-      cols(samples(map.area().dem.window.cols, step)),
-      rows(samples(map.area().dem.window.rows, step)),
+      cols(relief_samples(map.area().dem.window.cols, step)),
+      rows(relief_samples(map.area().dem.window.rows, step)),
       sums(static_cast<std::size_t>(cols)),
       counts(static_cast<std::size_t>(cols)),
       image(cairo_image_surface_create(CAIRO_FORMAT_RGB24, cols, rows)) {

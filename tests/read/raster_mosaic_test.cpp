@@ -319,17 +319,17 @@ TEST(CellBoxes, AreApartAsEveryTwoAre) {
     const auto pick = [&](int most) {
         return static_cast<double>(std::uniform_int_distribution(0, most)(random));
     };
-    const auto meet = [](const CellBox& a, const CellBox& b) {
+    const auto meet = [](const RasterBox& a, const RasterBox& b) {
         return a[0][0] < b[0][1] && b[0][0] < a[0][1] && a[1][0] < b[1][1] && b[1][0] < a[1][1];
     };
     int apart = 0;
     for (int round = 0; round < 2000; ++round) {
-        std::vector<CellBox> boxes;
+        std::vector<RasterBox> boxes;
         bool expected = true;
         for (int i = 0; i < 6; ++i) {
             const std::array<double, 2> at{pick(11), pick(11)};
-            const CellBox box{{{at[0], at[0] + 1 + pick(3)}, {at[1], at[1] + 1 + pick(3)}}};
-            for (const CellBox& other : boxes)
+            const RasterBox box{{{at[0], at[0] + 1 + pick(3)}, {at[1], at[1] + 1 + pick(3)}}};
+            for (const RasterBox& other : boxes)
                 expected = expected && !meet(box, other);
             boxes.push_back(box);
         }
