@@ -92,9 +92,8 @@ void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first
 /// Counts valid cells in islands surrounded by NoData and as wide as buildings, as in a raster of buildings
 /// with NoData as ground. Integer counts, so the order does not matter.
 struct ValidIslands {
-    std::int64_t cells = 0;  ///< valid cells
-    std::int64_t narrow =
-        0;  ///< number of these in pieces large enough for a building and not too wide for one
+    std::int64_t cells = 0;    ///< valid cells
+    std::int64_t narrow = 0;   ///< of these, cells in pieces as large and as narrow as buildings
     std::int64_t islands = 0;  ///< number of such pieces
     std::int64_t largest = 0;  ///< cells of the largest one
 
@@ -104,7 +103,7 @@ struct ValidIslands {
 };
 
 /// Adds the pieces of a unit's core. If nearly all of its cells are valid, only their number is added.
-/// @param known number of valid cells in the core
+/// @param own core cells of the unit
 /// @param min_area_m2 minimum area of a building
 /// @param max_width_m maximum width of a building
 void add_islands(const MetreGrid& surface, const CellSize& cell, const Window& own, double min_area_m2,

@@ -34,8 +34,7 @@ std::string empty_auxiliary_warning(const AuxiliaryCoverage& known, const Option
     if (!known.mask)
         return "the mask '" + options.detect.mask +
                "' has no cell over the DEM that is neither 0 nor NoData; give one with -mask that marks "
-               "where "
-               "buildings may be";
+               "where buildings may be";
     return {};
 }
 
@@ -152,8 +151,7 @@ std::string misplaced_warning(const ParcelReport& report, const CellSize& cell,
     return "cuts by '" + options.split_by + "' run " + rounded(report.median_distance_m) +
            " m off walls (the median over " + rounded(report.near_wall_length_m) +
            " m of cuts), and half a metre is usual: the parcels may be displaced as a whole; compare them "
-           "with the "
-           "buildings, and move them if that is right";
+           "with the buildings, and move them if that is right";
 }
 
 std::string overlap_warning(const ParcelReport& report, const DetectOptions& options) {
@@ -205,10 +203,6 @@ std::string rejected_by(const SearchSummary& search, bool stricter) {
                     " leaves " + std::to_string(sieve.objects) + " out";
     return text.empty() ? text : text + "; a smaller value may show them";
 }
-
-}  // namespace
-
-namespace {
 
 using Search = const SearchSummary&;
 using Report = const RunReport&;
