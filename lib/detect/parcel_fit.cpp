@@ -254,7 +254,7 @@ namespace {
 
 constexpr double bin_m = ParcelFit::reach_m / ParcelFit::bins;
 /// Half side, in cells, of the neighbourhood that determines the direction of a cut.
-constexpr std::int32_t around = 3;
+constexpr std::int32_t cut_radius = 3;
 /// Ratio of the length of a line to the number of cell edges it separates, averaged over all angles (Cauchy,
 /// Crofton).
 constexpr double straight_share = std::numbers::pi / 4;
@@ -318,8 +318,9 @@ CellVector FitOfRows::across(std::int32_t r, std::int32_t c, bool below) const {
     const std::int64_t to = parcels_.at(r + (below ? 1 : 0), c + (below ? 0 : 1)).parcel;
     std::array<CellVector, 2> sums{};
     std::array<std::int64_t, 2> counts{};
-    for (std::int32_t y = std::max(r - around, 0); y <= std::min(r + around, parcels_.rows - 1); ++y)
-        for (std::int32_t x = std::max(c - around, 0); x <= std::min(c + around, parcels_.cols - 1); ++x)
+    for (std::int32_t y = std::max(r - cut_radius, 0); y <= std::min(r + cut_radius, parcels_.rows - 1); ++y)
+        for (std::int32_t x = std::max(c - cut_radius, 0); x <= std::min(c + cut_radius, parcels_.cols - 1);
+             ++x)
             for (const std::size_t side : {0U, 1U})
                 if (from != to && parcels_.at(y, x).parcel == (side == 0 ? from : to)) {
                     sums[side].row += (y - r) * scene_.cell.down;

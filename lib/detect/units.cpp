@@ -117,7 +117,7 @@ void LabelRows::read_slab(const SpoolEntry& entry, RowBand rows, LabelBand& band
         }
         const auto cells = band.labels.begin() + std::ptrdiff_t{r} * band.shape.cols;
         for (std::uint32_t i = 0; i < runs; ++i) {
-            const RegionRun run = reader.take<RegionRun>();
+            const auto run = reader.take<RegionRun>();
             std::fill(cells + run.begin, cells + run.end, number_[run.label]);
         }
     }
