@@ -122,11 +122,12 @@ Count exceeded(double z, const std::vector<double>& thresholds) {
     return static_cast<Count>(count);
 }
 
-constexpr std::size_t piece = 256;  // cells that stay in the first-level cache from one threshold to the next
+constexpr std::size_t cells_in_cache =
+    256;  // cells that stay in the first-level cache from one threshold to the next
 
 /// Counts the thresholds that each cell exceeds, plus one; 0 if it is not valid.
 D2B_MULTIVERSION void count_exceeded(std::span<const double> elevations, std::span<const double> thresholds,
-                                     std::array<std::int64_t, piece>& counts) {
+                                     std::array<std::int64_t, cells_in_cache>& counts) {
     for (std::size_t i = 0; i < elevations.size(); ++i)
         counts[i] = elevations[i] == elevations[i] ? 1 : 0;
     for (const double t : thresholds)
@@ -143,9 +144,9 @@ void quantise_run(std::span<const double> elevations, Label label, const LevelPl
         return;
     }
     const std::int64_t least = plan.footprints && label != 0 ? 2 : 0;
-    std::array<std::int64_t, piece> exceed{};
-    for (std::size_t first = 0; first < elevations.size(); first += piece) {
-        const auto some = elevations.subspan(first, std::min(piece, elevations.size() - first));
+    std::array<std::int64_t, cells_in_cache> exceed{};
+    for (std::size_t first = 0; first < elevations.size(); first += cells_in_cache) {
+        const auto some = elevations.subspan(first, std::min(cells_in_cache, elevations.size() - first));
         count_exceeded(some, thresholds, exceed);
         for (std::size_t i = 0; i < some.size(); ++i)
             counts[first + i] = static_cast<Count>(std::max(least, exceed[i]));
