@@ -171,7 +171,7 @@ TEST(ReadList, hasANameALine) {
     for (const auto& [name, why] :
          {std::pair{list, "No such file or directory"}, std::pair{testing::TempDir(), "Is a directory"}})
         EXPECT_EQ(
-            error_of<InputError>([&] { (void)read_raster_list(name); }),
+            error_of<InputError>([&file = name] { (void)read_raster_list(file); }),
             "'" + name + "' cannot be read: " + why + "; give a text file with one raster name per line.");
 }
 
