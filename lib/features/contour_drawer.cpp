@@ -240,7 +240,11 @@ bool measures_drawn(const RunPlan& plan) {
 
 OutlineRules outline_rules(const RunSetup& setup) {
     const OutlineOptions& asked = setup.plan.asked.outline;
-    return {setup.plan.walls, setup.plan.wall_tolerance(setup.cell_m()), asked.wall_inset, asked.simplify,
+    return {setup.plan.walls,
+            setup.plan.wall_tolerance(setup.cell_m()),
+            RunPlan::wall_price(setup.cell_m()),
+            asked.wall_inset,
+            asked.simplify,
             setup.target.kind() != Crs::Kind::none};
 }
 

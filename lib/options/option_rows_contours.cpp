@@ -178,8 +178,8 @@ std::vector<OptionRow> contours() {
         [](auto& r) -> auto& { return r.options.outline.wall_tolerance; },
         {.title = "Tolerance of straight walls",
          .help = "Largest distance between a straight wall and the traced outline; by default " +
-                 number_text(wall_tolerance_cells) + ", but at most " + number_text(wall_tolerance_m) +
-                 " m, and at least " + number_text(min_wall_tolerance_cells) + ".",
+                 number_text(wall_tolerance_m) + " m, but at least " + number_text(min_wall_tolerance_cells) +
+                 " cells.",
          .unit = "cells"}));
     rows.push_back(number_row(
         "wall_inset", "<cells>", {.lowest = 0, .highest = 1},

@@ -30,9 +30,13 @@ double detail_of(const Options& options) {
 double RunPlan::wall_tolerance(double cell_m) const {
     if (asked.outline.wall_tolerance)
         return *asked.outline.wall_tolerance;
-    if (!(cell_m > 0))
-        return wall_tolerance_cells;
-    return std::clamp(wall_tolerance_m / cell_m, min_wall_tolerance_cells, wall_tolerance_cells);
+    return cell_m > 0 ? std::max(min_wall_tolerance_cells, wall_tolerance_m / cell_m)
+                      : min_wall_tolerance_cells;
+}
+
+double RunPlan::wall_price(double cell_m) {
+    return cell_m > 0 ? std::max(min_wall_price_cells, wall_price_m2 / (cell_m * cell_m))
+                      : min_wall_price_cells;
 }
 
 Options RunPlan::resolved() const {

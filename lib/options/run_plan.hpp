@@ -13,12 +13,14 @@ inline constexpr double default_min_building_m2 = 30;
 /// Default of -detail. Removes railings, dormers and branches over a roof, but keeps a storey.
 inline constexpr double default_detail_m = 0.5;
 
-/// Default of -regularize_tolerance. Limited in metres, because in coarse cells walls would otherwise come
-/// closer to their neighbours than the distance between them; at least one cell, because a slanted wall
-/// cannot fit its staircase within less.
-inline constexpr double wall_tolerance_cells = 1.5;
-inline constexpr double min_wall_tolerance_cells = 1;
-inline constexpr double wall_tolerance_m = 1.25;
+/// Default of -regularize_tolerance: the distance at which a wall may cut off a bay or a corner that the data
+/// round off. At least one and a half cells, because a slanted wall cannot fit its staircase within less.
+inline constexpr double wall_tolerance_m = 2.5;
+inline constexpr double min_wall_tolerance_cells = 1.5;
+
+/// Area that a wall has to be worth: smaller details are not parts of a house.
+inline constexpr double wall_price_m2 = 0.4;
+inline constexpr double min_wall_price_cells = 1;
 
 /// Returns true for Preset::buildings. Preset::thesis takes everything above its thresholds.
 [[nodiscard]] inline bool detects_buildings(const Options& options) {
@@ -44,6 +46,9 @@ struct RunPlan {
     [[nodiscard]] bool detects_buildings() const { return d2b::detects_buildings(asked); }
     /// Returns the tolerance in cells. @param cell_m side of a cell in metres; 0 if unknown
     [[nodiscard]] double wall_tolerance(double cell_m) const;
+    /// Returns the area in cells that a wall has to be worth. @param cell_m side of a cell in metres; 0 if
+    /// unknown
+    [[nodiscard]] static double wall_price(double cell_m);
     /// Returns the options with all decisions filled in, except those that depend on the cell size.
     [[nodiscard]] Options resolved() const;
 };

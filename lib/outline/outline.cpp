@@ -167,7 +167,10 @@ CellShape cell_shape(const Georeference& georeference, double x_stretch) {
 }
 
 WallOptions wall_options(const OutlineRules& rules, const Georeference& georeference, double x_stretch) {
-    return {rules.walls, rules.wall_tolerance, cell_shape(georeference, x_stretch), rules.wall_inset};
+    // Walls lie near the midpoints of steps; the corners of the trace lie half a cell farther out.
+    constexpr double half_step = 0.5;
+    return {rules.walls, rules.wall_tolerance + half_step, cell_shape(georeference, x_stretch),
+            rules.wall_inset, rules.wall_price};
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ namespace d2b {
 struct OutlineRules {
     Walls walls = Walls::off;
     double wall_tolerance = 0;  ///< cells; largest distance between an outline with walls and its trace
+    double wall_price = 1;      ///< area in cells that a wall has to be worth
     double wall_inset = 0;      ///< cells by which walls move inward, within the tolerance
     double simplify = 0;        ///< tolerance in units of the CRS; 0 keeps every corner
     bool reprojected = false;   ///< corners are transformed afterwards

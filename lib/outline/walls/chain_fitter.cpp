@@ -365,7 +365,10 @@ constexpr double rounding_error = 0.002;  // cells that rounding to the fine lat
 // Cells. Walls of tiers, which are many and short, stay closer to their traces than those of footprints
 // because beyond half a cell every row of cells on the wrong side costs more than the saved vertices are
 // worth.
-constexpr double tier_tolerance = 0.85;
+constexpr double tier_tolerance = 1;
+constexpr double outside_cost = 1.5;      // of a cell of lower ground, beyond the soft distance of the path
+constexpr double tier_price = 0.5;        // relative to that of other walls
+constexpr double max_price_share = 0.08;  // of the area of a ring, because no wall at all is the cheapest
 constexpr double max_side =
     2;  // cells; limits the longer side because that of sheared cells says nothing about their staircases
 constexpr int max_tightenings = 4;  // limits the iterations; each one leaves less that is far from the trace
@@ -374,16 +377,11 @@ WallParameters parameters_for(const Chain& chain, const WallOptions& options) {
     const bool tier = chain.rank > WallGraph::highest_low_rank;
     return {.walls = options.walls,
             .tolerance = tier ? std::min(options.tolerance, tier_tolerance) : options.tolerance,
+            .price = (tier ? tier_price : 1) * options.price,
+            .higher = chain.higher,
+            .outside_cost = outside_cost,
             .inset = options.inset,
             .side = std::min(max_side, options.shape.longer_side())};
-}
-
-/// Factor of the price of a wall for small tolerances. On coarse cells and for tiers, walls of a few cells
-/// are frequent and details of one cell are wanted.
-double price_factor(double tolerance) {
-    constexpr double usual = 1.25;  // cells
-    const double share = std::min(1.0, tolerance / usual);
-    return share * share * share * share;
 }
 
 }  // namespace
@@ -394,16 +392,20 @@ ChainFitter::ChainFitter(const Chain& chain, const WallOptions& options)
       parameters_(parameters_for(chain, options)),
       limit_(parameters_.tolerance - rounding_error),
       walls_(chain, options.shape),
-      turning_points_(turning_points(samples())),
-      midpoints_(samples(), shape_, origin_, chain.node_steps, limit_) {}
+      turning_points_(d2b::turning_points(samples())),
+      midpoints_(samples(), shape_, origin_, chain.node_steps, limit_) {
+    if (chain.closed)
+        parameters_.price =
+            std::min(parameters_.price, max_price_share * std::abs(twice_area(samples())) / 2);
+}
 
-std::optional<double> ChainFitter::plan(double price, double direction, const StopToken& stop) {
+bool ChainFitter::plan(double price, WallDirections& directions, bool turn_frames, const StopToken& stop) {
     WallParameters parameters = parameters_;
-    parameters.price = price * price_factor(parameters.tolerance);
-    if (!walls_.plan(turning_points_, parameters, direction, stop))
-        return {};
+    parameters.price *= price;
+    if (!walls_.plan(turning_points_, parameters, directions, turn_frames, stop))
+        return false;
     planned_.reset();
-    return direction;
+    return true;
 }
 
 const ChainPolyline& ChainFitter::draw_planned(const std::optional<ChainEnds>& ends) {

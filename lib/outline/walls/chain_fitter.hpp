@@ -125,10 +125,13 @@ class ChainFitter {
         walls_.shift(wall, cells);
         planned_.reset();
     }
-    [[nodiscard]] double own_direction() const { return dominant_direction(samples(), turning_points_); }
-    /// Divides the chain into walls. @param direction dominant direction in radians
-    /// @return direction of the walls; nullopt if walls are impossible @throws Cancelled
-    [[nodiscard]] std::optional<double> plan(double price, double direction, const StopToken& stop);
+    /// Steps at which the chain may turn.
+    [[nodiscard]] const std::vector<std::size_t>& turning_points() const { return turning_points_; }
+    /// Divides the chain into walls. @param price relative to the usual one of a wall
+    /// @param directions the frames are turned to the walls if `turn_frames`
+    /// @return false if walls are impossible @throws Cancelled
+    [[nodiscard]] bool plan(double price, WallDirections& directions, bool turn_frames,
+                            const StopToken& stop);
     /// True if the chain drawn with walls only stays within the tolerance. @param ends of an open chain
     [[nodiscard]] bool walls_are_near(const std::optional<ChainEnds>& ends);
     /// @param mode raised at walls that leave the trace by more than the tolerance

@@ -74,9 +74,6 @@ constexpr double sagitta = 0.05;  // cells between a circle and its polygon
 constexpr double min_sine = 0.2;  // walls at a smaller angle do not intersect
 constexpr double max_kink = 0.6;  // cells: parallel walls closer than this are joined into one line
 
-double offset(const WallSegment& segment, Vec2 p) {
-    return segment.circle ? segment.circle->offset(p) : segment.line.offset(p);
-}
 Vec2 project(const WallSegment& segment, Vec2 p) {
     return segment.circle ? segment.circle->project(p) : segment.line.project(p);
 }
@@ -230,38 +227,6 @@ void Drawer::add_circle(const WallSegment& segment) {
 }
 
 }  // namespace
-
-void refine_breakpoints(const TraceSums& samples, std::vector<WallSegment>& segments) {
-    constexpr std::size_t reach = 6;
-    for (std::size_t k = 1; k < segments.size(); ++k) {
-        WallSegment& a = segments[k - 1];
-        WallSegment& b = segments[k];
-        const std::size_t low = std::max(a.first + 1, b.first > reach ? b.first - reach : 0);
-        const std::size_t high = std::min(b.last - 1, b.first + reach);
-        // Residual for ending at each step, relative to ending at `low`.
-        double sum = 0;
-        double least = 0;
-        std::size_t best = low;
-        for (std::size_t end = low; end < high; ++end) {
-            const Vec2 middle = 0.5 * (samples.at(end) + samples.at(end + 1));
-            sum += std::pow(offset(a, middle), 2) - std::pow(offset(b, middle), 2);
-            if (sum < least) {
-                least = sum;
-                best = end + 1;
-            }
-        }
-        if (low < high) {
-            a.last = best;
-            b.first = best;
-        }
-    }
-    for (WallSegment& segment : segments) {
-        const TraceSums::Sums sums = samples.sums(segment.first, segment.last);
-        segment.line.through = sums.mean;
-        if (segment.family == WallSegment::free)
-            segment.line.along = sums.direction();
-    }
-}
 
 ChainPolyline draw_walls(const TraceSums& samples, const WallParameters& parameters, const CellShape& shape,
                          LatticePoint origin, const std::vector<WallSegment>& segments,

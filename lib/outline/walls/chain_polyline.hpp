@@ -65,9 +65,6 @@ void for_distances(const TraceSums& samples, const CellShape& shape, LatticePoin
 [[nodiscard]] double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape,
                                 LatticePoint origin);
 
-/// Moves the breakpoints between walls by a few steps to fit both neighbours best, and refits the walls.
-void refine_breakpoints(const TraceSums& samples, std::vector<WallSegment>& segments);
-
 /// End points of the drawing of an open chain.
 struct ChainEnds {
     FinePoint first;

@@ -377,7 +377,11 @@ void WallFitter::resolve(Edge a, Edge b) {
         std::swap(a, b);
         std::swap(near_a, near_b);
     }
-    bool any = false;
+    bool any = layout_.lower_price(near_a.chain);
+    if (any) {
+        in_conflict_[graph_.component_of[near_a.chain]] = true;
+        return;
+    }
     if (rank(a) > rank(b)) {
         any = tighten(near_a) || tighten(near_b);
     } else {

@@ -127,6 +127,7 @@ void RingAreas::restore_area(Ring& ring, double missing) {
     // The gain of the previous attempt determines the next request.
     const double gain = ring.requested == 0 ? 1 : (ring.missing - missing) / ring.requested;
     if (gain < min_gain || std::abs(missing) >= whole) {
+        ring.requested = 0;
         tighten_highest_rank(ring);
         return;
     }
@@ -138,19 +139,26 @@ void RingAreas::restore_area(Ring& ring, double missing) {
     }
 }
 
+/// Draws the arcs of highest rank with more walls, or else closer to their traces. Other arcs of their chains
+/// keep their walls, and so do the walls of lower levels on which the ring stands.
 void RingAreas::tighten_highest_rank(const Ring& ring) {
-    std::vector<std::uint32_t> chains;
+    int rank = 2 * ring.level;
     for (const ArcUse& use : *ring.uses)
-        chains.push_back(graph_.chain_of[use.arc]);
-    std::sort(chains.begin(), chains.end());
-    chains.erase(std::unique(chains.begin(), chains.end()), chains.end());
-    std::erase_if(chains, [&](std::uint32_t c) { return layout_.mode(c).all_beveled(); });
-    int rank = -1;
-    for (const std::uint32_t c : chains)
-        rank = std::max(rank, graph_.chains[c].rank);
-    for (const std::uint32_t c : chains)
-        if (graph_.chains[c].rank == rank)
-            layout_.tighten(c);
+        if (const std::uint32_t c = graph_.chain_of[use.arc]; !layout_.mode(c).all_beveled())
+            rank = std::max(rank, graph_.chains[c].rank);
+    std::set<std::uint32_t> replanned;
+    for (const ArcUse& use : *ring.uses) {
+        const std::uint32_t c = graph_.chain_of[use.arc];
+        if (graph_.chains[c].rank != rank || replanned.contains(c))
+            continue;
+        if (layout_.lower_price(c)) {
+            replanned.insert(c);
+            continue;
+        }
+        const std::size_t k = graph_.index_in_chain[use.arc];
+        const std::vector<std::uint32_t>& steps = graph_.chains[c].node_steps;
+        layout_.tighten(c, steps[k], steps[k + 1], 0);
+    }
 }
 
 }  // namespace d2b

@@ -16,6 +16,7 @@ struct WallOptions {
     double tolerance = 0;  ///< cells
     CellShape shape;
     double inset = 0;  ///< cells by which walls are moved inward
+    double price = 1;  ///< of a wall, in cells of area that it has to be worth
 };
 
 /// Contours whose walls are fitted together.

@@ -18,14 +18,11 @@ namespace d2b {
 [[nodiscard]] std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster,
                                             std::uint32_t chain);
 
-/// Returns the reference direction if the directions agree within some degrees modulo 90, or if the chain is
-/// too short to have a direction of its own; otherwise the chain's own direction. Radians.
-[[nodiscard]] double align_direction(double own, double reference, std::size_t steps);
-
 namespace {
 
-constexpr double max_deviation = 12.0 / 180 * std::numbers::pi;
-constexpr std::size_t min_steps = 16;  // steps
+constexpr std::size_t most_frames = 4;
+constexpr std::size_t most_singles = 3;
+constexpr std::size_t most_free_singles = 8;  // where all directions have one price
 constexpr int min_rank =
     3;  // rank of walls between footprints; those of chains that stand on them are higher
 
@@ -54,15 +51,9 @@ std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster
     return base;
 }
 
-double align_direction(double own, double reference, std::size_t steps) {
-    constexpr double right = std::numbers::pi / 2;
-    const double turn = own - reference - std::round((own - reference) / right) * right;
-    return steps < min_steps || std::abs(turn) < max_deviation ? reference : own;
-}
-
 namespace {
 
-constexpr std::array tried_prices{1.0, 0.5};  // prices of walls, tried in turn
+constexpr std::array tried_prices{1.0, 0.5, 0.25};  // prices of walls, tried in turn
 
 }  // namespace
 
@@ -83,6 +74,8 @@ WallLayout::WallLayout(const WallGraph& graph, const WallCluster& cluster, const
 /// it anew; the chains that end there have a higher rank and are drawn later.
 std::vector<std::uint32_t> WallLayout::draw() {
     std::vector<std::uint32_t> drawn;
+    if (first_)
+        find_directions();
     reset_.assign(reset_.size(), 0);
     for (std::uint32_t c = 0; c < states_.size(); ++c)
         if (states_[c].pending && !graph_.chains[c].closed)
@@ -137,28 +130,37 @@ std::vector<std::uint32_t> WallLayout::changed_arcs(const std::vector<std::uint3
     return changed;
 }
 
+ChainFitter& WallLayout::fitter(std::uint32_t c) {
+    ChainState& state = states_[c];
+    if (!state.chain)
+        state.chain = std::make_unique<ChainFitter>(graph_.chains[c], options_);
+    return *state.chain;
+}
+
 void WallLayout::draw_chain(std::uint32_t c) {
     ChainState& state = states_[c];
     const Chain& chain = graph_.chains[c];
     state.pending = false;
-    if (!state.chain)
-        state.chain = std::make_unique<ChainFitter>(chain, options_);
-    if (state.mode.has_walls() && state.chain->walls().empty())
+    ChainFitter& drawn = fitter(c);
+    if (state.mode.has_walls() && drawn.walls().empty())
         plan(c);
     state.ends = positions_.place_ends(c);
-    state.polyline = PlacedPolyline(state.chain->draw(state.mode, state.ends), chain, state.mode,
-                                    state.chain->samples(), options_.shape, options_.tolerance);
+    state.polyline = PlacedPolyline(drawn.draw(state.mode, state.ends), chain, state.mode, drawn.samples(),
+                                    options_.shape, options_.tolerance);
 }
 
 /// Divides a chain into walls, as few as possible within the tolerance.
 void WallLayout::plan(std::uint32_t c) {
     ChainState& state = states_[c];
-    state.direction = direction(c);
-    for (const double price : tried_prices) {
-        const std::optional<double> direction = state.chain->plan(price, state.direction, stop_);
-        if (!direction)
+    const WallDirections known = directions(c);
+    const bool turn_frames = graph_.chains[c].rank < min_rank;
+    state.directions = known;
+    for (; state.price < tried_prices.size(); ++state.price) {
+        const double price = tried_prices[state.price];
+        WallDirections tried = known;
+        if (!state.chain->plan(price, tried, turn_frames, stop_))
             continue;
-        state.direction = *direction;
+        state.directions = std::move(tried);
         if (state.chain->walls_are_near(positions_.place_ends(c)))
             return;
     }
@@ -166,13 +168,94 @@ void WallLayout::plan(std::uint32_t c) {
         state.mode.raise_all(FitMode::midpoint);
 }
 
-/// Direction used for planning the walls of a chain.
-double WallLayout::direction(std::uint32_t c) const {
-    const double own = states_[c].chain->own_direction();
-    const std::uint32_t base = reference_chain(graph_, cluster_, c);
-    if (base == WallGraph::none)
-        return own;
-    return align_direction(own, states_[base].direction, graph_.chains[c].steps());
+bool WallLayout::lower_price(std::uint32_t c) {
+    ChainState& state = states_[c];
+    if (!state.mode.has_walls() || state.price + 1 >= tried_prices.size())
+        return false;
+    ++state.price;
+    plan(c);
+    state.pending = true;
+    return true;
+}
+
+void WallLayout::find_directions() {
+    const std::size_t n = cluster_.contours.size();
+    std::vector<std::uint32_t> parents(n);
+    for (std::uint32_t i = 0; i < n; ++i) {
+        const bool higher = cluster_.contours[i]->key.level > 1 && cluster_.parents[i] >= 0;
+        parents[i] = higher ? static_cast<std::uint32_t>(cluster_.parents[i]) : i;
+    }
+    const auto root = [&](std::uint32_t i) {
+        while (parents[i] != i)
+            i = parents[i] = parents[parents[i]];
+        return i;
+    };
+    const auto for_sides = [&](const Chain& chain, const auto& visit) {
+        for (const ArcUse& use : chain.arcs)
+            for (const std::int32_t side : {graph_.sides[use.arc].left, graph_.sides[use.arc].right})
+                if (side >= 0)
+                    visit(static_cast<std::uint32_t>(side));
+    };
+    for (const Chain& chain : graph_.chains) {
+        if (chain.rank > WallGraph::highest_low_rank)
+            continue;
+        std::optional<std::uint32_t> first;
+        for_sides(chain, [&](std::uint32_t side) {
+            const std::uint32_t own = root(side);
+            first = std::min(first.value_or(own), own);
+            parents[own] = parents[root(*first)] = *first;
+        });
+    }
+    group_of_.resize(n);
+    for (std::uint32_t i = 0; i < n; ++i)
+        group_of_[i] = root(i);
+    group_directions_.resize(n);
+    for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
+        stop_.check();
+        const Chain& chain = graph_.chains[c];
+        if (chain.rank > WallGraph::highest_low_rank)
+            continue;
+        std::optional<std::uint32_t> group;
+        for_sides(chain, [&](std::uint32_t side) { group = group_of_[side]; });
+        if (group)
+            group_directions_[*group].add(fitter(c).samples(), fitter(c).turning_points());
+    }
+}
+
+/// Directions for planning the walls of a chain: those of the walls below it, or else of its building, and of
+/// its own stretches.
+WallDirections WallLayout::directions(std::uint32_t c) const {
+    const ChainFitter& chain = *states_[c].chain;
+    const bool right = options_.walls == Walls::right;
+    DirectionHistogram own;
+    own.add(chain.samples(), chain.turning_points());
+    WallDirections directions;
+    if (const std::uint32_t base = reference_chain(graph_, cluster_, c); base != WallGraph::none) {
+        constexpr double apart = 8.0 / 180 * std::numbers::pi;
+        directions.frames = states_[base].directions.frames;
+        const double main = own.frames(1).front();
+        if (!right && own.total() > 0 && std::ranges::none_of(directions.frames, [&](double frame) {
+                return std::abs(angle_between(frame, main)) < apart;
+            }))
+            directions.frames.push_back(main);
+    } else {
+        const WallGraph::Sides& sides = graph_.sides[graph_.chains[c].arcs.front().arc];
+        const auto side = static_cast<std::size_t>(std::max(sides.left, sides.right));
+        const DirectionHistogram& group = group_directions_[group_of_[side]];
+        // A short chain says little, so that its building counts as much at least.
+        constexpr double weight_of_short = 50;
+        if (group.total() > 0)
+            own.add(group, (own.total() + weight_of_short) / group.total());
+        directions.frames = own.frames(right ? 1 : most_frames);
+    }
+    constexpr double min_length = 5;        // cells
+    constexpr double min_tolerances = 2.4;  // 6 m with the usual tolerance
+    if (!right)
+        directions.single =
+            single_directions(chain.samples(), chain.turning_points(), directions.frames,
+                              std::max(min_length, min_tolerances * options_.tolerance),
+                              options_.walls == Walls::free ? most_free_singles : most_singles);
+    return directions;
 }
 
 void WallLayout::arc(std::uint32_t arc, ChainPolyline& drawn) const {

@@ -34,6 +34,8 @@ class WallLayout {
     bool tighten(std::uint32_t chain, std::size_t first, std::size_t last, std::size_t margin);
     /// Same for a whole chain.
     bool tighten(std::uint32_t chain) { return tighten(chain, 0, graph_.chains[chain].steps(), 0); }
+    /// Divides a chain into more walls that lie closer. @return false if they are as many as possible already
+    bool lower_price(std::uint32_t chain);
     /// Same for the chain at a node, around the node, if the node is not at its traced position.
     bool tighten_at(std::uint32_t node, std::size_t margin);
     /// Sets a range of steps of a chain, and those within the margin, to the closest mode.
@@ -60,7 +62,10 @@ class WallLayout {
     [[nodiscard]] std::vector<std::uint32_t> changed_arcs(const std::vector<std::uint32_t>& drawn) const;
     void draw_chain(std::uint32_t chain);
     void plan(std::uint32_t chain);
-    [[nodiscard]] double direction(std::uint32_t chain) const;
+    /// Sums the directions of the chains of levels 0 and 1 of each group of footprints that share chains.
+    void find_directions();
+    [[nodiscard]] WallDirections directions(std::uint32_t chain) const;
+    [[nodiscard]] ChainFitter& fitter(std::uint32_t chain);
 
     const WallGraph& graph_;
     const WallCluster& cluster_;
@@ -68,6 +73,8 @@ class WallLayout {
     const StopToken& stop_;
     std::vector<ChainState> states_;
     NodePositions positions_;
+    std::vector<std::uint32_t> group_of_;  ///< per contour: group of its footprint
+    std::vector<DirectionHistogram> group_directions_;
     std::vector<std::uint8_t> reset_;  ///< per node: placed anew in this call
     bool first_ = true;                ///< before the first call of draw()
 };

@@ -14,360 +14,207 @@
 
 #include "core/stop_token.hpp"
 #include "outline/walls/chain_polyline.hpp"
+#include "outline/walls/wall_path.hpp"
 
 namespace d2b {
-
-/// Divides a chain into walls by dynamic programming over its turning points. Minimizes the sum of a price
-/// per wall and of squared distances, subject to every wall staying within the tolerance of its trace. Walls
-/// in the dominant direction and at 90 degrees to it are cheapest; consecutive walls never share a direction.
-/// O(steps), because a wall spans at most 64 points.
-/// @param points steps at which the chain may turn
-/// @param direction dominant direction in radians; adjusted to the walls that follow it
-/// @return nullopt if there is no such division @throws Cancelled
-[[nodiscard]] std::optional<std::vector<WallSegment>> plan_walls(const TraceSums& samples,
-                                                                 std::vector<std::size_t> points,
-                                                                 const WallParameters& parameters,
-                                                                 double& direction, const StopToken& stop);
-
-/// Replaces runs of walls that turn the same way by circular arcs if these are the cheaper description, and
-/// all walls of a closed chain by a circle. Walls::automatic only. @throws Cancelled
-void find_circular_arcs(const TraceSums& samples, const WallParameters& parameters,
-                        std::vector<WallSegment>& segments, const StopToken& stop);
 
 namespace {
 
 constexpr double variance = WallParameters::variance;
-constexpr std::size_t max_wall_span = 64;  // turning points that a wall may span
-constexpr std::size_t families = WallSegment::free + 1;
-constexpr std::array<double, families> prices{1.2, 1.2, 1.8, 1.8, 2.2};
-constexpr std::size_t long_wall = 20;  // steps; the ends of shorter walls count as well
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-class Planner {
-  public:
-    Planner(const TraceSums& samples, const WallParameters& parameters, const StopToken& stop)
-        : samples_(samples), parameters_(parameters), stop_(stop) {}
-    /// @param points ascending steps; walls begin at the first and end at the last
-    std::optional<std::vector<WallSegment>> plan(const std::vector<std::size_t>& points, double direction);
-
-  private:
-    struct State {
-        double cost = infinite;
-        std::uint32_t from = 0;
-        std::uint8_t family = 0;  // family of the previous wall
-        std::uint8_t before = 0;  // cheapest family of the previous wall for a wall of this family
-    };
-    using States = std::array<State, families>;
-    using Costs = std::array<double, families>;
-
-    void set_direction(double direction) {
-        const double c = std::cos(direction);
-        const double s = std::sin(direction);
-        const double half = std::numbers::sqrt2 / 2;
-        directions_ = {Vec2{c, s}, Vec2{-s, c}, half * Vec2{c - s, c + s}, half * Vec2{-c - s, c - s}};
-    }
-    [[nodiscard]] bool is_allowed(std::size_t family) const {
-        const bool fixed = family < WallSegment::free;
-        switch (parameters_.walls) {
-            case Walls::right:
-                return family < 2;
-            case Walls::free:
-                return !fixed;
-            default:
-                return true;
-        }
-    }
-    [[nodiscard]] Line2 line(std::size_t family, const TraceSums::Sums& sums) const {
-        return {sums.mean, family < WallSegment::free ? directions_[family] : sums.direction()};
-    }
-    [[nodiscard]] double misfit(std::size_t first, std::size_t last, const Line2& line, double squares) const;
-    void find_before(std::size_t point);
-    void begin_at(std::size_t point);
-    void extend(std::size_t from, std::size_t to, const TraceSums::Sums& sums, double least);
-    void extend(std::size_t from, std::size_t to, std::size_t family, const TraceSums::Sums& sums,
-                double least);
-    [[nodiscard]] std::vector<WallSegment> trace_back(const std::vector<std::size_t>& points) const;
-
-    const TraceSums& samples_;
-    WallParameters parameters_;
-    const StopToken& stop_;
-    std::array<Vec2, WallSegment::free> directions_{};
-    const std::vector<std::size_t>* points_ = nullptr;
-    std::vector<States> states_;
-    std::vector<Costs>
-        start_costs_;  // per point: cost of a wall of each family that starts there, without its misfit
-};
-
-/// Neighbours must not be parallel.
-void Planner::find_before(std::size_t point) {
-    States& states = states_[point];
-    for (std::size_t family = 0; family < families; ++family) {
-        std::uint8_t best = family == 0 ? 1 : 0;
-        for (std::uint8_t f = 0; f < families; ++f)
-            if ((f != family || f == WallSegment::free) && states[f].cost < states[best].cost)
-                best = f;
-        states[family].before = best;
-    }
-}
-
-/// Misfit is free if the whole range except its ends is as close as the staircase of a straight wall.
-double Planner::misfit(std::size_t first, std::size_t last, const Line2& line, double squares) const {
-    const std::size_t ends = last - first < long_wall ? 0 : 2;
-    const bool straight =
-        samples_.near(first + ends, last - ends, line, parameters_.straightness_tolerance());
-    return straight ? parameters_.misfit(squares, static_cast<double>(last - first)) : squares / variance;
-}
-
-/// Sets the cost of walls that begin at a point including all walls before them, without their misfit.
-void Planner::begin_at(std::size_t point) {
-    for (std::size_t f = 0; f < families; ++f) {
-        const double before = point == 0 ? 0 : states_[point][states_[point][f].before].cost;
-        start_costs_[point][f] = is_allowed(f) ? before + parameters_.price * prices[f] : infinite;
-    }
-}
-
-/// @param least squares about the best line of any direction
-void Planner::extend(std::size_t from, std::size_t to, const TraceSums::Sums& sums, double least) {
-    const double misfit = parameters_.misfit(least, sums.n);
-    const Costs& start_cost = start_costs_[from];
-    const States& reached = states_[to];
-    for (std::size_t f = 0; f < families; ++f)
-        if (start_cost[f] + misfit < reached[f].cost)  // usually false
-            extend(from, to, f, sums, least);
-}
-
-void Planner::extend(std::size_t from, std::size_t to, std::size_t family, const TraceSums::Sums& sums,
-                     double least) {
-    State& reached = states_[to][family];
-    const double start_cost = start_costs_[from][family];
-    const double squares = family < WallSegment::free ? sums.squares(directions_[family]) : least;
-    if (!(start_cost + parameters_.misfit(squares, sums.n) < reached.cost))
-        return;
-    const Line2 along = line(family, sums);
-    const double cost = start_cost + misfit((*points_)[from], (*points_)[to], along, squares);
-    if (!(cost < reached.cost))
-        return;
-    const double limit = parameters_.tolerance - wall_clearance;
-    if (samples_.near((*points_)[from], (*points_)[to], along, limit)) {
-        reached.cost = cost;
-        reached.from = static_cast<std::uint32_t>(from);
-        reached.family = states_[from][family].before;
-        reached.before = 0;
-    }
-}
-
-std::vector<WallSegment> Planner::trace_back(const std::vector<std::size_t>& points) const {
-    std::vector<WallSegment> segments;
-    std::size_t to = points.size() - 1;
-    std::size_t family = 0;
-    for (std::size_t f = 1; f < families; ++f)
-        if (states_[to][f].cost < states_[to][family].cost)
-            family = f;
-    while (to > 0) {
-        const State& state = states_[to][family];
-        const TraceSums::Sums sums = samples_.sums(points[state.from], points[to]);
-        const double squares =
-            family < WallSegment::free ? sums.squares(directions_[family]) : sums.least_squares();
-        segments.push_back({points[state.from],
-                            points[to],
-                            static_cast<int>(family),
-                            line(family, sums),
-                            {},
-                            parameters_.price * prices[family] +
-                                misfit(points[state.from], points[to], line(family, sums), squares)});
-        to = state.from;
-        family = state.family;
-    }
-    std::reverse(segments.begin(), segments.end());
-    return segments;
-}
-
-std::optional<std::vector<WallSegment>> Planner::plan(const std::vector<std::size_t>& points,
-                                                      double direction) {
-    set_direction(direction);
-    points_ = &points;
-    states_.assign(points.size(), {});
-    start_costs_.resize(points.size());
-    begin_at(0);
-    for (std::size_t to = 1; to < points.size(); ++to) {
-        stop_.check();
-        for (std::size_t from = to; from-- > 0 && to - from <= max_wall_span;) {
-            if (points[to] - points[from] > samples_.steps())
-                break;
-            const TraceSums::Sums sums = samples_.sums(points[from], points[to]);
-            const double least = sums.least_squares();
-            // Stop because walls between all points in between would be cheaper, and even more so from
-            // farther back.
-            if (least / variance > 12.0 * static_cast<double>(to - from) + 60)
-                break;
-            extend(from, to, sums, least);
-        }
-        find_before(to);
-        begin_at(to);
-    }
-    const States& last = states_.back();
-    if (std::ranges::all_of(last, [](const State& state) { return state.cost == infinite; }))
-        return {};
-    return trace_back(points);
-}
-
-/// Adjusts the dominant direction to the walls along it and at 90 degrees to it.
-double adjust_direction(double direction, const std::vector<WallSegment>& segments,
-                        const TraceSums& samples) {
-    constexpr double quarter = std::numbers::pi / 4;
-    double sum = 0;
-    double weights = 0;
-    for (const WallSegment& segment : segments) {
-        const TraceSums::Sums sums = samples.sums(segment.first, segment.last);
-        if (segment.family >= 2 || sums.n < 4)
-            continue;
-        const Vec2 along = sums.direction();
-        const double offset = std::atan2(along.y, along.x) - direction;
-        const double rest = offset - std::round(offset / (2 * quarter)) * 2 * quarter;
-        if (std::abs(rest) > 0.2)
-            continue;
-        const double weight = std::pow(sums.n, 3);
-        sum += weight * rest;
-        weights += weight;
-    }
-    return weights > 0 ? direction + sum / weights : direction;
-}
-
-/// Rotates the turning points of a closed chain to start at the sharpest corner.
-std::vector<std::size_t> rotate_start(const std::vector<std::size_t>& points,
-                                      const std::vector<WallSegment>& segments, std::size_t steps) {
-    std::size_t start = segments.front().first;
-    double largest = -1;
-    for (std::size_t i = 1; i < segments.size(); ++i) {
-        const auto shorter =
-            static_cast<double>(std::min({segments[i - 1].last - segments[i - 1].first,
-                                          segments[i].last - segments[i].first, std::size_t{20}}));
-        const double turn = std::abs(cross(segments[i - 1].line.along, segments[i].line.along)) * shorter;
-        if (turn > largest) {
-            largest = turn;
-            start = segments[i].first;
-        }
-    }
-    start %= steps;
-    std::vector<std::size_t> result;
-    for (const std::size_t point : points)
-        if (point % steps >= start && point < steps)
-            result.push_back(point);
-    for (const std::size_t point : points)
-        if (point % steps < start && point < steps)
-            result.push_back(point + steps);
-    result.push_back(start + steps);
-    return result;
-}
-
-}  // namespace
-
-std::optional<std::vector<WallSegment>> plan_walls(const TraceSums& samples, std::vector<std::size_t> points,
-                                                   const WallParameters& parameters, double& direction,
-                                                   const StopToken& stop) {
-    if (samples.closed())
-        points.push_back(samples.steps());
-    Planner planner(samples, parameters, stop);
-    std::optional<std::vector<WallSegment>> segments = planner.plan(points, direction);
-    if (!segments || segments->size() < 2)
-        return segments;
-    direction = adjust_direction(direction, *segments, samples);
-    if (samples.closed())
-        points = rotate_start(points, *segments, samples.steps());
-    std::optional<std::vector<WallSegment>> again = planner.plan(points, direction);
-    return again ? again : segments;
-}
-
-namespace {
-
-constexpr double arc_price = 3.2;  // cost of an arc: more than a wall, less than two
+constexpr double chord_price = 2.2;        // cost of a straight stretch
+constexpr double max_arc_distance = 1.25;  // cells
+constexpr double arc_price = 3.2;          // cost of an arc: more than a stretch, less than two
 constexpr double max_cost_ratio =
-    0.6;  // largest cost relative to that of the walls replaced, because ragged walls are not arcs
+    0.6;  // largest cost relative to that of the stretches replaced, because ragged walls are not arcs
 constexpr double min_radius = 3;  // cells
 constexpr double min_sweep = std::numbers::pi / 2;
-constexpr std::size_t min_walls = 4;  // fewest walls that an arc replaces
+constexpr double max_sweep = 10 * std::numbers::pi / 9;  // crowns beside a house turn farther
+constexpr double sweep_of_any_radius = 5 * std::numbers::pi / 6;
+constexpr double min_corner_distance =
+    0.6;  // of the corner that a quarter of a circle rounds off, in tolerances
+constexpr std::size_t min_stretches = 4;  // fewest stretches that an arc replaces
 
-/// Returns an arc to replace a run of walls if it is the cheaper description.
+/// A stretch of the trace between two turning points.
+struct Stretch {
+    std::size_t first;
+    std::size_t last;
+    Vec2 along;
+    double cost;
+};
+
+/// Stretches of a chain; those of a closed one begin at the sharpest corner, because no arc contains it.
+std::vector<Stretch> stretches_of(const TraceSums& samples, const std::vector<std::size_t>& points,
+                                  const WallParameters& parameters) {
+    std::vector<Stretch> stretches;
+    for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
+        const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
+        const TraceSums::Sums sums = samples.sums(points[i], last);
+        const Vec2 along = sums.direction();
+        const Vec2 run = samples.at(last) - samples.at(points[i]);
+        stretches.push_back({points[i], last, dot(run, along) < 0 ? -1 * along : along,
+                             chord_price + parameters.misfit(sums.least_squares(), sums.n)});
+    }
+    if (!samples.closed())
+        return stretches;
+    const std::size_t n = stretches.size();
+    std::size_t start = 0;
+    double largest = -1;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Stretch& before = stretches[(i + n - 1) % n];
+        const auto shorter = static_cast<double>(
+            std::min({before.last - before.first, stretches[i].last - stretches[i].first, std::size_t{20}}));
+        const double turn = std::abs(cross(before.along, stretches[i].along)) * shorter;
+        if (turn > largest) {
+            largest = turn;
+            start = i;
+        }
+    }
+    std::ranges::rotate(stretches, stretches.begin() + static_cast<std::ptrdiff_t>(start));
+    for (std::size_t i = n - start; i < n; ++i) {
+        stretches[i].first += samples.steps();
+        stretches[i].last += samples.steps();
+    }
+    return stretches;
+}
+
+/// Returns an arc to replace a run of stretches if it is the cheaper description.
 std::optional<WallSegment> fit_arc(const TraceSums& samples, const WallParameters& parameters,
-                                   std::size_t first, std::size_t last, double walls_cost) {
+                                   std::size_t first, std::size_t last, double replaced_cost) {
     const std::optional<Circle> circle = fit_circle(samples, first, last);
     if (!circle || circle->radius < min_radius)
         return {};
     double squares = 0;
     double largest = 0;
+    const double limit = std::min(parameters.tolerance, max_arc_distance) - wall_clearance;
     for (std::size_t i = first; i < last; ++i) {
         squares += std::pow(circle->offset(0.5 * (samples.at(i) + samples.at(i + 1))), 2);
         largest = std::max(largest, std::abs(circle->offset(samples.at(i))));
-        if (largest > parameters.tolerance - 0.05)
+        if (largest > limit)
             return {};
     }
-    const double cost =
-        parameters.price * arc_price + parameters.misfit(squares, static_cast<double>(last - first));
+    const double cost = arc_price + parameters.misfit(squares, static_cast<double>(last - first));
     const double sweep =
         static_cast<double>(last - first) / 1.27 / circle->radius;  // a staircase is 4 / pi times longer
-    if (cost > max_cost_ratio * walls_cost || sweep < min_sweep)
+    const bool whole = samples.closed() && last - first == samples.steps();
+    if (cost > max_cost_ratio * replaced_cost || sweep < min_sweep || (!whole && sweep > max_sweep))
         return {};
-    return WallSegment{first, last, WallSegment::free, {}, circle, cost};
+    // Crowns round off the corners of houses as well.
+    if (sweep < sweep_of_any_radius &&
+        (std::numbers::sqrt2 - 1) * circle->radius < min_corner_distance * parameters.tolerance)
+        return {};
+    return WallSegment{first, last, 0, {}, circle};
 }
 
-/// Direction of the turn between two walls: 1 or -1, or 0 if the turn is too sharp or too slight for an arc.
-int turn(const WallSegment& a, const WallSegment& b) {
-    const Vec2 from = a.line.along;
-    const Vec2 to = b.line.along;
-    const double sine = cross(from, to);
-    if (dot(from, to) < std::cos(std::numbers::pi / 3) || std::abs(sine) < 0.02)
+/// Direction of the turn between two stretches: 1 or -1, or 0 if the turn is too sharp or too slight for an
+/// arc.
+int turn(const Stretch& a, const Stretch& b) {
+    const double sine = cross(a.along, b.along);
+    if (dot(a.along, b.along) < std::cos(std::numbers::pi / 3) || std::abs(sine) < 0.02)
         return 0;
     return sine > 0 ? 1 : -1;
 }
 
-/// Returns the end of the longest run of walls from i that turn the same way, limited to one and a half
-/// turns: no arc is longer, and a spiral would otherwise be searched to its end from each of its walls.
-std::size_t end_of_turn(const std::vector<WallSegment>& segments, std::size_t i) {
+/// Returns the end of the longest run of stretches from i that turn the same way, limited to one and a half
+/// turns: no arc is longer, and a spiral would otherwise be searched to its end from each of its stretches.
+std::size_t end_of_turn(const std::vector<Stretch>& stretches, std::size_t i) {
     constexpr double most = 3 * std::numbers::pi;
     std::size_t end = i + 1;
-    for (double angle = 0; end < segments.size() && angle < most; ++end) {
-        const int way = turn(segments[end - 1], segments[end]);
-        if (way == 0 || way != turn(segments[i], segments[i + 1]))
+    for (double angle = 0; end < stretches.size() && angle < most; ++end) {
+        const int way = turn(stretches[end - 1], stretches[end]);
+        if (way == 0 || way != turn(stretches[i], stretches[i + 1]))
             break;
-        angle +=
-            std::asin(std::min(1.0, std::abs(cross(segments[end - 1].line.along, segments[end].line.along))));
+        angle += std::asin(std::min(1.0, std::abs(cross(stretches[end - 1].along, stretches[end].along))));
     }
     return end;
 }
 
-}  // namespace
+/// True if a stretch continues an arc or is at a right angle to its end, as walls are; crowns join houses at
+/// any angle.
+bool joins(const TraceSums& samples, const WallSegment& arc, const Stretch& stretch, bool at_end) {
+    constexpr double max_error = 20.0 / 180 * std::numbers::pi;
+    const Vec2 spoke = samples.at(at_end ? arc.last : arc.first) - arc.circle->centre;
+    const double size = length(spoke);
+    const double sine =
+        std::abs(dot(spoke, stretch.along)) / size;  // of the angle between tangent and stretch
+    const double angle = std::asin(std::min(1.0, sine));
+    return angle < max_error || angle > std::numbers::pi / 2 - max_error;
+}
 
-void find_circular_arcs(const TraceSums& samples, const WallParameters& parameters,
-                        std::vector<WallSegment>& segments, const StopToken& stop) {
-    if (parameters.walls != Walls::automatic || segments.size() < min_walls)
-        return;
+/// Finds circular arcs among the stretches of a chain: where a run of them that turn the same way is
+/// described more cheaply by an arc. Walls::automatic only. @throws Cancelled
+std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std::vector<std::size_t>& points,
+                                            const WallParameters& parameters, const StopToken& stop) {
+    if (parameters.walls != Walls::automatic || points.size() < min_stretches)
+        return {};
+    const std::vector<Stretch> stretches = stretches_of(samples, points, parameters);
     double cost = 0;
-    for (const WallSegment& segment : segments)
-        cost += segment.cost;
+    for (const Stretch& stretch : stretches)
+        cost += stretch.cost;
     if (samples.closed())
-        if (const auto circle = fit_arc(samples, parameters, segments.front().first,
-                                        segments.front().first + samples.steps(), cost)) {
-            segments = {*circle};
-            return;
-        }
-    std::vector<WallSegment> result;
-    for (std::size_t i = 0; i < segments.size();) {
-        std::size_t end = end_of_turn(segments, i);
+        if (const auto circle = fit_arc(samples, parameters, 0, samples.steps(), cost))
+            return {*circle};
+    std::vector<WallSegment> arcs;
+    for (std::size_t i = 0; i < stretches.size();) {
+        std::size_t end = end_of_turn(stretches, i);
         std::optional<WallSegment> arc;
-        for (; !arc && end >= i + min_walls; --end) {
+        for (; !arc && end >= i + min_stretches; --end) {
             stop.check();
             double replaced = 0;
             for (std::size_t k = i; k < end; ++k)
-                replaced += segments[k].cost;
-            arc = fit_arc(samples, parameters, segments[i].first, segments[end - 1].last, replaced);
+                replaced += stretches[k].cost;
+            arc = fit_arc(samples, parameters, stretches[i].first, stretches[end - 1].last, replaced);
             if (arc)
                 break;
         }
-        result.push_back(arc ? *arc : segments[i]);
+        const std::size_t n = stretches.size();
+        const bool joined =
+            arc &&
+            ((!samples.closed() && i == 0) || joins(samples, *arc, stretches[(i + n - 1) % n], false)) &&
+            ((!samples.closed() && end == n) || joins(samples, *arc, stretches[end % n], true));
+        if (joined)
+            arcs.push_back(*arc);
         i = arc ? end : i + 1;
     }
-    segments = std::move(result);
+    // The first one begins in the first lap.
+    if (!arcs.empty() && arcs.front().first >= samples.steps())
+        for (WallSegment& arc : arcs) {
+            arc.first -= samples.steps();
+            arc.last -= samples.steps();
+        }
+    return arcs;
 }
+
+/// Walls of a chain, and its arcs between them.
+std::optional<std::vector<WallSegment>> divide(const TraceSums& samples,
+                                               const std::vector<std::size_t>& points,
+                                               const std::vector<WallSegment>& arcs,
+                                               const WallParameters& parameters,
+                                               const WallDirections& directions, const StopToken& stop) {
+    const auto walls = [&](std::size_t first, std::size_t last) {
+        return find_walls(samples, first, last, points, parameters, directions, stop);
+    };
+    if (arcs.empty())
+        return walls(0, samples.steps());
+    std::vector<WallSegment> result;
+    const auto add = [&](std::size_t first, std::size_t last) {
+        if (first == last)
+            return true;
+        const std::optional<std::vector<WallSegment>> found = walls(first, last);
+        if (found)
+            result.insert(result.end(), found->begin(), found->end());
+        return found.has_value();
+    };
+    bool all = samples.closed() || add(0, arcs.front().first);
+    for (std::size_t i = 0; i < arcs.size() && all; ++i) {
+        result.push_back(arcs[i]);
+        const bool last = i + 1 == arcs.size();
+        const std::size_t end = samples.closed() ? arcs.front().first + samples.steps() : samples.steps();
+        all = add(arcs[i].last, last ? end : arcs[i + 1].first);
+    }
+    return all ? std::optional(result) : std::nullopt;
+}
+
+}  // namespace
 
 void shift_wall(WallSegment& segment, const TraceSums& samples, double cells) {
     const Vec2 run = samples.at(segment.last) - samples.at(segment.first);
@@ -398,7 +245,7 @@ void move_inward(const TraceSums& samples, int higher, double cells, double limi
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double max_move = 0.5;         // cells
+constexpr double max_move = 0.25;        // cells
 constexpr double clearance = 1.0 / 256;  // cells between a wall and the center of a cell
 
 /// Cost of a cell of lower ground on the side of a building or tier, relative to a cost of 1 for a cell that
@@ -445,6 +292,11 @@ void Separator::find_events(const WallSegment& segment) {
             events_.push_back({dot(left, cell - segment.line.through), cost});
     };
     for (std::size_t step = segment.first; step < segment.last; ++step) {
+        // Bays and corners that the wall cuts off say nothing about its position.
+        const Vec2 along = samples_.at(step + 1) - samples_.at(step);
+        if (std::abs(segment.line.offset(samples_.at(step) + 0.5 * along)) > max_move + 0.5 ||
+            dot(along, segment.line.along) * dot(run, segment.line.along) <= 0)
+            continue;
         const TraceSums::Cells cells = samples_.adjacent_cells(step);
         add(cells.left, before.left, left_cost_);
         add(cells.right, before.right, -right_cost_);
@@ -508,17 +360,22 @@ std::vector<WallSegment> ChainWalls::segments() const {
 }
 
 bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallParameters& parameters,
-                      double& direction, const StopToken& stop) {
-    std::optional<std::vector<WallSegment>> segments =
-        plan_walls(samples_, points, parameters, direction, stop);
+                      WallDirections& directions, bool turn_frames, const StopToken& stop) {
+    constexpr double slight = 0.5 / 180 * std::numbers::pi;  // frames that turn by less fit already
+    const std::vector<WallSegment> arcs = find_circular_arcs(samples_, points, parameters, stop);
+    auto segments = divide(samples_, points, arcs, parameters, directions, stop);
     if (!segments)
         return false;
-    find_circular_arcs(samples_, parameters, *segments, stop);
-    refine_breakpoints(samples_, *segments);
+    WallDirections turned = directions;
+    if (turn_frames && align_frames(samples_, *segments, turned) > slight)
+        if (auto again = divide(samples_, points, arcs, parameters, turned, stop)) {
+            segments = std::move(again);
+            directions = std::move(turned);
+        }
     const double limit = parameters.tolerance - wall_clearance;
-    separate_cells(samples_, higher_, limit, *segments);
+    separate_cells(samples_, parameters.higher, limit, *segments);
     if (parameters.inset > 0)
-        move_inward(samples_, higher_, parameters.inset, limit, *segments);
+        move_inward(samples_, parameters.higher, parameters.inset, limit, *segments);
     segments_ = std::move(*segments);
     shifts_.assign(segments_.size(), {});
     return true;

@@ -8,20 +8,18 @@
 #include "core/stop_token.hpp"
 #include "dem2buildings/options.hpp"
 #include "outline/walls/trace_sums.hpp"
+#include "outline/walls/wall_directions.hpp"
 #include "outline/walls/wall_graph.hpp"
 
 namespace d2b {
 
 /// A range of steps of a traced chain that is drawn as one straight wall or circular arc.
 struct WallSegment {
-    static constexpr int free = 4;  ///< family of walls with an arbitrary direction
-
     std::size_t first = 0;  ///< step
     std::size_t last = 0;   ///< one past the last step
-    int family = free;      ///< 0 .. 3: the dominant direction turned by 0, 90, 45, 135 degrees
-    Line2 line;
+    int family = 0;  ///< index of its frame or single direction in WallDirections; one more at 45 degrees
+    Line2 line;      ///< its direction is that of the chain
     std::optional<Circle> circle;  ///< set if the segment is an arc
-    double cost = 0;
 };
 
 /// Margin in cells subtracted from the tolerance, because intersections of walls are rounded to the fine
@@ -34,13 +32,12 @@ struct WallParameters {
 
     Walls walls = Walls::automatic;
     double tolerance = 0;  ///< cells
-    double price = 1;      ///< cost of a wall: a lower price gives more walls that lie closer
-    double inset = 0;      ///< cells by which walls are moved towards higher ground
-    double side = 1;       ///< longer side of a cell
+    double price = 1;      ///< cost of a wall in square cells: a lower price gives more walls that lie closer
+    int higher = 0;        ///< side of the chain on which its building or tier lies: 1 left, -1 right, 0 both
+    double outside_cost = 1;  ///< of lower ground within the walls, relative to higher ground outside of them
+    double inset = 0;         ///< cells by which walls are moved towards higher ground
+    double side = 1;          ///< longer side of a cell
 
-    /// Largest distance in cells between a straight wall and the corners of its staircase: half a diagonal
-    /// plus the error of the position of the wall.
-    [[nodiscard]] double straightness_tolerance() const { return std::min(0.77 * side, 0.72 * tolerance); }
     /// Cost of the squared distances of n step midpoints in excess of those that the staircase of a straight
     /// wall has anyway: up to a twelfth of a squared side per step, here slightly more.
     [[nodiscard]] double misfit(double squares, double n) const {
@@ -70,15 +67,14 @@ void separate_cells(const TraceSums& samples, int higher, double limit, std::vec
 /// Walls of a chain and their accumulated shifts.
 class ChainWalls {
   public:
-    ChainWalls(const Chain& chain, const CellShape& shape)
-        : samples_(chain.trace, chain.closed, shape), higher_(chain.higher) {}
+    ChainWalls(const Chain& chain, const CellShape& shape) : samples_(chain.trace, chain.closed, shape) {}
 
     [[nodiscard]] const TraceSums& samples() const { return samples_; }
-    /// Divides the chain into walls. @param points steps at which it may turn
-    /// @param direction dominant direction in radians; adjusted to the walls that follow it
+    /// Divides the chain into walls and arcs. @param points steps at which it may turn
+    /// @param directions the frames are turned to the walls that follow them if `turn_frames`
     /// @return false if there is no division; nothing has changed then @throws Cancelled
     [[nodiscard]] bool plan(const std::vector<std::size_t>& points, const WallParameters& parameters,
-                            double& direction, const StopToken& stop);
+                            WallDirections& directions, bool turn_frames, const StopToken& stop);
     /// True before plan() has succeeded.
     [[nodiscard]] bool empty() const { return segments_.empty(); }
     [[nodiscard]] std::size_t size() const { return segments_.size(); }
@@ -106,7 +102,6 @@ class ChainWalls {
     };
 
     TraceSums samples_;
-    int higher_;
     std::vector<WallSegment> segments_;
     std::vector<Shift> shifts_;  // per wall
 };

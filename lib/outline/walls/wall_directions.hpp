@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "outline/walls/trace_sums.hpp"
+
+namespace d2b {
+
+/// Directions in which the walls of a chain may run, in radians modulo 90 degrees.
+struct WallDirections {
+    std::vector<double> frames;  ///< directions of the building, the main one first
+    std::vector<double> single;  ///< directions of long stretches that no frame explains
+};
+
+/// Smallest angle between two directions modulo 90 degrees, in radians, with its sign.
+[[nodiscard]] double angle_between(double from, double to);
+
+/// Histogram of the directions of the stretches of chains modulo 90 degrees. Long stretches count more than
+/// their length because their direction is known better, and are spread less for the same reason.
+class DirectionHistogram {
+  public:
+    /// @param points steps at which the chain may turn, see turning_points()
+    void add(const TraceSums& samples, const std::vector<std::size_t>& points);
+    void add(const DirectionHistogram& other, double weight);
+
+    [[nodiscard]] double total() const;
+    /// Peaks, the highest first: at least 8 degrees apart, each with at least 6 % of the total. One direction
+    /// of 0 if there are no stretches.
+    [[nodiscard]] std::vector<double> frames(std::size_t most) const;
+
+  private:
+    static constexpr std::size_t bins = 180;  // of half a degree
+    std::array<double, bins> weights_{};
+};
+
+/// Directions of the longest stretches of a chain that lie neither along a frame nor halfway between two
+/// walls of the main one.
+/// @param frames radians @param min_length cells
+[[nodiscard]] std::vector<double> single_directions(const TraceSums& samples,
+                                                    const std::vector<std::size_t>& points,
+                                                    const std::vector<double>& frames, double min_length,
+                                                    std::size_t most);
+
+}  // namespace d2b

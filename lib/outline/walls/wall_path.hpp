@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/stop_token.hpp"
+#include "outline/walls/trace_sums.hpp"
+#include "outline/walls/wall_directions.hpp"
+#include "outline/walls/wall_segmentation.hpp"
+
+namespace d2b {
+
+/// Divides a chain into walls by a shortest path: each step of the trace gets a line, which is one of a few
+/// directions and an offset, so that the sum of the area between trace and lines, a price per wall and a
+/// price per corner that is not right is least. Distances below three quarters of a cell count by their
+/// square, because otherwise the staircase of a slanted wall would be paid for.
+///
+/// O(steps * directions * offsets); memory is bounded for any number of steps. Do not use it for round walls,
+/// which are found before (find_circular_arcs()).
+/// @param first, last steps; all around a closed chain if last == first + steps()
+/// @param sharp steps beside corners of the trace that are sharper than those of buildings, ascending
+/// @return walls of lines that meet at angles of at least 12 degrees; nullopt if there are none @throws
+/// Cancelled
+[[nodiscard]] std::optional<std::vector<WallSegment>> find_walls(
+    const TraceSums& samples, std::size_t first, std::size_t last, const std::vector<std::size_t>& points,
+    const WallParameters& parameters, const WallDirections& directions, const StopToken& stop);
+
+/// Turns frames to the walls that follow them, by least squares over the midpoints of their steps.
+/// @return largest turn in radians
+double align_frames(const TraceSums& samples, const std::vector<WallSegment>& walls,
+                    WallDirections& directions);
+
+}  // namespace d2b
