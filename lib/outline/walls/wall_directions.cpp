@@ -101,6 +101,28 @@ std::vector<double> DirectionHistogram::frames(std::size_t most) const {
     return found;
 }
 
+void align_frames(const TraceSums& samples, const std::vector<std::size_t>& points,
+                  std::vector<double>& frames) {
+    constexpr double near = 6 * degree;
+    constexpr double min_length = 5;  // cells
+    const std::vector<Direction> stretches = stretch_directions(samples, points);
+    for (double& frame : frames) {
+        double turns = 0;
+        double weights = 0;
+        for (const Direction& stretch : stretches) {
+            const double turn = angle_between(frame, stretch.angle);
+            if (stretch.length < min_length || std::abs(turn) > near)
+                continue;
+            // The certainty of the direction of a stretch grows with the cube of its length.
+            const double weight = stretch.length * stretch.length * stretch.length;
+            turns += weight * turn;
+            weights += weight;
+        }
+        if (weights > 0)
+            frame += turns / weights;
+    }
+}
+
 std::vector<double> single_directions(const TraceSums& samples, const std::vector<std::size_t>& points,
                                       const std::vector<double>& frames, double min_length,
                                       std::size_t most) {

@@ -35,6 +35,10 @@ class DirectionHistogram {
     std::array<double, bins> weights_{};
 };
 
+/// Turns frames to the stretches of a chain that lie along them, because a histogram is coarser than these.
+void align_frames(const TraceSums& samples, const std::vector<std::size_t>& points,
+                  std::vector<double>& frames);
+
 /// Directions of the longest stretches of a chain that lie neither along a frame nor halfway between two
 /// walls of the main one.
 /// @param frames radians @param min_length cells

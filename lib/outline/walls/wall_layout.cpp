@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::size_t most_frames = 4;
 constexpr std::size_t most_singles = 3;
-constexpr std::size_t most_free_singles = 8;  // where all directions have one price
+constexpr std::size_t steps_per_direction = 40;  // a short chain does not have many directions
+constexpr std::size_t most_free_singles = 8;     // where all directions have one price
 constexpr int min_rank =
     3;  // rank of walls between footprints; those of chains that stand on them are higher
 
@@ -227,12 +228,14 @@ void WallLayout::find_directions() {
 WallDirections WallLayout::directions(std::uint32_t c) const {
     const ChainFitter& chain = *states_[c].chain;
     const bool right = options_.walls == Walls::right;
+    const std::size_t most = 1 + chain.samples().steps() / steps_per_direction;
     DirectionHistogram own;
     own.add(chain.samples(), chain.turning_points());
     WallDirections directions;
     if (const std::uint32_t base = reference_chain(graph_, cluster_, c); base != WallGraph::none) {
         constexpr double apart = 8.0 / 180 * std::numbers::pi;
         directions.frames = states_[base].directions.frames;
+        directions.frames.resize(std::min(directions.frames.size(), most));
         const double main = own.frames(1).front();
         if (!right && own.total() > 0 && std::ranges::none_of(directions.frames, [&](double frame) {
                 return std::abs(angle_between(frame, main)) < apart;
@@ -246,15 +249,17 @@ WallDirections WallLayout::directions(std::uint32_t c) const {
         constexpr double weight_of_short = 50;
         if (group.total() > 0)
             own.add(group, (own.total() + weight_of_short) / group.total());
-        directions.frames = own.frames(right ? 1 : most_frames);
+        directions.frames = own.frames(right ? 1 : std::min(most, most_frames));
     }
     constexpr double min_length = 5;        // cells
     constexpr double min_tolerances = 2.4;  // 6 m with the usual tolerance
     if (!right)
-        directions.single =
-            single_directions(chain.samples(), chain.turning_points(), directions.frames,
-                              std::max(min_length, min_tolerances * options_.tolerance),
-                              options_.walls == Walls::free ? most_free_singles : most_singles);
+        directions.single = single_directions(
+            chain.samples(), chain.turning_points(), directions.frames,
+            std::max(min_length, min_tolerances * options_.tolerance),
+            options_.walls == Walls::free ? most_free_singles : std::min(most, most_singles));
+    if (graph_.chains[c].rank < min_rank)
+        align_frames(chain.samples(), chain.turning_points(), directions.frames);
     return directions;
 }
 

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/grid.hpp"
+
 namespace d2b {
 namespace {
 
@@ -30,10 +32,14 @@ constexpr double sharp_turn = 165 * degree;  // where the trace itself has such 
 
 /// Lines cross far from the trace if their angle is small, so they change only near it: shares of the reach
 /// by the angle at which they cross.
-constexpr std::size_t zones = 3;
-constexpr std::array<double, zones> zone_shares{0.67, 0.5, 0.2};
-constexpr double wide_angle = 59 * degree;
-constexpr double narrow_angle = 29 * degree;
+constexpr std::size_t zone_count = 3;
+constexpr std::array<double, zone_count> zone_shares{0.67, 0.5, 0.2};
+const double wide_cosine = std::cos(59 * degree);
+const double narrow_cosine = std::cos(29 * degree);
+const double right_cosine = std::sin(degree);
+const double flat_cosine = std::cos(min_turn);
+const double sharpest_cosine = std::cos(sharpest_turn);
+const double sharp_cosine = std::cos(sharp_turn);
 
 /// A direction of walls, in which the trace is followed.
 struct Heading {
@@ -75,6 +81,67 @@ std::vector<Heading> headings_of(const WallDirections& directions, Walls walls) 
     return headings;
 }
 
+/// Returns the nearest integer. Faster than std::round(), which is a call on old processors.
+double nearest_integer(double value) {
+    constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52: doubles of this size have no fraction
+    return value + shift - shift;
+}
+
+/// Costs of the lines of one heading at a step, as intervals from the lines of the same heading before.
+struct HeadingStep {
+    std::int64_t moved;  ///< offset of the window of lines, relative to that of the step before
+    const float* costs;  ///< of the distances of the lines from the step
+    float factor;        ///< of these costs
+    float fixed;         ///< cost of each line
+};
+
+/// Layout of the costs of a step: for each heading, a window of lines between paddings of infinite costs.
+struct Windows {
+    std::size_t width;    ///< a multiple of `lanes`
+    std::size_t padding;  ///< on either side
+    std::size_t stride;
+    std::vector<float> zones;  ///< [zone][line]: 0 if the line belongs to the zone, otherwise infinite
+};
+constexpr std::size_t lanes = 8;
+
+/// Advances all headings by a step, and finds the least cost of each in each zone.
+/// @param beginnings costs of beginning a wall, [zone][heading] @param endings [zone][heading]
+D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector<HeadingStep>& steps,
+                                       const float* before, const float* beginnings, float* costs,
+                                       float* endings) {
+    const std::size_t n = steps.size();
+    const float* wide = windows.zones.data();
+    const float* middle = wide + windows.width;
+    const float* narrow = middle + windows.width;
+    const float* valid = narrow + windows.width;
+    for (std::size_t h = 0; h < n; ++h) {
+        const HeadingStep& step = steps[h];
+        const std::size_t begin = h * windows.stride + windows.padding;
+        const float* same = before + begin + step.moved;
+        float* own = costs + begin;
+        const float from_wide = beginnings[h];
+        const float from_middle = beginnings[n + h];
+        const float from_narrow = beginnings[2 * n + h];
+        std::array<std::array<float, lanes>, zone_count> least;
+        for (auto& zone : least)
+            zone.fill(infinite);
+        for (std::size_t block = 0; block < windows.width; block += lanes)
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const std::size_t w = block + lane;
+                float cost = std::min(same[w], from_wide + wide[w]);
+                cost = std::min(cost, from_middle + middle[w]);
+                cost = std::min(cost, from_narrow + narrow[w]);
+                cost += step.factor * step.costs[w] + step.fixed + valid[w];
+                own[w] = cost;
+                least[0][lane] = std::min(least[0][lane], cost + wide[w]);
+                least[1][lane] = std::min(least[1][lane], cost + middle[w]);
+                least[2][lane] = std::min(least[2][lane], cost + narrow[w]);
+            }
+        for (std::size_t z = 0; z < zone_count; ++z)
+            endings[z * n + h] = *std::ranges::min_element(least[z]);
+    }
+}
+
 /// Shortest path over the lines of consecutive steps.
 class PathFinder {
   public:
@@ -94,20 +161,24 @@ class PathFinder {
 
     void set_jumps();
     void set_costs();
+    /// Offset of the midpoint of a step from the first point of the chain, in intervals.
+    [[nodiscard]] double offset(std::size_t step, std::size_t heading) const {
+        return cross(headings_[heading].along, midpoint(step)) * per_interval_;
+    }
     /// Offset of the middle of the window of a heading at a step.
     [[nodiscard]] std::int64_t base(std::size_t step, std::size_t heading) const {
-        return std::llround(cross(headings_[heading].along, midpoint(step)) / interval_);
+        return static_cast<std::int64_t>(nearest_integer(offset(step, heading)));
     }
     [[nodiscard]] Vec2 midpoint(std::size_t step) const {
         return 0.5 * (samples_.at(step) + samples_.at(step + 1));
     }
-    [[nodiscard]] float* row(std::vector<float>& costs, std::size_t step, std::size_t heading) const {
-        return costs.data() + (step * headings_.size() + heading) * stride_ + padding_;
-    }
-    void begin(std::size_t step, const std::optional<WallLine>& line, float* costs) const;
-    /// @param beginnings set to the costs of beginning a wall of each heading at the step, by zone
+
+    /// Sets the costs of the first step. @param line the only one, if it is given
+    void begin(std::size_t step, const std::optional<WallLine>& line, float* costs);
+    /// @param before costs of the step before @param beginnings see advance_headings(); they are set
     void advance(std::size_t step, const float* before, float* costs, float* beginnings);
-    void add_cost_of(std::size_t step, std::size_t heading, float* row) const;
+    /// Sets the costs of distances of a step.
+    void set_steps(std::size_t step);
     void find_endings(const float* costs);
     /// Line of the step before on the best path to a line of a step.
     /// @param costs of the step before @param beginnings of a wall at the step
@@ -125,15 +196,17 @@ class PathFinder {
     double interval_;  // cells between offsets
     int higher_;       // sign of the offset of a step from a line on the lower ground; 0 if both sides count
     double outside_cost_;
-    std::size_t half_;  // offsets on either side
-    std::size_t width_;
-    std::size_t padding_;
-    std::size_t stride_;
-    std::array<std::size_t, zones> zone_half_{};
+    double per_interval_;
+    std::size_t half_;  // offsets on either side of the middle of a window
+    Windows windows_;
+    std::array<std::size_t, zone_count> zone_half_{};
     std::vector<float> jumps_;  // [zone][from][to]
     std::vector<float> sharp_jumps_;
-    std::vector<float> distance_costs_;              // [fraction][offset]
-    std::array<std::vector<float>, zones> endings_;  // least costs of a wall of each heading that ends
+    std::vector<float> distance_costs_;  // [fraction][offset]
+    std::vector<HeadingStep> steps_;     // of the step that is advanced to
+    std::vector<std::int64_t> bases_;    // of that step
+    std::vector<float> endings_;         // least costs of a wall that ends, [zone][heading]
+    std::vector<float> costs_;           // of the steps of a block
 };
 
 PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameters,
@@ -146,13 +219,23 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
       interval_(std::max(0.25, parameters.tolerance / 20)),
       higher_(samples.mirrored() ? -parameters.higher : parameters.higher),
       outside_cost_(parameters.outside_cost),
+      per_interval_(1 / interval_),
       half_(static_cast<std::size_t>((parameters.tolerance - slack) / interval_)),
-      width_(2 * half_ + 1),
-      padding_(std::min(width_, static_cast<std::size_t>(2 * parameters.side / interval_) + 2)),
-      stride_(width_ + 2 * padding_) {
-    for (std::size_t z = 0; z < zones; ++z) {
-        zone_half_[z] = static_cast<std::size_t>(zone_shares[z] * static_cast<double>(half_));
-        endings_[z].resize(headings_.size());
+      steps_(headings_.size()),
+      bases_(headings_.size()),
+      endings_(zone_count * headings_.size()) {
+    windows_.width = (2 * half_ + lanes) / lanes * lanes;
+    windows_.padding =
+        std::max(windows_.width, static_cast<std::size_t>(2 * parameters.side / interval_) + 2);
+    windows_.stride = windows_.width + 2 * windows_.padding;
+    windows_.zones.assign((zone_count + 1) * windows_.width, infinite);
+    for (std::size_t z = 0; z <= zone_count; ++z) {
+        const std::size_t half =
+            z < zone_count ? static_cast<std::size_t>(zone_shares[z] * static_cast<double>(half_)) : half_;
+        if (z < zone_count)
+            zone_half_[z] = half;
+        std::fill_n(windows_.zones.begin() + static_cast<std::ptrdiff_t>(z * windows_.width + half_ - half),
+                    2 * half + 1, 0.0F);
     }
     set_jumps();
     set_costs();
@@ -160,22 +243,21 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
 
 void PathFinder::set_jumps() {
     const std::size_t n = headings_.size();
-    jumps_.assign(zones * n * n, infinite);
+    jumps_.assign(zone_count * n * n, infinite);
     sharp_jumps_ = jumps_;
     for (std::size_t from = 0; from < n; ++from)
         for (std::size_t to = 0; to < n; ++to) {
-            const Vec2 a = headings_[from].along;
-            const Vec2 b = headings_[to].along;
-            const double turn = std::atan2(std::abs(cross(a, b)), dot(a, b));
-            const double crossing = std::min(turn, std::numbers::pi - turn);
-            const std::size_t zone = crossing > wide_angle ? 0 : crossing > narrow_angle ? 1 : 2;
-            const bool right = std::abs(turn - std::numbers::pi / 2) < degree;
+            const double cosine = dot(headings_[from].along, headings_[to].along);  // of the turn
+            const std::size_t zone = std::abs(cosine) < wide_cosine     ? 0
+                                     : std::abs(cosine) < narrow_cosine ? 1
+                                                                        : 2;
+            const bool right = std::abs(cosine) < right_cosine;
             const auto cost =
                 static_cast<float>(price_ * (headings_[to].price + (right ? 0 : oblique_price)));
             const std::size_t place = (zone * n + from) * n + to;
-            if (turn > min_turn && turn < sharpest_turn)
+            if (cosine < flat_cosine && cosine > sharpest_cosine)
                 jumps_[place] = cost;
-            if (turn > min_turn && turn < sharp_turn)
+            if (cosine < flat_cosine && cosine > sharp_cosine)
                 sharp_jumps_[place] = cost;
         }
 }
@@ -183,101 +265,85 @@ void PathFinder::set_jumps() {
 /// Distances beyond the soft one count as areas; those of lower ground more, because a cell of it in a
 /// building is wrong by the height of the wall.
 void PathFinder::set_costs() {
-    distance_costs_.resize((fractions + 1) * width_);
+    const std::size_t width = windows_.width;
+    distance_costs_.resize((fractions + 1) * width);
     for (std::size_t f = 0; f <= fractions; ++f)
-        for (std::size_t w = 0; w < width_; ++w) {
+        for (std::size_t w = 0; w < width; ++w) {
             const double shift = static_cast<double>(f) / fractions - 0.5;  // of the window from the step
             const double offset = -(shift + static_cast<double>(w) - static_cast<double>(half_)) * interval_;
             const double away = std::abs(offset);
             const double factor = higher_ * offset > 0 ? outside_cost_ : 1;
-            distance_costs_[f * width_ + w] = static_cast<float>(
+            distance_costs_[f * width + w] = static_cast<float>(
                 away < soft_distance ? away * away / (2 * soft_distance)
                                      : factor * (away - soft_distance) + soft_distance / 2);
         }
 }
 
-void PathFinder::add_cost_of(std::size_t step, std::size_t heading, float* row) const {
+void PathFinder::set_steps(std::size_t step) {
     const Vec2 along = samples_.at(step + 1) - samples_.at(step);
+    const Vec2 middle = samples_.at(step) + 0.5 * along;
     const double size = length(along);
-    const double facing = dot(along, headings_[heading].along);
-    const double at = cross(headings_[heading].along, midpoint(step)) / interval_;
-    const double shift = std::round(at) - at;
-    const auto f = static_cast<std::size_t>(std::lround((shift + 0.5) * fractions));
-    const float* costs = distance_costs_.data() + f * width_;
-    const auto factor = static_cast<float>(std::abs(facing));
-    const auto fixed = static_cast<float>(tie * std::sqrt(price_) * (size - facing));
-    for (std::size_t w = 0; w < width_; ++w)
-        row[w] += factor * costs[w] + fixed;
+    const double tie_price = tie * std::sqrt(price_);
+    const auto farthest = static_cast<std::int64_t>(windows_.padding);
+    for (std::size_t h = 0; h < headings_.size(); ++h) {
+        const double facing = dot(along, headings_[h].along);
+        const double at = cross(headings_[h].along, middle) * per_interval_;
+        const double whole = nearest_integer(at);
+        const auto base = static_cast<std::int64_t>(whole);
+        const auto fraction = static_cast<std::size_t>((whole - at + 0.5) * fractions + 0.5);
+        steps_[h] = {std::clamp(base - bases_[h], -farthest, farthest),
+                     distance_costs_.data() + fraction * windows_.width, static_cast<float>(std::abs(facing)),
+                     static_cast<float>(tie_price * (size - facing))};
+        bases_[h] = base;
+    }
 }
 
-void PathFinder::begin(std::size_t step, const std::optional<WallLine>& line, float* costs) const {
-    const std::size_t n = headings_.size();
-    std::fill(costs, costs + n * stride_, infinite);
-    for (std::size_t h = 0; h < n; ++h) {
-        float* own = costs + h * stride_ + padding_;
+void PathFinder::begin(std::size_t step, const std::optional<WallLine>& line, float* costs) {
+    std::fill(costs, costs + headings_.size() * windows_.stride, infinite);
+    set_steps(step);
+    for (std::size_t h = 0; h < headings_.size(); ++h) {
+        float* own = costs + h * windows_.stride + windows_.padding;
         if (!line) {
-            std::fill(own, own + width_, 0.0F);
-            add_cost_of(step, h, own);
+            for (std::size_t w = 0; w <= 2 * half_; ++w)
+                own[w] = steps_[h].factor * steps_[h].costs[w] + steps_[h].fixed;
         } else if (line->heading == h) {
-            const std::int64_t w = line->offset - base(step, h) + static_cast<std::int64_t>(half_);
-            if (w >= 0 && w < static_cast<std::int64_t>(width_))
+            const std::int64_t w = line->offset - bases_[h] + static_cast<std::int64_t>(half_);
+            if (w >= 0 && w <= static_cast<std::int64_t>(2 * half_))
                 own[w] = 0;
         }
     }
+    find_endings(costs);
 }
 
 void PathFinder::find_endings(const float* costs) {
-    for (std::size_t h = 0; h < headings_.size(); ++h) {
-        const float* own = costs + h * stride_ + padding_;
-        float least = infinite;
-        std::size_t low = half_;
-        std::size_t high = half_;
-        for (std::size_t z = zones; z-- > 0;) {
-            for (std::size_t w = half_ - zone_half_[z]; w < low; ++w)
-                least = std::min(least, own[w]);
-            for (std::size_t w = high; w <= half_ + zone_half_[z]; ++w)
-                least = std::min(least, own[w]);
-            low = half_ - zone_half_[z];
-            high = half_ + zone_half_[z] + 1;
-            endings_[z][h] = least;
+    const std::size_t n = headings_.size();
+    for (std::size_t z = 0; z < zone_count; ++z)
+        for (std::size_t h = 0; h < n; ++h) {
+            const float* middle = costs + h * windows_.stride + windows_.padding + half_;
+            endings_[z * n + h] = *std::min_element(middle - zone_half_[z], middle + zone_half_[z] + 1);
         }
-    }
 }
 
 void PathFinder::advance(std::size_t step, const float* before, float* costs, float* beginnings) {
     const std::size_t n = headings_.size();
-    find_endings(before);
-    std::fill(beginnings, beginnings + zones * n, infinite);
+    std::fill(beginnings, beginnings + zone_count * n, infinite);
     const float* jump = jumps(step).data();
-    for (std::size_t z = 0; z < zones; ++z)
+    for (std::size_t z = 0; z < zone_count; ++z)
         for (std::size_t from = 0; from < n; ++from, jump += n)
-            for (std::size_t h = 0; h < n; ++h)
-                beginnings[z * n + h] = std::min(beginnings[z * n + h], endings_[z][from] + jump[h]);
-    for (std::size_t h = 0; h < n; ++h) {
-        float* own = costs + h * stride_;
-        std::fill(own, own + padding_, infinite);
-        std::fill(own + padding_ + width_, own + stride_, infinite);
-        own += padding_;
-        const std::int64_t moved = base(step, h) - base(step - 1, h);
-        if (std::abs(moved) <= static_cast<std::int64_t>(padding_))
-            std::copy_n(before + h * stride_ + padding_ + moved, width_, own);
-        else
-            std::fill(own, own + width_, infinite);
-        for (std::size_t z = 0; z < zones; ++z) {
-            const float from = beginnings[z * n + h];
-            for (std::size_t w = half_ - zone_half_[z]; w <= half_ + zone_half_[z]; ++w)
-                own[w] = std::min(own[w], from);
-        }
-        add_cost_of(step, h, own);
-    }
+            if (endings_[z * n + from] < infinite)
+                for (std::size_t h = 0; h < n; ++h)
+                    beginnings[z * n + h] = std::min(beginnings[z * n + h], endings_[z * n + from] + jump[h]);
+    set_steps(step);
+    advance_headings(windows_, steps_, before, beginnings, costs, endings_.data());
     // Costs stay small, because sums of floats are exact to a share of their size.
     if (step % 64 == 0) {
-        float least = infinite;
-        for (std::size_t i = 0; i < n * stride_; ++i)
-            least = std::min(least, costs[i]);
-        if (least < infinite)
-            for (std::size_t i = 0; i < n * stride_; ++i)
+        const float least = *std::ranges::min_element(endings_);
+        if (least < infinite) {
+            for (std::size_t i = 0; i < n * windows_.stride; ++i)
                 costs[i] -= least;
+            for (float& ending : endings_)
+                ending -= least;
+        }
     }
 }
 
@@ -286,11 +352,12 @@ WallLine PathFinder::before(std::size_t step, WallLine line, const float* costs,
     const auto half = static_cast<std::int64_t>(half_);
     const std::int64_t own = line.offset - base(step, line.heading);
     const std::int64_t same = line.offset - base(step - 1, line.heading);
-    float least = std::abs(same) <= half
-                      ? costs[line.heading * stride_ + padding_ + static_cast<std::size_t>(same + half)]
-                      : infinite;
+    float least =
+        std::abs(same) <= half
+            ? costs[line.heading * windows_.stride + windows_.padding + static_cast<std::size_t>(same + half)]
+            : infinite;
     std::optional<std::size_t> turned;
-    for (std::size_t z = 0; z < zones; ++z)
+    for (std::size_t z = 0; z < zone_count; ++z)
         if (std::abs(own) <= static_cast<std::int64_t>(zone_half_[z]) &&
             beginnings[z * n + line.heading] < least) {
             least = beginnings[z * n + line.heading];
@@ -301,11 +368,11 @@ WallLine PathFinder::before(std::size_t step, WallLine line, const float* costs,
     find_endings(costs);
     const float* jump = jumps(step).data() + *turned * n * n;
     std::size_t from = 0;
-    while (endings_[*turned][from] + jump[from * n + line.heading] != least)
+    while (endings_[*turned * n + from] + jump[from * n + line.heading] != least)
         ++from;
-    const float* ended = costs + from * stride_ + padding_;
+    const float* ended = costs + from * windows_.stride + windows_.padding;
     std::size_t offset = half_ - zone_half_[*turned];
-    while (ended[offset] != endings_[*turned][from])
+    while (ended[offset] != endings_[*turned * n + from])
         ++offset;
     return {from, base(step - 1, from) + static_cast<std::int64_t>(offset) - half};
 }
@@ -313,22 +380,26 @@ WallLine PathFinder::before(std::size_t step, WallLine line, const float* costs,
 std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
                                        const std::optional<std::pair<WallLine, WallLine>>& ends) {
     const std::size_t n = last - first;
-    const std::size_t size = headings_.size() * stride_;
+    const std::size_t size = headings_.size() * windows_.stride;
     const std::size_t blocks = (n + block - 1) / block;
-    std::vector<float> starts(blocks * size);  // costs of the first step of each block
-    std::vector<float> costs(std::min(n, block) * size);
-    const std::size_t turns = zones * headings_.size();
+    std::vector<float> starts(blocks * size, infinite);  // costs of the first step of each block
+    if (costs_.size() < std::min(n, block) * size)
+        costs_.resize(std::min(n, block) * size, infinite);
+    const std::size_t turns = zone_count * headings_.size();
     std::vector<float> beginnings(std::min(n, block + 1) * turns);  // of the block's steps and the next one
     const auto fill = [&](std::size_t b) {
-        std::copy_n(starts.begin() + static_cast<std::ptrdiff_t>(b * size), size, costs.begin());
+        std::copy_n(starts.begin() + static_cast<std::ptrdiff_t>(b * size), size, costs_.begin());
+        for (std::size_t h = 0; h < headings_.size(); ++h)
+            bases_[h] = base(first + b * block, h);
+        find_endings(costs_.data());
         const std::size_t end = std::min(n, (b + 1) * block);
         for (std::size_t k = b * block + 1; k < end; ++k) {
             if (k % 64 == 0)
                 stop_.check();
-            float* own = costs.data() + (k - b * block) * size;
+            float* own = costs_.data() + (k - b * block) * size;
             advance(first + k, own - size, own, beginnings.data() + (k - b * block) * turns);
         }
-        return costs.data() + (end - 1 - b * block) * size;
+        return costs_.data() + (end - 1 - b * block) * size;
     };
     begin(first, ends ? std::optional(ends->first) : std::nullopt, starts.data());
     const float* reached = nullptr;
@@ -339,33 +410,36 @@ std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
                     beginnings.data() + block * turns);
     }
     WallLine line;
+    const auto half = static_cast<std::int64_t>(half_);
     if (ends) {
         line = ends->second;
-        const std::int64_t w = line.offset - base(last - 1, line.heading) + static_cast<std::int64_t>(half_);
-        if (w < 0 || w >= static_cast<std::int64_t>(width_) ||
-            reached[line.heading * stride_ + padding_ + static_cast<std::size_t>(w)] == infinite)
+        const std::int64_t w = line.offset - base(last - 1, line.heading);
+        if (std::abs(w) > half ||
+            reached[line.heading * windows_.stride + windows_.padding + static_cast<std::size_t>(w + half)] ==
+                infinite)
             return {};
     } else {
         const auto least = static_cast<std::size_t>(std::min_element(reached, reached + size) - reached);
         if (reached[least] == infinite)
             return {};
-        line.heading = least / stride_;
-        line.offset = base(last - 1, line.heading) + static_cast<std::int64_t>(least % stride_) -
-                      static_cast<std::int64_t>(padding_ + half_);
+        line.heading = least / windows_.stride;
+        line.offset = base(last - 1, line.heading) + static_cast<std::int64_t>(least % windows_.stride) -
+                      static_cast<std::int64_t>(windows_.padding) - half;
     }
     std::vector<WallLine> lines(n);
+    std::vector<float> next;
     for (std::size_t b = blocks; b-- > 0;) {
         if (b + 1 < blocks) {
             // The costs of beginning a wall at the next block are found anew with those of this one.
             const float* end = fill(b);
-            std::vector<float> next(size);
+            next.resize(size, infinite);
             advance(first + (b + 1) * block, end, next.data(), beginnings.data() + block * turns);
             line = before(first + (b + 1) * block, line, end, beginnings.data() + block * turns);
         }
         for (std::size_t k = std::min(n, (b + 1) * block); k-- > b * block;) {
             lines[k] = line;
             if (k > b * block)
-                line = before(first + k, line, costs.data() + (k - b * block - 1) * size,
+                line = before(first + k, line, costs_.data() + (k - b * block - 1) * size,
                               beginnings.data() + (k - b * block) * turns);
         }
     }
@@ -531,7 +605,7 @@ std::optional<std::vector<WallSegment>> find_walls(const TraceSums& samples, std
     std::vector<WallLine> lines;
     if (around) {
         // The line at the cut is found first, among the steps around it.
-        constexpr std::size_t reach = 48;
+        constexpr std::size_t reach = 24;
         first = middle_of_longest(samples, points);
         const std::size_t behind = std::min(reach, steps / 2);
         const std::size_t from = first + steps - behind;
