@@ -70,9 +70,10 @@ double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape, La
 
 namespace {
 
-constexpr double sagitta = 0.05;  // cells between a circle and its polygon
-constexpr double min_sine = 0.2;  // walls at a smaller angle do not intersect
-constexpr double max_kink = 0.6;  // cells: parallel walls closer than this are joined into one line
+constexpr double sagitta = 0.05;         // cells between a circle and its polygon
+constexpr double min_sine = 0.2;         // walls at a smaller angle do not intersect
+constexpr std::size_t corner_reach = 8;  // steps before and behind the end of a wall
+constexpr double max_kink = 0.6;         // cells: parallel walls closer than this are joined into one line
 
 Vec2 project(const WallSegment& segment, Vec2 p) {
     return segment.circle ? segment.circle->project(p) : segment.line.project(p);
@@ -144,8 +145,13 @@ class Drawer {
 std::pair<Vec2, std::optional<Vec2>> Drawer::joint(const WallSegment& a, const WallSegment& b) const {
     const Vec2 turn = samples_.at(b.first);
     const std::optional<Vec2> sharp = crossing(a, b, turn);
-    if (sharp && length(*sharp - turn) <= std::max(1.0, parameters_.tolerance))
-        return {*sharp, {}};
+    if (sharp) {
+        const std::size_t low = a.last - std::min(a.last - a.first, corner_reach);
+        const std::size_t high = a.last + std::min(b.last - b.first, corner_reach);
+        const std::size_t near = nearest_step(samples_, *sharp, low, high);
+        if (length(*sharp - samples_.at(near)) <= std::max(1.0, parameters_.tolerance))
+            return {*sharp, {}};
+    }
     const Vec2 end = project(a, turn);
     const Vec2 begin = project(b, turn);
     if (length(end - begin) <= max_kink)

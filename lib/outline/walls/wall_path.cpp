@@ -513,6 +513,7 @@ class BackwardWalls {
         return size > 0 ? size : end_;
     }
     void unite_neighbours(std::size_t i);
+    void remove_wall(std::size_t i);
 
     std::vector<WallSegment>& walls_;
     bool closed_;
@@ -541,6 +542,17 @@ void BackwardWalls::unite_neighbours(std::size_t i) {
     walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(low));
 }
 
+/// Removes a wall; each neighbour takes half of its steps.
+void BackwardWalls::remove_wall(std::size_t i) {
+    if (closed_ || (i > 0 && i + 1 < walls_.size()))
+        walls_[next(i)].first = walls_[i].first + steps(i) / 2;
+    else if (i == 0)
+        walls_[1].first = walls_[0].first;
+    if (closed_)
+        walls_[next(i)].first %= end_;
+    walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
 void BackwardWalls::remove() {
     const std::size_t least = closed_ ? 4 : 3;
     if (closed_)
@@ -554,7 +566,7 @@ void BackwardWalls::remove() {
         const Vec2 b = walls_[next(i)].line.along;
         const double turn = std::atan2(std::abs(cross(a, b)), dot(a, b));
         const bool parallel = turn < min_turn / 2;
-        if (!runs_backwards(i) || (parallel && walls_.size() == least) || turn > sharpest_turn) {
+        if (!runs_backwards(i) || (parallel && walls_.size() == least)) {
             ++i;
             ++sound;
             continue;
@@ -562,12 +574,12 @@ void BackwardWalls::remove() {
         sound = 0;
         if (parallel) {
             unite_neighbours(i);
+        } else if (turn > sharpest_turn) {
+            // The neighbours cannot meet, so that the shorter one goes.
+            const bool last = steps(next(i)) < steps(previous(i));
+            remove_wall(last ? next(i) : previous(i));
         } else {
-            WallSegment& after = walls_[next(i)];
-            after.first = walls_[i].first + steps(i) / 2;
-            if (closed_)
-                after.first %= end_;
-            walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(i));
+            remove_wall(i);
         }
         i = i > 1 ? i - 2 : 0;
     }
