@@ -19,8 +19,8 @@ inline constexpr double wall_tolerance_m = 2.5;
 inline constexpr double min_wall_tolerance_cells = 1.5;
 
 /// Area that a wall has to be worth: smaller details are not parts of a house.
-inline constexpr double wall_price_m2 = 0.4;
-inline constexpr double min_wall_price_cells = 1;
+inline constexpr double wall_price_m2 = 0.5;
+inline constexpr double min_wall_price_cells = 1.25;
 
 /// Returns true for Preset::buildings. Preset::thesis takes everything above its thresholds.
 [[nodiscard]] inline bool detects_buildings(const Options& options) {

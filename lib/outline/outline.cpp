@@ -167,13 +167,16 @@ CellShape cell_shape(const Georeference& georeference, double x_stretch) {
 }
 
 WallOptions wall_options(const OutlineRules& rules, const Georeference& georeference, double x_stretch) {
-    // Walls lie near the midpoints of steps; the corners of the trace lie half a cell farther out.
-    constexpr double half_step = 0.5;
-    return {rules.walls, rules.wall_tolerance + half_step, cell_shape(georeference, x_stretch),
+    return {rules.walls, wall_distance(rules.wall_tolerance), cell_shape(georeference, x_stretch),
             rules.wall_inset, rules.wall_price};
 }
 
 }  // namespace
+
+double wall_distance(double tolerance) {
+    constexpr double half_step = 0.5;
+    return tolerance + std::min(half_step, tolerance / 2);
+}
 
 OutlineMethod choose_outline_method(const OutlineRules& rules, const Georeference& georeference) {
     if (rules.walls != Walls::off)

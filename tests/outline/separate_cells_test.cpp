@@ -31,7 +31,7 @@ std::vector<LatticePoint> digitised(double at, double slope, std::int32_t n) {
 
 std::vector<WallSegment> nearest_line(const TraceSums& samples) {
     const TraceSums::Sums sums = samples.sums(0, samples.steps());
-    return {{0, samples.steps(), WallSegment::free, {sums.mean, sums.direction()}, {}, 0}};
+    return {{0, samples.steps(), 0, {sums.mean, sums.direction()}, {}}};
 }
 
 int wrong_cells(const TraceSums& samples, const Line2& wall) {
@@ -53,15 +53,14 @@ TEST(SeparateCells, WhatALineHasDigitisedToItLiesOnItsOwnSide) {
             const TraceSums samples(digitised(0.1 * k, slope, 23), false, north_up);
             const Vec2 along = 1 / std::sqrt(1 + slope * slope) * Vec2{1, slope};
             const Vec2 first = samples.at(0);
-            // Seen from the first corner; 0.3 too high or too low.
+            // Seen from the first corner; 0.2 too high or too low.
             const double row = -std::ceil(-(0.1 * k + slope * 0.5) - 0.5);
             std::vector<WallSegment> wall{
                 {0,
                  samples.steps(),
-                 WallSegment::free,
-                 {first + Vec2{0, 0.1 * k - row + (k % 2 == 0 ? 0.3 : -0.3)}, along},
-                 {},
-                 0}};
+                 0,
+                 {first + Vec2{0, 0.1 * k - row + (k % 2 == 0 ? 0.2 : -0.2)}, along},
+                 {}}};
             before += wrong_cells(samples, wall[0].line);
             separate_cells(samples, 0, 2, wall);
             after += wrong_cells(samples, wall[0].line);
@@ -84,7 +83,7 @@ class Step : public testing::Test {
         const TraceSums samples({{0, 0}, {0, 6}, {-1, 6}, {-1, 12}}, false, shape);
         // Halfway between both halves, where it passes the middles of all.
         const Vec2 left = samples.left_of({1, 0});
-        std::vector<WallSegment> wall{{0, samples.steps(), 0, {{0, 0.5 * left.y}, {1, 0}}, {}, 0}};
+        std::vector<WallSegment> wall{{0, samples.steps(), 0, {{0, 0.5 * left.y}, {1, 0}}, {}}};
         separate_cells(samples, higher, limit, wall);
         return dot(left, wall[0].line.through) - 0.5;
     }
@@ -108,7 +107,7 @@ TEST(ShiftWall, GoesToTheLeftOfTheWay) {
     for (const CellShape& shape : {north_up, south_up}) {
         // Row -1 lies on the left of a way along a row.
         const TraceSums samples({{0, 0}, {0, 4}}, false, shape);
-        WallSegment wall{0, 4, 0, {{2, 0}, {-1, 0}}, {}, 0};
+        WallSegment wall{0, 4, 0, {{2, 0}, {-1, 0}}, {}};
         shift_wall(wall, samples, 0.25);
         EXPECT_EQ(wall.line.through, shape.from_cells(-0.25, 2));
     }
@@ -119,7 +118,7 @@ class MoveInward : public testing::Test {
     TraceSums samples_{{{0, 0}, {0, 4}}, false, north_up};
     /// Where a wall along a row is after a move by 0.5: rows to the north.
     [[nodiscard]] double moved(int higher, double limit) const {
-        std::vector<WallSegment> walls{{0, 4, 0, {{2, 0}, {-1, 0}}, {}, 0}};
+        std::vector<WallSegment> walls{{0, 4, 0, {{2, 0}, {-1, 0}}, {}}};
         move_inward(samples_, higher, 0.5, limit, walls);
         return walls[0].line.through.y;
     }

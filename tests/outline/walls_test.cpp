@@ -96,12 +96,15 @@ TEST_P(TurnedRectangle, RecoversItsFourCorners) {
 
 INSTANTIATE_TEST_SUITE_P(Degrees, TurnedRectangle, testing::Values(0, 3, 11, 20, 30, 37, 45, 58, 71, 85));
 
-TEST(Walls, OfASmallToleranceFollowWhatStandsOutByACell) {
+TEST(Walls, FollowWhatIsWorthTheirPrice) {
+    // A porch of nine cells takes four more walls.
     const TraceGrid house = paint(40, [](Place p) {
-        return in_box(p, {20, -20}, 0, 10, 10) || in_box(p, {20, -15}, 0, 2, 2) ? 1 : 0;
+        return in_box(p, {20, -20}, 0, 10, 10) || in_box(p, {20, -13.5}, 0, 3, 3) ? 1 : 0;
     });
-    EXPECT_GT(Drawn(house, walls(Walls::automatic, 1)).exterior(1).size(), 4U);
-    EXPECT_EQ(Drawn(house).exterior(1).size(), 4U);
+    OutlineRules rules = walls(Walls::automatic, 3);
+    EXPECT_EQ(Drawn(house, rules).exterior(1).size(), 8U);
+    rules.wall_price = 4;
+    EXPECT_EQ(Drawn(house, rules).exterior(1).size(), 4U);
 }
 
 TEST(Walls, SayHowMuchOfTheirLengthStaysAsItWasTraced) {
@@ -115,7 +118,8 @@ TEST(Walls, SayHowMuchOfTheirLengthStaysAsItWasTraced) {
     const Drawn pair(paint(60,
                            [](Place p) {
                                const bool left = in_box(p, {20, -30}, 0, 20, 20);
-                               const bool right = p.x > 30 && p.x < 45 && std::abs(p.y + 30) < 25 - p.x / 2;
+                               const bool right =
+                                   p.x > 30 && p.x < 45 && std::abs(p.y + 30) < 23 - 0.43 * p.x;
                                return left ? 1 : right ? 2 : 0;
                            }),
                      walls(Walls::automatic, 0.1));

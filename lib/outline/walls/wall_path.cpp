@@ -22,10 +22,8 @@ constexpr double diagonal_price = 1.7;
 constexpr double single_price = 2.0;
 constexpr double oblique_price = 0.8;  // of a corner that is not right, in addition
 
-constexpr double soft_distance = 0.75;  // cells below which a distance counts by its square
-constexpr double tie = 0.04;            // per cell that runs across its wall, times the root of the price
-constexpr double slack =
-    0.5;  // cells between the tolerance and midpoints of steps, because corners lie farther
+constexpr double soft_distance = 0.75;    // cells below which a distance counts by its square
+constexpr double tie = 0.04;              // per cell that runs across its wall, times the root of the price
 constexpr double min_turn = 12 * degree;  // flatter corners are not corners
 constexpr double sharpest_turn = 122 * degree;
 constexpr double sharp_turn = 165 * degree;  // where the trace itself has such a corner
@@ -40,6 +38,12 @@ const double right_cosine = std::sin(degree);
 const double flat_cosine = std::cos(min_turn);
 const double sharpest_cosine = std::cos(sharpest_turn);
 const double sharp_cosine = std::cos(sharp_turn);
+
+/// Largest distance of a line from the midpoint of a step; the corners of the trace lie farther away, see
+/// wall_distance().
+double reach(double tolerance) {
+    return tolerance - std::min(0.5, tolerance / 3);
+}
 
 /// A direction of walls, in which the trace is followed.
 struct Heading {
@@ -220,7 +224,7 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
       higher_(samples.mirrored() ? -parameters.higher : parameters.higher),
       outside_cost_(parameters.outside_cost),
       per_interval_(1 / interval_),
-      half_(static_cast<std::size_t>((parameters.tolerance - slack) / interval_)),
+      half_(static_cast<std::size_t>(reach(parameters.tolerance) / interval_)),
       steps_(headings_.size()),
       bases_(headings_.size()),
       endings_(zone_count * headings_.size()) {
@@ -279,6 +283,8 @@ void PathFinder::set_costs() {
         }
 }
 
+/// Each step pays for its distance, whichever way it runs: if those that run across their wall were free, a
+/// porch would vanish behind a wall of no length.
 void PathFinder::set_steps(std::size_t step) {
     const Vec2 along = samples_.at(step + 1) - samples_.at(step);
     const Vec2 middle = samples_.at(step) + 0.5 * along;
@@ -292,7 +298,7 @@ void PathFinder::set_steps(std::size_t step) {
         const auto base = static_cast<std::int64_t>(whole);
         const auto fraction = static_cast<std::size_t>((whole - at + 0.5) * fractions + 0.5);
         steps_[h] = {std::clamp(base - bases_[h], -farthest, farthest),
-                     distance_costs_.data() + fraction * windows_.width, static_cast<float>(std::abs(facing)),
+                     distance_costs_.data() + fraction * windows_.width, static_cast<float>(size),
                      static_cast<float>(tie_price * (size - facing))};
         bases_[h] = base;
     }

@@ -12,14 +12,14 @@
 namespace d2b {
 
 /// Divides a chain into walls by a shortest path: each step of the trace gets a line, which is one of a few
-/// directions and an offset, so that the sum of the area between trace and lines, a price per wall and a
-/// price per corner that is not right is least. Distances below three quarters of a cell count by their
-/// square, because otherwise the staircase of a slanted wall would be paid for.
+/// directions and an offset. The least sum wins of the distances of the steps from their lines, a price per
+/// wall and a price per corner that is not a right angle. Distances below three quarters of a cell count by
+/// their square, because otherwise the staircase of a slanted wall would be paid for.
 ///
-/// O(steps * directions * offsets); memory is bounded for any number of steps. Do not use it for round walls,
-/// which are found before (find_circular_arcs()).
+/// O(steps * directions * offsets); a few megabytes for any number of steps. Do not use it for round walls,
+/// which are found before.
 /// @param first, last steps; all around a closed chain if last == first + steps()
-/// @param sharp steps beside corners of the trace that are sharper than those of buildings, ascending
+/// @param points steps at which the chain may turn, see turning_points()
 /// @return walls of lines that meet at angles of at least 12 degrees; nullopt if there are none @throws
 /// Cancelled
 [[nodiscard]] std::optional<std::vector<WallSegment>> find_walls(
