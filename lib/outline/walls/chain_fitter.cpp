@@ -369,6 +369,7 @@ constexpr double tier_tolerance = 1;
 constexpr double outside_cost = 1.5;      // of a cell of lower ground, beyond the soft distance of the path
 constexpr double tier_price = 0.5;        // relative to that of other walls
 constexpr double max_price_share = 0.08;  // of the area of a ring, because no wall at all is the cheapest
+constexpr double staircase_tolerance = 1.1;  // cells, within which a straight wall has its staircase
 constexpr double max_side =
     2;  // cells; limits the longer side because that of sheared cells says nothing about their staircases
 constexpr int max_tightenings = 4;  // limits the iterations; each one leaves less that is far from the trace
@@ -392,7 +393,7 @@ ChainFitter::ChainFitter(const Chain& chain, const WallOptions& options)
       parameters_(parameters_for(chain, options)),
       limit_(parameters_.tolerance - rounding_error),
       walls_(chain, options.shape),
-      turning_points_(d2b::turning_points(samples())),
+      turning_points_(d2b::turning_points(samples(), staircase_tolerance)),
       midpoints_(samples(), shape_, origin_, chain.node_steps, limit_) {
     if (chain.closed)
         parameters_.price =

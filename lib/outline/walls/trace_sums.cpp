@@ -128,17 +128,17 @@ bool TraceSums::near(std::size_t first, std::size_t last, const Line2& line, dou
 
 namespace {
 
-constexpr double simplification_tolerance = 0.8;  // cells
-constexpr std::size_t max_run_span = 512;         // steps; bounds the time spent on a long chain
+constexpr std::size_t max_run_span = 512;  // steps; bounds the time spent on a long chain
 
-void divide(const TraceSums& samples, std::size_t begin, std::size_t end, std::vector<std::size_t>& points) {
+void divide(const TraceSums& samples, std::size_t begin, std::size_t end, double tolerance,
+            std::vector<std::size_t>& points) {
     std::vector<std::pair<std::size_t, std::size_t>> open;
     open.reserve(16);
     open.emplace_back(begin, end);
     while (!open.empty()) {
         const auto [first, last] = open.back();
         open.pop_back();
-        double largest = simplification_tolerance * simplification_tolerance;
+        double largest = tolerance * tolerance;
         std::size_t farthest = first;
         const Vec2 from = samples.at(first);
         const Vec2 to = samples.at(last);
@@ -160,7 +160,7 @@ void divide(const TraceSums& samples, std::size_t begin, std::size_t end, std::v
 
 }  // namespace
 
-std::vector<std::size_t> turning_points(const TraceSums& samples) {
+std::vector<std::size_t> turning_points(const TraceSums& samples, double tolerance) {
     const std::size_t n = samples.steps();
     std::vector<std::size_t> points;
     points.reserve(32);
@@ -183,7 +183,7 @@ std::vector<std::size_t> turning_points(const TraceSums& samples) {
         end = std::min(end, begin + max_run_span);
         if (end < n || !samples.closed())
             points.push_back(end);
-        divide(samples, begin, end, points);
+        divide(samples, begin, end, tolerance, points);
         begin = end;
     }
     std::sort(points.begin(), points.end());

@@ -149,9 +149,10 @@ class TraceSums {
     std::vector<Moments> prefix_sums_;      // prefix sums over the steps before each one
 };
 
-/// Steps at which a chain may turn: the vertices of its Douglas-Peucker simplification with a tolerance of
-/// 0.8 cells. Starts with 0; an open chain ends with its last step.
-[[nodiscard]] std::vector<std::size_t> turning_points(const TraceSums& samples);
+/// Steps at which a chain may turn: the vertices of its Douglas-Peucker simplification. Starts with 0; an
+/// open chain ends with its last step. @param tolerance cells; staircases of straight walls stay whole above
+/// 1
+[[nodiscard]] std::vector<std::size_t> turning_points(const TraceSums& samples, double tolerance);
 
 /// Direction shared by the long stretches of a chain, modulo 90 degrees, in radians.
 /// @param points steps at which it may turn

@@ -60,7 +60,7 @@ struct WallLine {
     friend bool operator==(const WallLine&, const WallLine&) = default;
 };
 
-std::vector<Heading> headings_of(const WallDirections& directions, Walls walls) {
+std::vector<Heading> headings_of(const WallDirections& directions, Walls walls, bool diagonals) {
     std::vector<Heading> headings;
     int family = 0;
     const auto add = [&](double direction, double price) {
@@ -79,7 +79,7 @@ std::vector<Heading> headings_of(const WallDirections& directions, Walls walls) 
     const auto explains = [&](double direction) {
         return std::abs(angle_between(direction, diagonal)) < 8 * degree;
     };
-    if (walls != Walls::right && std::ranges::none_of(directions.frames, explains) &&
+    if (diagonals && walls != Walls::right && std::ranges::none_of(directions.frames, explains) &&
         std::ranges::none_of(directions.single, explains))
         add(diagonal, free ? 1 : diagonal_price);
     return headings;
@@ -616,9 +616,10 @@ std::optional<std::vector<WallSegment>> find_walls(const TraceSums& samples, std
                                                    std::size_t last, const std::vector<std::size_t>& points,
                                                    const WallParameters& parameters,
                                                    const WallDirections& directions, const StopToken& stop) {
+    constexpr std::size_t least_diagonal = 16;  // steps; a ring of a few cells would become a diamond
     const std::size_t steps = samples.steps();
     const bool around = samples.closed() && last - first == steps;
-    PathFinder finder(samples, parameters, headings_of(directions, parameters.walls),
+    PathFinder finder(samples, parameters, headings_of(directions, parameters.walls, steps >= least_diagonal),
                       sharp_steps(samples, points), stop);
     std::vector<WallLine> lines;
     if (around) {

@@ -21,6 +21,7 @@ namespace d2b {
 namespace {
 
 constexpr double variance = WallParameters::variance;
+constexpr double arc_tolerance = 0.8;      // cells between an arc and its stretches
 constexpr double chord_price = 2.2;        // cost of a straight stretch
 constexpr double max_arc_distance = 1.25;  // cells
 constexpr double arc_price = 3.2;          // cost of an arc: more than a stretch, less than two
@@ -142,9 +143,12 @@ bool joins(const TraceSums& samples, const WallSegment& arc, const Stretch& stre
 
 /// Finds circular arcs among the stretches of a chain: where a run of them that turn the same way is
 /// described more cheaply by an arc. Walls::automatic only. @throws Cancelled
-std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std::vector<std::size_t>& points,
-                                            const WallParameters& parameters, const StopToken& stop) {
-    if (parameters.walls != Walls::automatic || points.size() < min_stretches)
+std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const WallParameters& parameters,
+                                            const StopToken& stop) {
+    if (parameters.walls != Walls::automatic)
+        return {};
+    const std::vector<std::size_t> points = turning_points(samples, arc_tolerance);
+    if (points.size() < min_stretches)
         return {};
     const std::vector<Stretch> stretches = stretches_of(samples, points, parameters);
     double cost = 0;
@@ -362,7 +366,7 @@ std::vector<WallSegment> ChainWalls::segments() const {
 bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallParameters& parameters,
                       WallDirections& directions, bool turn_frames, const StopToken& stop) {
     constexpr double slight = 0.5 / 180 * std::numbers::pi;  // frames that turn by less fit already
-    const std::vector<WallSegment> arcs = find_circular_arcs(samples_, points, parameters, stop);
+    const std::vector<WallSegment> arcs = find_circular_arcs(samples_, parameters, stop);
     auto segments = divide(samples_, points, arcs, parameters, directions, stop);
     if (!segments)
         return false;
