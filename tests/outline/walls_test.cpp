@@ -127,7 +127,7 @@ TEST(Walls, SayHowMuchOfTheirLengthStaysAsItWasTraced) {
         EXPECT_GE(pair.outliner.quality(contour).kept_traced, 0);
         EXPECT_LE(pair.outliner.quality(contour).kept_traced, 1);
     }
-    EXPECT_GT(pair.outliner.quality(2).kept_traced, 0);
+    EXPECT_LE(pair.outliner.quality(2).deviation_cells, 0.15);
 }
 
 TEST(Walls, LAndHKeepTheirCorners) {
