@@ -134,10 +134,9 @@ std::string tolerance_warning(double tolerance, double cell) {
 
 namespace {
 
-std::string sentence(double share, const std::string& whose, double cell_size_m) {
+std::string sentence(double share, const std::string& whose, const std::string& state, double cell_size_m) {
     constexpr double fine_cell_m = 1.25;
-    const std::string what =
-        percent(share) + " of the length of the " + whose + "' outlines keeps the staircase of the cells";
+    const std::string what = percent(share) + " of the length of the " + whose + "' outlines " + state;
     if (cell_size_m > fine_cell_m)
         return what + ", because walls cannot be seen in cells of " + rounded(cell_size_m) +
                " m; use a finer raster, or a larger -regularize_tolerance";
@@ -148,14 +147,17 @@ std::string sentence(double share, const std::string& whose, double cell_size_m)
 
 }  // namespace
 
-std::string traced_warning(const OutlineLength& buildings, const OutlineLength& contours,
+std::string traced_warning(const OutlineLength& buildings, const OutlineLength& contours, bool walls,
                            double cell_size_m) {
+    const std::string traced = "keeps the staircase of the cells";
     constexpr double most_of_buildings = 0.05;
     constexpr double most_of_contours = 0.9;
     if (buildings.traced_share() > most_of_buildings)
-        return sentence(buildings.traced_share(), "buildings", cell_size_m);
+        return sentence(buildings.traced_share(), "buildings", traced, cell_size_m);
+    if (walls && buildings.share_without_walls() > most_of_buildings)
+        return sentence(buildings.share_without_walls(), "buildings", "has no straight walls", cell_size_m);
     if (!(buildings.whole() > 0) && contours.traced_share() > most_of_contours)
-        return sentence(contours.traced_share(), "contours", cell_size_m);
+        return sentence(contours.traced_share(), "contours", traced, cell_size_m);
     return {};
 }
 

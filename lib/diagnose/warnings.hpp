@@ -58,12 +58,13 @@ inline void warn_unless_empty(const std::string& cause, Context& context) {
 /// @param tolerance, cell tolerance and cell size in units of the DEM's CRS
 [[nodiscard]] std::string tolerance_warning(double tolerance, double cell);
 
-/// Returns a warning with the share of outlines that stay as traced although regularisation was requested, if
-/// it exceeds 5 % of the length of the buildings; without a layer of buildings, 90 % of the contours, because
-/// most borders between tiers of a real roof have no wall. A clause without a full stop; "" if it is less.
+/// Returns a warning with the share of outlines that stay as traced, or have no walls although `walls` were
+/// requested, if it exceeds 5 % of the length of the buildings; without a layer of buildings, 90 % of the
+/// contours, because most borders between tiers of a real roof have no wall. A clause without a full stop; ""
+/// if it is less.
 /// @param cell_size_m cell size in m; 0 if unknown
 [[nodiscard]] std::string traced_warning(const OutlineLength& buildings, const OutlineLength& contours,
-                                         double cell_size_m);
+                                         bool walls, double cell_size_m);
 
 /// Maximum number of points in the extent of a unit of a divided window, and its cause.
 struct SeenPoints {

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -107,6 +109,90 @@ TEST(Walls, FollowWhatIsWorthTheirPrice) {
     EXPECT_EQ(Drawn(house, rules).exterior(1).size(), 4U);
 }
 
+/// A place in the frame of a building: along its main direction and across it.
+Place in_frame(Place p, Place origin, double angle) {
+    return {(p.x - origin.x) * std::cos(angle) + (p.y - origin.y) * std::sin(angle),
+            (p.y - origin.y) * std::cos(angle) - (p.x - origin.x) * std::sin(angle)};
+}
+
+/// Turns of a ring at its corners, in degrees.
+std::vector<double> turns_of(const std::vector<Position>& ring) {
+    std::vector<double> turns;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Position a = ring[i];
+        const Position b = ring[(i + 1) % ring.size()];
+        const Position c = ring[(i + 2) % ring.size()];
+        turns.push_back(std::atan2((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x),
+                                   (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y)) *
+                        180 / std::numbers::pi);
+    }
+    return turns;
+}
+
+TEST(Walls, AWedgeKeepsItsSharpCorner) {
+    const double half = 20 * std::numbers::pi / 180;
+    const Drawn drawn(paint(90, [&](Place p) {
+        const Place q = in_frame(p, {10, -45}, 0.1);
+        return q.x > 0 && q.x < 60 && std::abs(q.y) < q.x * std::tan(half) ? 1 : 0;
+    }));
+    ASSERT_EQ(drawn.exterior(1).size(), 3U);
+    EXPECT_NEAR(std::ranges::max(turns_of(drawn.exterior(1))), 140, 2);
+}
+
+TEST(Walls, ALongSlantedSideIsOneWall) {
+    const double slope = 0.35;
+    const Drawn drawn(paint(100, [&](Place p) {
+        const Place q = in_frame(p, {20, -70}, 0.2);
+        return q.x > 0 && q.x < 50 && q.y > 0 && q.y < 20 + slope * q.x ? 1 : 0;
+    }));
+    ASSERT_EQ(drawn.exterior(1).size(), 4U);
+    std::vector<double> turns = turns_of(drawn.exterior(1));
+    std::ranges::sort(turns);
+    const double slant = std::atan(slope) * 180 / std::numbers::pi;
+    EXPECT_NEAR(turns[0], 90 - slant, 2);
+    EXPECT_NEAR(turns[3], 90 + slant, 2);
+}
+
+TEST(Walls, TwoWingsHaveTheirOwnRightAngles) {
+    const Drawn drawn(paint(120, [](Place p) {
+        return in_box(p, {40, -60}, 0, 50, 16) || in_box(p, {80, -50}, 0.5, 50, 16) ? 1 : 0;
+    }));
+    const std::vector<double> turns = turns_of(drawn.exterior(1));
+    const auto is_right = [](double turn) { return std::abs(std::abs(turn) - 90) < 1; };
+    EXPECT_LE(turns.size(), 10U);
+    EXPECT_GE(std::ranges::count_if(turns, is_right), 4);
+}
+
+TEST(Walls, ALongBlockIsDividedAsAShortOne) {
+    // Its outline has more steps than are kept at a time.
+    const Drawn drawn(paint(1100, [](Place p) { return in_box(p, {550, -550}, 0.3, 800, 600) ? 1 : 0; }));
+    EXPECT_EQ(drawn.exterior(1).size(), 4U);
+    EXPECT_NEAR(drawn.outliner.quality(1).area_change, 0, 1e-3);
+}
+
+TEST(Walls, AnApseIsRoundAndACrownAtACornerIsNot) {
+    const Drawn church(paint(90, [](Place p) {
+        return in_box(p, {35, -45}, 0, 40, 24) || std::hypot(p.x - 55, p.y + 45) < 12 ? 1 : 0;
+    }));
+    EXPECT_EQ(church.outliner.outline(1).arcs.size(), 1U);
+    const Drawn house(paint(90, [](Place p) {
+        return in_box(p, {40, -45}, 0.1, 30, 20) || std::hypot(p.x - 55, p.y + 36) < 5 ? 1 : 0;
+    }));
+    EXPECT_TRUE(house.outliner.outline(1).arcs.empty());
+    for (const double turn : turns_of(house.exterior(1)))
+        EXPECT_NEAR(std::abs(turn), 90, 1);
+}
+
+TEST(Walls, ARoundedCornerIsACorner) {
+    const Drawn house(paint(60, [](Place p) {
+        const Place q = in_frame(p, {30, -30}, 0.15);
+        const double x = std::abs(q.x) - 11;
+        const double y = std::abs(q.y) - 7;
+        return x < 4 && y < 4 && (x < 0 || y < 0 || std::hypot(x, y) < 4) ? 1 : 0;
+    }));
+    EXPECT_EQ(house.exterior(1).size(), 4U);
+}
+
 TEST(Walls, SayHowMuchOfTheirLengthStaysAsItWasTraced) {
     const TraceGrid turned = paint(80, [](Place p) { return in_box(p, {40.3, -39.6}, 0.3, 44, 24) ? 1 : 0; });
     EXPECT_EQ(Drawn(turned).outliner.quality(1).kept_traced, 0);
@@ -176,15 +262,8 @@ TEST(Walls, RightAnglesAloneWhereTheyAreAskedFor) {
                                 return std::abs(u) < 22 && std::abs(v) < 14 && u + v < 29 ? 1 : 0;
                             }),
                       walls(Walls::right));
-    const auto ring = drawn.exterior(1);
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Position a = ring[i];
-        const Position b = ring[(i + 1) % ring.size()];
-        const Position c = ring[(i + 2) % ring.size()];
-        const double turn = std::atan2((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x),
-                                       (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y));
-        EXPECT_NEAR(std::abs(turn), std::numbers::pi / 2, 0.01);
-    }
+    for (const double turn : turns_of(drawn.exterior(1)))
+        EXPECT_NEAR(std::abs(turn), 90, 0.6);
 }
 
 TEST(Walls, TouchingLabelsShareTheirWall) {
