@@ -188,7 +188,9 @@ std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const Wall
     return arcs;
 }
 
-/// Walls of a chain, and its arcs between them.
+constexpr std::size_t min_wedge_steps = 8;  // of the walls of a triangle; smaller ones are not houses
+
+/// Walls of a chain, and its arcs between them. A ring too small for that becomes a rectangle.
 std::optional<std::vector<WallSegment>> divide(const TraceSums& samples,
                                                const std::vector<std::size_t>& points,
                                                const std::vector<WallSegment>& arcs,
@@ -197,8 +199,16 @@ std::optional<std::vector<WallSegment>> divide(const TraceSums& samples,
     const auto walls = [&](std::size_t first, std::size_t last) {
         return find_walls(samples, first, last, points, parameters, directions, stop);
     };
-    if (arcs.empty())
-        return walls(0, samples.steps());
+    if (arcs.empty()) {
+        std::optional<std::vector<WallSegment>> found = walls(0, samples.steps());
+        const auto is_short = [](const WallSegment& wall) {
+            return wall.last - wall.first < min_wedge_steps;
+        };
+        if (samples.closed() && (!found || (found->size() < 4 && std::ranges::any_of(*found, is_short))))
+            if (auto rectangle = fit_rectangle(samples, directions.frames.front()))
+                return rectangle;
+        return found;
+    }
     std::vector<WallSegment> result;
     const auto add = [&](std::size_t first, std::size_t last) {
         if (first == last)
