@@ -72,7 +72,7 @@ class CleanRows {
 /// @param window window of the DEM
 /// @param use called once per building, with its clean cells, on any thread
 /// @throws Cancelled, InputError, OutputError
-[[nodiscard]] CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label count,
+[[nodiscard]] CleanRows clean_tiers(ElevationReader& reader, const detect::LabelRows& labels, Label count,
                                     const RegionOptions& regions, const Window& window,
                                     const std::function<void(Label, const BuildingCells&)>& use,
                                     Context& context);

@@ -85,7 +85,7 @@ constexpr double widest_step = 2.5;
 }  // namespace
 
 std::string sparse_points_warning(const SamplingReport& report, double side) {
-    if (report.interpolated_fraction <= thin_points || !report.points_per_cell)
+    if (report.interpolated_fraction <= detect::thin_points || !report.points_per_cell)
         return {};
     return "points are thin: about " + rounded(*report.points_per_cell) + " fell into a cell of " +
            rounded(side) + " m, and none into " + percent(report.interpolated_fraction) +

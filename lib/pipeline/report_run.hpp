@@ -41,7 +41,7 @@ void report_levels(const LevelPlan& plan, int levels, RunReport& report);
 /// Warns if nothing was found, and of conditions that make the result unreliable.
 /// @param scene null if there was no search @param terrain given terrain model or null
 void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
-                    const SceneStatistics* scene, const DemSource* terrain, Context& context);
+                    const detect::SceneStatistics* scene, const DemSource* terrain, Context& context);
 
 /// Completes the results of all sinks. @param commit publishes them @throws OutputError, Cancelled
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context);

@@ -94,7 +94,7 @@ void write_elevations(ElevationReader& reader, std::int32_t first_col, RasterSin
 /// Sizes of the pieces into which a run divides its window.
 struct PieceSizes {
     const BandSize& bands;
-    const UnitSize& units;
+    const detect::UnitSize& units;
 };
 
 /// Results of the stages before tracing.
@@ -107,7 +107,7 @@ struct SearchResult {
 /// Runs all stages from the elevations to the levels of buildings. @param lattice null if no surface is asked
 /// for
 SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const Sources& sources,
-                           const Sinks& sinks, const UnitSize& size, SurfaceLattice* lattice,
+                           const Sinks& sinks, const detect::UnitSize& size, SurfaceLattice* lattice,
                            Context& context) {
     const RunPlan& decided = setup.plan;
     const Window& window = setup.dem.window;
@@ -245,7 +245,7 @@ void run_to_commit(const Options& asked, const Sources& sources, const Sinks& si
 }  // namespace
 
 RunReport run_in_units(const Options& options, const Sources& sources, const Sinks& sinks,
-                       const Callbacks& callbacks, const UnitSize& units, const BandSize& bands) {
+                       const Callbacks& callbacks, const detect::UnitSize& units, const BandSize& bands) {
     Context context(callbacks);
     CommitList commit;
     run_to_commit(options, sources, sinks, {bands, units}, commit, context);

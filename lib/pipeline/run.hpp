@@ -7,6 +7,6 @@ namespace d2b {
 
 /// Same as run(), but with units of another size. The size affects the result.
 RunReport run_in_units(const Options& options, const Sources& sources, const Sinks& sinks,
-                       const Callbacks& callbacks, const UnitSize& units, const BandSize& bands = {});
+                       const Callbacks& callbacks, const detect::UnitSize& units, const BandSize& bands = {});
 
 }  // namespace d2b

@@ -78,7 +78,7 @@ void describe(const DemInfo& dem, const RunPlan& plan, const Crs& crs, const Crs
 
 /// Checks that one unit of the window fits in memory. Windows of a single unit are exempt.
 void require_memory(const RunPlan& plan, const Window& window, const CellSize& cell, Context& context) {
-    const UnitGrid units = unit_grid(plan, window, cell);
+    const detect::UnitGrid units = unit_grid(plan, window, cell);
     if (units.count() == 1)
         return;
     const double width = plan.asked.ground.max_building_width;

@@ -63,7 +63,7 @@ struct BandTracing {
 LabelBand labels_of(const ElevationBand& band, const BandTracing& tracing) {
     Context none;
     const FoundBuildings* found = tracing.found;
-    return found == nullptr ? detect_one_label(band, none) : found->band(band.shape);
+    return found == nullptr ? detect::detect_one_label(band, none) : found->band(band.shape);
 }
 
 /// Overwrites the levels of building cells by those of their simplified elevations.

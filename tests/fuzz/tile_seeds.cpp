@@ -35,8 +35,8 @@ FoundTile found() {
     FoundTile tile{empty_facts(), {}};
     FoundUnit& unit = tile.units.emplace_back();
     const Window& w = tile_window;
-    unit.objects = {{{0.9, CounterEvidence::rough, 6, -1}, true, 1.5, 6},
-                    {{0.4, CounterEvidence::green, 4, -1}, false, 2, 4}};
+    unit.objects = {{{0.9, detect::CounterEvidence::rough, 6, -1}, true, 1.5, 6},
+                    {{0.4, detect::CounterEvidence::green, 4, -1}, false, 2, 4}};
     unit.boxes = {{w.row + 1, w.col + 1, 2, 3}, {w.row + 4, w.end_col() - 2, 2, 2}};
     for (std::int32_t row = 1; row < 3; ++row)
         unit.runs.push_back({w.row + row, w.col + 1, w.col + 4, 1});
@@ -50,8 +50,8 @@ FoundTile found() {
 
 JoinedTile joined() {
     JoinedTile tile;
-    tile.buildings = {{true, CounterEvidence::rough, 1.5, 0.9, -1},
-                      {false, CounterEvidence::green, 2, 0.4, -1}};
+    tile.buildings = {{true, detect::CounterEvidence::rough, 1.5, 0.9, -1},
+                      {false, detect::CounterEvidence::green, 2, 0.4, -1}};
     tile.window = tile_window;
     tile.units = {{0, {0, 1, 2}}, {2, {0, 3}}};
     return tile;
@@ -61,7 +61,7 @@ JoinedTile joined() {
 DrawnTile drawn() {
     DrawnTile tile;
     tile.levels = 2;
-    tile.deferred_buildings = {{{true, CounterEvidence::rough, 1.5, 0.9, -1}, {2.5, 4}}};
+    tile.deferred_buildings = {{{true, detect::CounterEvidence::rough, 1.5, 0.9, -1}, {2.5, 4}}};
     for (std::int32_t level = 1; level <= 2; ++level) {
         DeferredContour left;
         left.head.key = {level, {level, level}};

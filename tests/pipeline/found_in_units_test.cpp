@@ -29,7 +29,7 @@ struct Found {
     Context context;
 };
 
-void find(Scenery& scenery, const Options& options, const UnitSize& size, int threads, Found& found) {
+void find(Scenery& scenery, const Options& options, const detect::UnitSize& size, int threads, Found& found) {
     const RunPlan plan = make_run_plan(options, Layers::both);
     MemorySink features;
     found.context.threads = std::make_unique<Executor>(threads);

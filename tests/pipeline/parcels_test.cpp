@@ -204,7 +204,7 @@ TEST(Parcels, CutTheSameInTilesAsInOneRun) {
         place_in_utm(dem, 1);
         MadeParcels parcels(leaning);
         const Sources sources{dem, nullptr, nullptr, nullptr, &parcels};
-        const UnitSize units{0, 100};
+        const detect::UnitSize units{0, 100};
         Result whole;
         whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
         EXPECT_GT(whole.report.buildings, 40);

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr UnitSize many_units{0, 64};
+constexpr detect::UnitSize many_units{0, 64};
 
 /// A raster as its readers see it.
 struct Seen {

@@ -167,7 +167,7 @@ void expect_same(const Result& a, const Result& b) {
     expect_same(a.report, b.report);
 }
 
-void expect_same_in_tiles(const Sources& sources, const Options& options, const UnitSize& units,
+void expect_same_in_tiles(const Sources& sources, const Options& options, const detect::UnitSize& units,
                           const TileOrder& order, Result& whole) {
     whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
     const TemporaryFolder folder;

@@ -65,7 +65,7 @@ std::string refusal(const Step& step) {
 void expect_same(const Result& a, const Result& b);
 
 /// Runs all steps and one run, whose result it compares with theirs and gives back.
-void expect_same_in_tiles(const Sources& sources, const Options& options, const UnitSize& units,
+void expect_same_in_tiles(const Sources& sources, const Options& options, const detect::UnitSize& units,
                           const TileOrder& order, Result& whole);
 
 }  // namespace d2b::test

@@ -31,7 +31,8 @@ Options options_of(unsigned seed) {
     return options;
 }
 
-void compare(MemorySource& dem, const Options& options, const UnitSize& units, const TileOrder& order) {
+void compare(MemorySource& dem, const Options& options, const detect::UnitSize& units,
+             const TileOrder& order) {
     Result whole;
     expect_same_in_tiles({dem}, options, units, order, whole);
     EXPECT_GT(whole.report.buildings, 0);
@@ -70,7 +71,7 @@ TEST_P(RandomTownInTiles, IsThatOfOneRun) {
     const unsigned seed = GetParam();
     MemorySource dem = random_town(seed, {270, 330, 60, seed % 3 == 0, seed % 2 == 0});
     place_somehow(dem, seed);
-    const UnitSize units{0, std::array{64, 90, 150, 300}[seed % 4]};
+    const detect::UnitSize units{0, std::array{64, 90, 150, 300}[seed % 4]};
     const TileOrder order{std::array{1, 2, 5}[seed % 3], seed % 2 == 1, seed % 5 == 0,
                           1 + static_cast<int>(seed % 2)};
     compare(dem, options_of(seed), units, order);
@@ -118,7 +119,7 @@ TEST(Tiles, OfBlocksThatSeamsCut) {
     MemorySource dem = cut_town().source();
     place_in_utm(dem, 1);
     Options options = options_for_blocks();
-    const UnitSize units{0, 100};
+    const detect::UnitSize units{0, 100};
     for (const double split : {0.0, 3.0}) {
         options.detect.split_height = split;
         Result whole;
@@ -162,7 +163,7 @@ TEST(Tiles, OfAClusterOverTwelveUnits) {
 
 TEST(Tiles, OfRotatedGridsAndDegrees) {
     MemorySource dem = cut_town().source();
-    const UnitSize units{0, 100};
+    const detect::UnitSize units{0, 100};
     dem.edit().transform = {600000, 0.8, -0.6, 5800000, -0.6, -0.8};
     dem.edit().crs_wkt = Crs("EPSG:25832").wkt();
     Options options = options_for_blocks();
@@ -188,7 +189,7 @@ TEST(Tiles, OfContoursOrBuildingsAlone) {
     place_in_utm(dem, 1);
     Options options = options_for_blocks();
     options.detect.split_height = 3;
-    const UnitSize units{0, 100};
+    const detect::UnitSize units{0, 100};
     for (const Layers layers : {Layers::buildings, Layers::contours}) {
         options.write.layers = layers;
         Result whole;
@@ -294,7 +295,7 @@ TEST(Tiles, OfATerrainThatIsPartlyNone) {
     Options options;
     options.ground.mode = GroundMode::given;
     options.ground.terrain = "terrain";
-    const UnitSize units{0, 100};
+    const detect::UnitSize units{0, 100};
     Result whole;
     {
         DoubtfulTerrain terrain(sound);

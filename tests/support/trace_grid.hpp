@@ -58,7 +58,7 @@ PointRows<Count> point_rows(const TraceGrid& grid, const LevelPlan& plan, Lattic
     const auto elevations = std::make_shared<const ElevationBand>(
         ElevationBand{shape, {grid.z.begin() + begin, grid.z.begin() + end}});
     Context none;
-    LabelBand labels = detect_one_label(*elevations, none);
+    LabelBand labels = detect::detect_one_label(*elevations, none);
     if (!grid.labels.empty())
         labels.labels.assign(grid.labels.begin() + begin, grid.labels.begin() + end);
     LevelBand<Count> levels = quantise<Count>(*elevations, labels, plan);

@@ -37,7 +37,7 @@ TileCost cost_of(const TileGrid& tiles) {
     std::int64_t seen = 0;
     std::int64_t own = 0;
     for (std::int64_t tile = 0; tile < tiles.count(); ++tile) {
-        const Unit whole = tiles.whole(tile);
+        const detect::Unit whole = tiles.whole(tile);
         seen += whole.seen.points();
         own += whole.own.points();
         cost.memory_bytes = std::max(cost.memory_bytes, memory_bytes * whole.seen.points());

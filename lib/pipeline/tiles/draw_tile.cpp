@@ -29,7 +29,7 @@ class TileLabels {
     TileLabels(const TileRun& run, const JoinedTile& joined);
 
     /// Returns the labels of the tile's own buildings.
-    [[nodiscard]] LabelRows own(Context& context) const;
+    [[nodiscard]] detect::LabelRows own(Context& context) const;
     /// Marks, by label - 1, buildings with another tile's building within reach. @param reach rows and
     /// columns
     [[nodiscard]] std::vector<bool> near_other_tiles(LatticePoint reach) const;
@@ -92,8 +92,8 @@ std::span<const LabelRun> TileLabels::row(std::int32_t row) const {
     return std::span(runs_).subspan(first_[i], first_[i + 1] - first_[i]);
 }
 
-LabelRows TileLabels::own(Context& context) const {
-    LabelRows rows(context.make_spool(), window_);
+detect::LabelRows TileLabels::own(Context& context) const {
+    detect::LabelRows rows(context.make_spool(), window_);
     for (std::int32_t first = window_.row; first < window_.end_row(); first += rows_per_read) {
         const Window part{first, window_.col, std::min(rows_per_read, window_.end_row() - first),
                           window_.cols};

@@ -12,14 +12,15 @@
 namespace d2b {
 namespace {
 
-constexpr std::array doubts{
-    CounterEvidence::rough, CounterEvidence::no_step,         CounterEvidence::steep, CounterEvidence::pieces,
-    CounterEvidence::green, CounterEvidence::no_right_angles, CounterEvidence::ragged};
+constexpr std::array doubts{detect::CounterEvidence::rough, detect::CounterEvidence::no_step,
+                            detect::CounterEvidence::steep, detect::CounterEvidence::pieces,
+                            detect::CounterEvidence::green, detect::CounterEvidence::no_right_angles,
+                            detect::CounterEvidence::ragged};
 
 std::uint8_t number_of(std::string_view doubt) {
     std::uint8_t number = 0;
-    for (const CounterEvidence known : doubts) {
-        if (counter_evidence_name(known) == doubt)
+    for (const detect::CounterEvidence known : doubts) {
+        if (detect::counter_evidence_name(known) == doubt)
             break;
         ++number;
     }
@@ -127,7 +128,7 @@ DrawnContour load_drawn_contour(ByteReader& reader) {
         drawn.building_record.status = OutlineStatus::traced;
         drawn.building_record.parcel = {};  // restored later from its number
         drawn.building_record.doubt =
-            doubt < doubts.size() ? counter_evidence_name(doubts[doubt]) : std::string_view();
+            doubt < doubts.size() ? detect::counter_evidence_name(doubts[doubt]) : std::string_view();
     }
     drawn.building = load_optional_polygon(reader);
     drawn.contour = load_optional_polygon(reader);

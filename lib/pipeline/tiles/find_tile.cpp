@@ -21,10 +21,10 @@ ElevationSurvey survey(ElevationReader& reader, const TileRun& run, const Window
         own);
 }
 
-FoundUnit found_unit(const Unit& unit, FoundInUnit&& here) {
+FoundUnit found_unit(const detect::Unit& unit, FoundInUnit&& here) {
     std::vector<LabelRun> runs = label_runs(unit, here.labels);
     std::vector<Window> boxes = boxes_of(here.objects.size(), runs);
-    return {std::move(here.objects), std::move(boxes), std::move(runs), edges_of(unit, here.labels)};
+    return {std::move(here.objects), std::move(boxes), std::move(runs), detect::edges_of(unit, here.labels)};
 }
 
 void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, ElevationReader& reader,
@@ -57,7 +57,7 @@ void find_tile(TileRun& run, std::int64_t tile) {
         return;
     Context& context = run.context();
     FoundTile found{run.empty_facts(), {}};
-    const Unit whole = run.tiles().whole(tile);
+    const detect::Unit whole = run.tiles().whole(tile);
     SubwindowSource part(run.sources().dem, expanded(whole.seen, 1, 1, run.window()));
     ElevationReader reader(part, context);
     found.facts.survey = survey(reader, run, whole.own, context);

@@ -199,8 +199,8 @@ void DrawnTiles::number_deferred(double metres) {
             if (facts.is_building != is_sure)
                 continue;
             number[i + 1] = static_cast<Label>(footprints.size());
-            footprints.push_back(
-                {facts.ground / metres, facts.confidence, counter_evidence_name(facts.doubt), facts.parcel});
+            footprints.push_back({facts.ground / metres, facts.confidence,
+                                  detect::counter_evidence_name(facts.doubt), facts.parcel});
             plan.thresholds.push_back(deferred_buildings_[i].thresholds);
             tiles.push_back(deferred_by_[i]);
         }

@@ -30,7 +30,7 @@ std::int32_t first_ending_after(std::int32_t place, std::int32_t count, const En
 
 }  // namespace
 
-TileGrid::TileGrid(const UnitGrid& units, std::int32_t side)
+TileGrid::TileGrid(const detect::UnitGrid& units, std::int32_t side)
     : units_(units),
       side_(std::min(side, std::max(units.rows(), units.cols()))),
       rows_((units.rows() - 1) / side_ + 1),
@@ -73,8 +73,8 @@ std::vector<NumberedUnit> TileGrid::units_in(const Window& window) const {
     return all;
 }
 
-Unit TileGrid::whole(std::int64_t tile) const {
-    Unit all;
+detect::Unit TileGrid::whole(std::int64_t tile) const {
+    detect::Unit all;
     for (const NumberedUnit& placed : units_of(tile))
         all = {bounding_window(all.own, placed.unit.own), bounding_window(all.seen, placed.unit.seen)};
     return all;
