@@ -12,7 +12,7 @@
 #include "core/context.hpp"
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 bool same(double a, double b) {
@@ -181,4 +181,4 @@ RegionOptions region_options(double detail, const CellSize& cell, double metres)
     return {height * height * strip_cells, least_width, own_border};
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -15,7 +15,7 @@
 #include "detect/units.hpp"
 #include "elevations/elevation_reader.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Clean elevations of buildings, spooled to disk as runs of constant elevation: 24 bytes per run.
 class CleanRows {
@@ -84,4 +84,4 @@ class CleanRows {
 /// @param metres metres per vertical unit
 [[nodiscard]] RegionOptions region_options(double detail, const CellSize& cell, double metres);
 
-}  // namespace d2b
+}  // namespace d2b::contours

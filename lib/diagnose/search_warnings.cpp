@@ -325,7 +325,7 @@ std::string explain_empty_search(const SearchSummary& search) {
            "for large buildings, and -write_canopy shows everything that rises";
 }
 
-std::string explain_empty_result(const LevelPlan& plan, std::size_t buildings, const DemInfo& dem,
+std::string explain_empty_result(const contours::LevelPlan& plan, std::size_t buildings, const DemInfo& dem,
                                  const RunReport& report) {
     if (report.valid_points == 0)
         return "'" + report.input + "' has no valid point; the layers are empty";

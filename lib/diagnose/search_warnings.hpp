@@ -69,7 +69,7 @@ struct SearchSummary {
 /// buildings knows more (search_warnings.hpp). A clause without a full stop; "" if buildings were found, or
 /// if the search has to explain it.
 /// @param report report with the statistics
-[[nodiscard]] std::string explain_empty_result(const LevelPlan& plan, std::size_t buildings,
+[[nodiscard]] std::string explain_empty_result(const contours::LevelPlan& plan, std::size_t buildings,
                                                const DemInfo& dem, const RunReport& report);
 
 /// Emits the warnings about a search for buildings: an implausible ground, a raster that may not be a

@@ -13,7 +13,7 @@
 
 namespace d2b {
 
-ContourChildren::ContourChildren(const ContourList& contours) : first_(contours.size() + 1) {
+ContourChildren::ContourChildren(const contours::ContourList& contours) : first_(contours.size() + 1) {
     for (std::size_t i = 0; i < contours.size(); ++i)
         if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
             ++first_[static_cast<std::size_t>(parent) + 1];
@@ -250,14 +250,14 @@ double x_stretch_of(const RunSetup& setup) {
 
 }  // namespace
 
-OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunSetup& setup,
+OutlineDependencies outline_dependencies_of(const contours::ContourList& contours, const RunSetup& setup,
                                             Context& context) {
     const StageClock clock(context.report, Stage::outline);
     return outline_dependencies(contours, outline_rules(setup), setup.georeference, x_stretch_of(setup),
                                 context.threads->stop());
 }
 
-Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context) {
+Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup, Context& context) {
     const StageClock clock(context.report, Stage::outline);
     const OutlineRules rules = outline_rules(setup);
     return {contours,
@@ -292,13 +292,13 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordBuilder& rec
 
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
     PolygonMaker& maker = makers_[thread];
-    const ContourHead& head = input_.contours.head(contour);
+    const contours::ContourHead& head = input_.contours.head(contour);
     DrawnContour drawn{
         head.key, head.parent, head.building, input_.is_low_confidence(contour), {}, {}, {}, {}, {}, {}};
     const bool is_building = head.key.level == 1;
     {
         const StageClock clock(maker.tally(), Stage::attributes);
-        const StoredContours::Stored stored = input_.contours.fetch_stored(contour);
+        const contours::StoredContours::Stored stored = input_.contours.fetch_stored(contour);
         drawn.record = records_.contour(contour, stored.contour);
         drawn.own = drawn.whole = stored.contour.own;
         drawn.whole.merge(stored.contour.above);

@@ -27,7 +27,7 @@ namespace d2b {
 class ContourChildren {
   public:
     ContourChildren() = default;
-    explicit ContourChildren(const ContourList& contours);
+    explicit ContourChildren(const contours::ContourList& contours);
     [[nodiscard]] std::span<const std::uint32_t> of(std::size_t contour) const {
         return std::span(children_).subspan(first_[contour], first_[contour + 1] - first_[contour]);
     }
@@ -128,7 +128,7 @@ class PolygonMaker {
 
 /// Records of a contour and its polygons. A polygon is empty if its layer is not written.
 struct DrawnContour {
-    ContourKey key;
+    contours::ContourKey key;
     std::int64_t parent = -1;          ///< index of the parent in the contour list
     std::int64_t building_index = -1;  ///< index of the building in the contour list
     bool is_low_confidence = false;
@@ -200,10 +200,11 @@ class ContourDrawer {
 };
 
 /// Groups contours whose outlines depend on each other, and returns the reach of that dependence in cells.
-[[nodiscard]] OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunSetup& setup,
-                                                          Context& context);
+[[nodiscard]] OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
+                                                          const RunSetup& setup, Context& context);
 
 /// Draws the outlines of the contours of a run.
-[[nodiscard]] Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context);
+[[nodiscard]] Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup,
+                                     Context& context);
 
 }  // namespace d2b

@@ -23,8 +23,8 @@ using Indices = std::vector<std::uint32_t>;
 
 /// Groups contours above the ground that may come close to each other, with the contours on top of them.
 /// @param reach distance in cells beyond which nothing changes
-std::vector<Indices> flow_clusters(const ContourList& contours, const Outliner& outliner, double reach,
-                                   const StopToken& stop) {
+std::vector<Indices> flow_clusters(const contours::ContourList& contours, const Outliner& outliner,
+                                   double reach, const StopToken& stop) {
     const auto count = static_cast<std::uint32_t>(contours.size());
     DisjointSets sets(count);
     const auto is_above_ground = [&](std::uint32_t i) { return contours.head(i).key.level > 0; };
@@ -65,7 +65,7 @@ std::vector<Indices> flow_clusters(const ContourList& contours, const Outliner& 
 class TerrainBorder {
   public:
     /// @param reach in cells
-    TerrainBorder(const ContourList& contours, const Outliner& outliner, double reach)
+    TerrainBorder(const contours::ContourList& contours, const Outliner& outliner, double reach)
         : tree_(boxes(contours, outliner)), margin_(reach * FinePoint::steps) {}
 
     [[nodiscard]] bool is_near(const FinePolygon& outline) const {
@@ -92,7 +92,7 @@ class TerrainBorder {
         for (const FineRing& ring : outline.interiors)
             along(ring);
     }
-    static std::vector<Box> boxes(const ContourList& contours, const Outliner& outliner) {
+    static std::vector<Box> boxes(const contours::ContourList& contours, const Outliner& outliner) {
         std::vector<Box> boxes;
         for (std::uint32_t i = 0; i < contours.size(); ++i)
             if (contours.head(i).key.level == 0)
@@ -105,7 +105,7 @@ class TerrainBorder {
 };
 
 /// @param footprints true for the footprints of the lowest contours, false for all outlines
-std::vector<PartitionContour> drawn(const ContourList& contours, const Outliner& outliner,
+std::vector<PartitionContour> drawn(const contours::ContourList& contours, const Outliner& outliner,
                                     const Indices& numbers, bool footprints) {
     std::map<std::int64_t, std::int32_t> place;
     std::vector<PartitionContour> result;
@@ -122,7 +122,8 @@ std::vector<PartitionContour> drawn(const ContourList& contours, const Outliner&
 }
 
 /// Keeps the lowest contours, because footprints are made ready without the tiers above them.
-std::vector<Indices> without_upper_levels(const ContourList& contours, std::vector<Indices> clusters) {
+std::vector<Indices> without_upper_levels(const contours::ContourList& contours,
+                                          std::vector<Indices> clusters) {
     for (Indices& numbers : clusters)
         std::erase_if(numbers, [&](std::uint32_t i) { return contours.head(i).key.level != 1; });
     return clusters;
@@ -170,7 +171,7 @@ FlowMetric flow_metric(const Georeference& georeference, double x_stretch, doubl
     return {scale * x_stretch * col.x, scale * col.y, scale * x_stretch * row.x, scale * row.y};
 }
 
-std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, Outliner& outliner,
+std::vector<FlowProblem> make_outlines_flow_ready(const contours::ContourList& contours, Outliner& outliner,
                                                   const FlowLimits& limits, Context& context) {
     const StageClock clock(context.report, Stage::outline);
     const FlowMetric& m = limits.metric;

@@ -15,7 +15,7 @@ namespace d2b {
 /// Makes outlines above the ground flow-ready, clusters in parallel, and replaces the changed ones in the
 /// outliner. Counts repaired and remaining defects in the report.
 /// @return the defects; their contours are indices in the list @throws Cancelled
-[[nodiscard]] std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours,
+[[nodiscard]] std::vector<FlowProblem> make_outlines_flow_ready(const contours::ContourList& contours,
                                                                 Outliner& outliner, const FlowLimits& limits,
                                                                 Context& context);
 

@@ -59,7 +59,7 @@ class ClusterDrawer {
     [[nodiscard]] DrawnCluster draw(std::span<const std::uint32_t> contours);
 
   private:
-    [[nodiscard]] const ContourHead& head(std::uint32_t contour) const {
+    [[nodiscard]] const contours::ContourHead& head(std::uint32_t contour) const {
         return input_.features.contours.head(contour);
     }
     [[nodiscard]] bool is_wanted(std::uint32_t contour) const;
@@ -77,7 +77,7 @@ class ClusterDrawer {
 };
 
 bool ClusterDrawer::is_wanted(std::uint32_t contour) const {
-    const ContourHead& of = head(contour);
+    const contours::ContourHead& of = head(contour);
     return of.building >= 0 && !input_.features.is_low_confidence(contour) &&
            (of.key.level == 1 || input_.of == SurfaceOf::contours);
 }

@@ -38,7 +38,7 @@ class BuildingRecords {
 /// Contours of a run with their outlines, and what is needed to draw and write their features.
 struct FeatureInput {
     const RunSetup& setup;
-    const StoredContours& contours;
+    const contours::StoredContours& contours;
     const Outliner& outliner;
     Label buildings;  ///< labels above are low-confidence candidates
     FixedPoint fixed;

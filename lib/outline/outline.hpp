@@ -58,7 +58,7 @@ class Outliner {
     /// @param contours must outlive this
     /// @param x_stretch ratio of the ground lengths of one unit of x and one of y; needed for right angles
     /// @param context provides threads for fitting walls and a spool for the results
-    Outliner(const ContourList& contours, OutlineMethod method, const OutlineRules& rules,
+    Outliner(const contours::ContourList& contours, OutlineMethod method, const OutlineRules& rules,
              const Georeference& georeference, double x_stretch, Context& context);
     Outliner(Outliner&&) noexcept;
     Outliner& operator=(Outliner&&) noexcept;
@@ -101,7 +101,8 @@ struct OutlineDependencies {
 /// Finds groups of contours whose outlines depend only on the contours of the group. Not valid for simplified
 /// outlines.
 /// @param x_stretch as for Outliner
-[[nodiscard]] OutlineDependencies outline_dependencies(const ContourList& contours, const OutlineRules& rules,
+[[nodiscard]] OutlineDependencies outline_dependencies(const contours::ContourList& contours,
+                                                       const OutlineRules& rules,
                                                        const Georeference& georeference, double x_stretch,
                                                        const StopToken& stop);
 

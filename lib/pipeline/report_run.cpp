@@ -81,13 +81,13 @@ void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context)
         context.warn(text);
 }
 
-void report_levels(const LevelPlan& plan, int levels, RunReport& report) {
+void report_levels(const contours::LevelPlan& plan, int levels, RunReport& report) {
     for (int level = 0; level < levels; ++level)
         report.levels.push_back(
             {level, plan.footprints && level > 0 ? no_threshold : plan.threshold(1, level), 0, 0});
 }
 
-std::size_t buildings_up_to(Label last, const ContourList& contours) {
+std::size_t buildings_up_to(Label last, const contours::ContourList& contours) {
     std::size_t buildings = 0;
     for (std::size_t i = 0; i < contours.size(); ++i)
         if (contours.head(i).key.level == 1 && contours.head(i).label <= last)
@@ -95,7 +95,7 @@ std::size_t buildings_up_to(Label last, const ContourList& contours) {
     return buildings;
 }
 
-void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
+void warn_of_result(const RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
                     const detect::SceneStatistics* scene, const DemSource* terrain, Context& context) {
     RunReport& report = context.report;
     warn_unless_empty(explain_empty_result(plan, buildings, setup.dem, report), context);

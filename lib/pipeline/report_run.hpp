@@ -33,14 +33,14 @@ void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, Eleva
 void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context);
 
 /// @param levels of the label with the most levels, including the root
-void report_levels(const LevelPlan& plan, int levels, RunReport& report);
+void report_levels(const contours::LevelPlan& plan, int levels, RunReport& report);
 
 /// Counts buildings with labels up to `last`; labels above are low-confidence candidates.
-[[nodiscard]] std::size_t buildings_up_to(Label last, const ContourList& contours);
+[[nodiscard]] std::size_t buildings_up_to(Label last, const contours::ContourList& contours);
 
 /// Warns if nothing was found, and of conditions that make the result unreliable.
 /// @param scene null if there was no search @param terrain given terrain model or null
-void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
+void warn_of_result(const RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
                     const detect::SceneStatistics* scene, const DemSource* terrain, Context& context);
 
 /// Completes the results of all sinks. @param commit publishes them @throws OutputError, Cancelled

@@ -121,7 +121,8 @@ SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const
         set_heights(*lattice, result.statistics.range(), sinks);
     if (sinks.elevations != nullptr)
         write_elevations(reader, window.col, *sinks.elevations, metres);
-    result.tiers.plan = plan_global_levels(result.statistics, decided.asked.levels, decided.levels, context);
+    result.tiers.plan =
+        contours::plan_global_levels(result.statistics, decided.asked.levels, decided.levels, context);
     if (!decided.detects_buildings())
         return result;
     result.found = with_progress(context, at.read, at.found, [&] {
@@ -133,7 +134,7 @@ SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const
 }
 
 /// Adjusts outlines to be flow-ready if asked for. @return the changes and remaining problems
-std::vector<FlowProblem> make_flow_ready(const StoredContours& contours, Outliner& outliner,
+std::vector<FlowProblem> make_flow_ready(const contours::StoredContours& contours, Outliner& outliner,
                                          const RunSetup& setup, Context& context) {
     const OutlineOptions& asked = setup.plan.asked.outline;
     if (!asked.is_flow_ready())
@@ -196,10 +197,10 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     ElevationReader reader(sources.dem, context, size.bands);
     SearchResult search =
         search_levels(reader, setup, sources, sinks, size.units, lattice ? &*lattice : nullptr, context);
-    const LevelPlan& plan = search.tiers.plan;
+    const contours::LevelPlan& plan = search.tiers.plan;
     FoundBuildings* const found = search.found ? &*search.found : nullptr;
-    const TraceFrame frame{info.window, plan.level_count(), search.statistics.fixed_point(),
-                           search.statistics.range()};
+    const contours::TraceFrame frame{info.window, plan.level_count(), search.statistics.fixed_point(),
+                                     search.statistics.range()};
     const auto contours = with_progress(context, milestones(decided).found, milestones(decided).traced, [&] {
         return trace_contours(reader, frame, search.tiers, found, setup, context);
     });

@@ -380,8 +380,8 @@ RunReport report() {
     return report;
 }
 
-LevelPlan thresholds(std::vector<double> values) {
-    LevelPlan plan;
+contours::LevelPlan thresholds(std::vector<double> values) {
+    contours::LevelPlan plan;
     plan.thresholds = {{}, std::move(values)};
     return plan;
 }
@@ -407,7 +407,7 @@ TEST(EmptyResult, SaysWhatExplainsMost) {
 }
 
 TEST(EmptyResult, LeavesToTheSearchWhatItKnowsBetter) {
-    LevelPlan footprints = thresholds({});
+    contours::LevelPlan footprints = thresholds({});
     footprints.footprints = true;
     EXPECT_EQ(explain_empty_result(footprints, 0, {}, report()), "");
     EXPECT_EQ(explain_empty_result(thresholds({110}), 1, {}, report()), "");

@@ -70,7 +70,7 @@ std::size_t read_drawn(std::span<const std::byte> bytes) {
         bytes);
     const DrawnTile tile = load_drawn_tile(reader);
     for (std::size_t i = 0; i < tile.left.size(); ++i) {
-        const ContourHead& head = tile.left[i].head;
+        const contours::ContourHead& head = tile.left[i].head;
         demand(head.parent < static_cast<std::int64_t>(i), "a contour stands on one before");
         demand(static_cast<std::size_t>(head.key.level) <=
                    tile.deferred_buildings.at(head.label - 1).thresholds.size(),

@@ -61,7 +61,7 @@ inline std::string nesting_fault(const ContourSet& set, const Outliner& outliner
     std::vector<std::vector<FinePolygon>> children(set.contours.size());
     std::vector<double> children_area(set.contours.size(), 0);
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
-        const Contour& contour = set.contours[i];
+        const contours::Contour& contour = set.contours[i];
         const FinePolygon polygon = outliner.outline(i);
         std::string fault = geos.invalidity({unit_grid.polygon(polygon)});
         if (fault.empty() && contour.key.level <= 1)

@@ -420,7 +420,7 @@ namespace {
 
 bool has_higher_levels(const WallCluster& cluster) {
     return std::ranges::any_of(cluster.contours,
-                               [](const Contour* contour) { return contour->key.level > 1; });
+                               [](const contours::Contour* contour) { return contour->key.level > 1; });
 }
 
 }  // namespace
@@ -440,7 +440,7 @@ ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options
     return result;
 }
 
-RegularizedOutlines::RegularizedOutlines(const ContourList& contours, const WallOptions& options,
+RegularizedOutlines::RegularizedOutlines(const contours::ContourList& contours, const WallOptions& options,
                                          std::unique_ptr<Spool> spool, Executor& executor)
     : contours_(contours),
       spool_(std::move(spool)),

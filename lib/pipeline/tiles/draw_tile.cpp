@@ -155,8 +155,8 @@ namespace {
 /// Contours of a tile, divided into those that can be drawn now and those left to the merge step, because
 /// their outlines depend on other tiles.
 struct DividedContours {
-    std::unique_ptr<StoredContours> whole;
-    std::unique_ptr<StoredContours> left;
+    std::unique_ptr<contours::StoredContours> whole;
+    std::unique_ptr<contours::StoredContours> left;
 };
 
 class TileDrawing {
@@ -168,11 +168,11 @@ class TileDrawing {
 
   private:
     [[nodiscard]] FoundBuildings found() const;
-    [[nodiscard]] LevelPlan global_levels() const;
-    [[nodiscard]] DividedContours divide(const StoredContours& contours);
-    void draw_whole(const StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
+    [[nodiscard]] contours::LevelPlan global_levels() const;
+    [[nodiscard]] DividedContours divide(const contours::StoredContours& contours);
+    void draw_whole(const contours::StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
                     DrawnBlocks& blocks);
-    void defer(const StoredContours& contours, DrawnTile& drawn);
+    void defer(const contours::StoredContours& contours, DrawnTile& drawn);
     void read_cells(DrawnTile& drawn);
 
     TileRun& run_;
@@ -211,13 +211,13 @@ FoundBuildings TileDrawing::found() const {
 }
 
 /// Uses a scratch context because dropped levels are counted once for all tiles.
-LevelPlan TileDrawing::global_levels() const {
+contours::LevelPlan TileDrawing::global_levels() const {
     Context uncounted;
-    return plan_global_levels(frame_.survey.statistics, run_.setup().plan.asked.levels,
-                              run_.setup().plan.levels, uncounted);
+    return contours::plan_global_levels(frame_.survey.statistics, run_.setup().plan.asked.levels,
+                                        run_.setup().plan.levels, uncounted);
 }
 
-DividedContours TileDrawing::divide(const StoredContours& contours) {
+DividedContours TileDrawing::divide(const contours::StoredContours& contours) {
     const std::vector<bool> near = labels_.near_other_tiles(reach_);
     std::vector<bool> is_deferred(contours.size());
     for (const std::vector<std::uint32_t>& group :
@@ -230,12 +230,12 @@ DividedContours TileDrawing::divide(const StoredContours& contours) {
                 deferred_buildings_[contours.head(i).label - 1] = true;
         }
     }
-    ContourMerger whole(context_.make_spool());
-    ContourMerger left(context_.make_spool());
+    contours::ContourMerger whole(context_.make_spool());
+    contours::ContourMerger left(context_.make_spool());
     std::vector<std::int64_t> place(contours.size());
     for (std::size_t i = 0; i < contours.size(); ++i) {
-        ContourMerger& merger = is_deferred[i] ? left : whole;
-        ContourHead head = contours.head(i);
+        contours::ContourMerger& merger = is_deferred[i] ? left : whole;
+        contours::ContourHead head = contours.head(i);
         if (head.parent >= 0)
             head.parent = place[static_cast<std::size_t>(head.parent)];
         place[i] = static_cast<std::int64_t>(merger.size());
@@ -244,8 +244,8 @@ DividedContours TileDrawing::divide(const StoredContours& contours) {
     return {whole.finish(), left.finish()};
 }
 
-void TileDrawing::draw_whole(const StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
-                             DrawnBlocks& blocks) {
+void TileDrawing::draw_whole(const contours::StoredContours& contours, const FoundBuildings& found,
+                             DrawnTile& drawn, DrawnBlocks& blocks) {
     const RunSetup& setup = run_.setup();
     const RecordBuilder records(contours, {tiers_.plan, fixed_, found.footprints, run_.metres(),
                                            lattice_frame(run_.window(), setup.plan.trace)});
@@ -265,7 +265,7 @@ void TileDrawing::draw_whole(const StoredContours& contours, const FoundBuilding
         drawn.error = measure_stack(stack, fixed_, reader_);
 }
 
-void TileDrawing::defer(const StoredContours& contours, DrawnTile& drawn) {
+void TileDrawing::defer(const contours::StoredContours& contours, DrawnTile& drawn) {
     std::vector<Label> number(joined_.buildings.size());
     for (std::size_t i = 0; i < deferred_buildings_.size(); ++i)
         if (deferred_buildings_[i]) {
@@ -274,7 +274,7 @@ void TileDrawing::defer(const StoredContours& contours, DrawnTile& drawn) {
         }
     for (std::size_t i = 0; i < contours.size(); ++i) {
         drawn.left.push_back({contours.head(i), contours.fetch_stored(i)});
-        ContourHead& head = drawn.left.back().head;
+        contours::ContourHead& head = drawn.left.back().head;
         head.label = number[head.label - 1];
     }
     drawn.cells.runs = labels_.cells_near(deferred_buildings_, reach_);
@@ -300,8 +300,8 @@ DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
         run_.validity_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});
     const FoundBuildings buildings = found();
     tiers_ = plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
-    const TraceFrame frame{joined_.window, tiers_.plan.level_count(), fixed_,
-                           frame_.survey.statistics.range()};
+    const contours::TraceFrame frame{joined_.window, tiers_.plan.level_count(), fixed_,
+                                     frame_.survey.statistics.range()};
     const auto contours = trace_contours(reader_, frame, tiers_, &buildings, setup, context_);
     DrawnTile drawn;
     drawn.levels = tiers_.plan.level_count();

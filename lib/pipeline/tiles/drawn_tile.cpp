@@ -115,7 +115,7 @@ void save(const DrawnContour& drawn, ByteWriter& writer) {
 
 DrawnContour load_drawn_contour(ByteReader& reader) {
     DrawnContour drawn;
-    drawn.key = reader.take<ContourKey>();
+    drawn.key = reader.take<contours::ContourKey>();
     drawn.parent = reader.take<std::int64_t>();
     drawn.building_index = reader.take<std::int64_t>();
     drawn.is_low_confidence = reader.take<std::uint8_t>() != 0;
@@ -153,14 +153,14 @@ DeferredBuilding load_deferred_building(ByteReader& reader) {
 
 void save(const DeferredContour& left, ByteWriter& writer) {
     writer.put(left.head);
-    save(left.stored, left.head.key.level, writer);
+    contours::save(left.stored, left.head.key.level, writer);
 }
 
 /// @param tile its contours loaded so far
 DeferredContour load_deferred_contour(ByteReader& reader, const DrawnTile& tile) {
     DeferredContour left;
-    left.head = reader.take<ContourHead>();
-    const ContourHead& head = left.head;
+    left.head = reader.take<contours::ContourHead>();
+    const contours::ContourHead& head = left.head;
     const auto before = static_cast<std::int64_t>(tile.left.size());
     if (head.label == 0 || head.label > tile.deferred_buildings.size() || head.parent < -1 ||
         head.parent >= before || head.key.level < 1 || (head.key.level > 1) != (head.parent >= 0))
@@ -170,7 +170,7 @@ DeferredContour load_deferred_contour(ByteReader& reader, const DrawnTile& tile)
     if (head.parent >= 0 &&
         tile.left[static_cast<std::size_t>(head.parent)].head.key.level != head.key.level - 1)
         throw CorruptRecord("a contour stands on one that is not the level below it");
-    left.stored = load_stored(head.key.level, reader);
+    left.stored = contours::load_stored(head.key.level, reader);
     return left;
 }
 
@@ -200,7 +200,7 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
     tile.deferred_buildings.resize(reader.take_count(sizeof(JoinedBuilding)));
     for (DeferredBuilding& building : tile.deferred_buildings)
         building = load_deferred_building(reader);
-    const std::size_t left = reader.take_count(sizeof(ContourHead));
+    const std::size_t left = reader.take_count(sizeof(contours::ContourHead));
     for (std::size_t i = 0; i < left; ++i)
         tile.left.push_back(load_deferred_contour(reader, tile));
     tile.cells.runs = reader.take_list<RowSpan>();
@@ -233,7 +233,7 @@ void DrawnBlocks::finish() {
     blocks_.push_back({payload_.blocks().back(), first_});
 }
 
-std::optional<ContourKey> DrawnStream::key() {
+std::optional<contours::ContourKey> DrawnStream::key() {
     if (next_)
         return next_->key;
     if (block_) {

@@ -34,9 +34,9 @@ struct DeferredBuilding {
 
 /// Contour of such a building.
 struct DeferredContour {
-    ContourHead head;  ///< label: index of its building in deferred_buildings, plus one; parent: index of an
-                       ///< earlier contour
-    StoredContours::Stored stored;
+    contours::ContourHead head;  ///< label: index of its building in deferred_buildings, plus one; parent:
+                                 ///< index of an earlier contour
+    contours::StoredContours::Stored stored;
 };
 
 /// Elevations of the cells needed to draw such buildings.
@@ -62,7 +62,7 @@ void save(const DrawnTile& tile, ByteWriter& writer);
 /// Consecutive contours of one level drawn by a tile.
 struct DrawnBlock {
     PayloadBlocks::Block bytes;
-    ContourKey first;  ///< key of its first contour
+    contours::ContourKey first;  ///< key of its first contour
 };
 
 /// Contours drawn by a tile, in blocks that are read one at a time. Contours are ordered by level, then by
@@ -81,7 +81,7 @@ class DrawnBlocks {
   private:
     static constexpr std::size_t usual_bytes = std::size_t{1} << 17;
     ByteWriter block_;
-    ContourKey first_;
+    contours::ContourKey first_;
     PayloadBlocks payload_;
     std::vector<DrawnBlock> blocks_;
 };
@@ -94,7 +94,7 @@ class DrawnStream {
 
     /// Returns the key of the next contour, or nothing at the end, without reading a block. @throws
     /// InputError
-    [[nodiscard]] std::optional<ContourKey> key();
+    [[nodiscard]] std::optional<contours::ContourKey> key();
     /// Returns the next contour. @pre key() @throws InputError
     [[nodiscard]] DrawnContour take();
 
@@ -108,7 +108,7 @@ class DrawnStream {
     std::uint64_t begin_ = 0;          ///< start of that block in the payload
     std::optional<ByteReader> block_;  ///< current block, while contours are left in it
     std::unique_ptr<DrawnContour> next_;
-    std::optional<ContourKey> last_;
+    std::optional<contours::ContourKey> last_;
 };
 
 /// Results of step merge for a tile whose features go into separate files. Contours of the tile drawn by

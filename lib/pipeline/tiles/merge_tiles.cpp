@@ -59,9 +59,9 @@ class DrawnTiles {
     std::int64_t buildings = 0;
     StackError error;
     std::vector<DrawnStream> streams;
-    std::unique_ptr<StoredContours> left;
+    std::unique_ptr<contours::StoredContours> left;
     std::vector<Footprint> footprints{{}};  ///< footprints of deferred buildings, by label
-    LevelPlan plan;                         ///< thresholds of deferred buildings, by label
+    contours::LevelPlan plan;               ///< thresholds of deferred buildings, by label
     Label sure = 0;  ///< number of deferred labels that are buildings; higher ones are low-confidence
     std::vector<std::int64_t> tiles{-1};  ///< tile that deferred each label
     DeferredElevations elevations;
@@ -89,12 +89,12 @@ class DrawnStreamMerger {
 
     /// Writes all contours before a key, or all remaining ones if there is no key. @throws InputError,
     /// OutputError
-    void write_before(const std::optional<ContourKey>& end);
+    void write_before(const std::optional<contours::ContourKey>& end);
     /// Returns the ids assigned so far, by tile.
     [[nodiscard]] TileIds& numbers() { return numbers_; }
 
   private:
-    using Next = std::pair<ContourKey, std::size_t>;
+    using Next = std::pair<contours::ContourKey, std::size_t>;
     std::vector<DrawnStream>& streams_;
     FeatureWriter& writer_;
     IdCollectorSink* parts_;
@@ -162,7 +162,7 @@ DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(contex
         take(std::move(tile));
     }
     number_deferred(run.metres());
-    ContourMerger merger(context.make_spool());
+    contours::ContourMerger merger(context.make_spool());
     for (const DeferredContour& contour : deferred_)
         merger.add(contour.head, contour.stored);
     left = merger.finish();
@@ -219,7 +219,7 @@ DrawnStreamMerger::DrawnStreamMerger(std::vector<DrawnStream>& streams, FeatureW
             next_.emplace(*key, i);
 }
 
-void DrawnStreamMerger::write_before(const std::optional<ContourKey>& end) {
+void DrawnStreamMerger::write_before(const std::optional<contours::ContourKey>& end) {
     while (!next_.empty() && (!end || next_.top().first < *end)) {
         const auto [key, i] = next_.top();
         next_.pop();
@@ -305,7 +305,8 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
     const FoundFacts facts = load_and_report_frame(run, features);
     const ElevationStatistics& statistics = facts.survey.statistics;
     const FixedPoint fixed = statistics.fixed_point();
-    const LevelPlan global = plan_global_levels(statistics, options.levels, setup.plan.levels, context);
+    const contours::LevelPlan global =
+        contours::plan_global_levels(statistics, options.levels, setup.plan.levels, context);
     report.merge(facts.tally);
     check_terrain_range(run, facts, features);
     DrawnTiles drawn(run, context);

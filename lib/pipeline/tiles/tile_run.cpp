@@ -170,14 +170,14 @@ void require_tileable(const Options& options) {
 
 namespace {
 
-class EmptyContourList final : public ContourList {
+class EmptyContourList final : public contours::ContourList {
   public:
     [[nodiscard]] std::size_t size() const override { return 0; }
-    [[nodiscard]] const ContourHead& head(std::size_t /*contour*/) const override { return none_; }
-    [[nodiscard]] Contour fetch(std::size_t /*contour*/) const override { return {}; }
+    [[nodiscard]] const contours::ContourHead& head(std::size_t /*contour*/) const override { return none_; }
+    [[nodiscard]] contours::Contour fetch(std::size_t /*contour*/) const override { return {}; }
 
   private:
-    ContourHead none_;
+    contours::ContourHead none_;
 };
 
 }  // namespace

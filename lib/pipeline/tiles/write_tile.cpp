@@ -89,12 +89,13 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     const FoundFacts facts = run.load_frame();
     const FixedPoint fixed = facts.survey.statistics.fixed_point();
     // Same levels as in the merge step, because the files carry them as metadata.
-    LevelPlan plan =
-        plan_global_levels(facts.survey.statistics, setup.plan.asked.levels, setup.plan.levels, context);
+    contours::LevelPlan plan = contours::plan_global_levels(facts.survey.statistics, setup.plan.asked.levels,
+                                                            setup.plan.levels, context);
     plan.footprints = true;
     plan.thresholds = {{}};
     report_levels(plan, load_whole(run).levels, context.report);
-    const std::unique_ptr<StoredContours> none = ContourMerger(context.make_spool()).finish();
+    const std::unique_ptr<contours::StoredContours> none =
+        contours::ContourMerger(context.make_spool()).finish();
     const std::vector<Footprint> footprints{{}};
     const RecordBuilder records(
         *none, {plan, fixed, footprints, run.metres(), lattice_frame(run.window(), setup.plan.trace)});
