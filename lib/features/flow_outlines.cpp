@@ -105,12 +105,12 @@ class TerrainBorder {
 };
 
 /// @param footprints true for the footprints of the lowest contours, false for all outlines
-std::vector<PartitionContour> drawn(const contours::ContourList& contours, const Outliner& outliner,
-                                    const Indices& numbers, bool footprints) {
+std::vector<surface::PartitionContour> drawn(const contours::ContourList& contours, const Outliner& outliner,
+                                             const Indices& numbers, bool footprints) {
     std::map<std::int64_t, std::int32_t> place;
-    std::vector<PartitionContour> result;
+    std::vector<surface::PartitionContour> result;
     for (const std::uint32_t i : numbers) {
-        PartitionContour contour;
+        surface::PartitionContour contour;
         contour.outline = footprints ? outliner.footprint(i) : outliner.outline(i);
         contour.building = static_cast<std::int32_t>(contours.head(i).building);
         if (const auto parent = place.find(contours.head(i).parent); parent != place.end())
@@ -130,10 +130,11 @@ std::vector<Indices> without_upper_levels(const contours::ContourList& contours,
 }
 
 /// Marks contours near the border of the terrain, which stay as they are.
-std::vector<bool> near_border(const std::vector<PartitionContour>& cluster, const TerrainBorder& border) {
+std::vector<bool> near_border(const std::vector<surface::PartitionContour>& cluster,
+                              const TerrainBorder& border) {
     std::vector<bool> marked;
     marked.reserve(cluster.size());
-    for (const PartitionContour& contour : cluster)
+    for (const surface::PartitionContour& contour : cluster)
         marked.push_back(border.is_near(contour.outline));
     return marked;
 }
@@ -163,7 +164,7 @@ constexpr std::array<std::string_view, 6> kind_names{"flow_wall", "flow_angle", 
 
 }  // namespace
 
-FlowMetric flow_metric(const Georeference& georeference, double x_stretch, double cell_size_m) {
+surface::FlowMetric flow_metric(const Georeference& georeference, double x_stretch, double cell_size_m) {
     const Position col = georeference.step(0, 1);
     const Position row = georeference.step(1, 0);
     const double area = std::abs(x_stretch * (col.x * row.y - col.y * row.x));
@@ -171,17 +172,19 @@ FlowMetric flow_metric(const Georeference& georeference, double x_stretch, doubl
     return {scale * x_stretch * col.x, scale * col.y, scale * x_stretch * row.x, scale * row.y};
 }
 
-std::vector<FlowProblem> make_outlines_flow_ready(const contours::ContourList& contours, Outliner& outliner,
-                                                  const FlowLimits& limits, Context& context) {
+std::vector<surface::FlowProblem> make_outlines_flow_ready(const contours::ContourList& contours,
+                                                           Outliner& outliner,
+                                                           const surface::FlowLimits& limits,
+                                                           Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    const FlowMetric& m = limits.metric;
+    const surface::FlowMetric& m = limits.metric;
     const double cell =
         FinePoint::steps * std::min(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
     const double reach = 3 * std::max(limits.gap, limits.wall) / cell;
     const TerrainBorder border(contours, outliner, reach);
     const std::vector<Indices> clusters = flow_clusters(contours, outliner, reach, context.threads->stop());
-    std::vector<FlowProblem> problems;
-    std::set<std::tuple<FlowProblemKind, FinePoint, bool>> known;
+    std::vector<surface::FlowProblem> problems;
+    std::set<std::tuple<surface::FlowProblemKind, FinePoint, bool>> known;
     const auto make_ready = [&](bool footprints) {
         const std::vector<Indices> drawn_numbers =
             footprints ? without_upper_levels(contours, clusters) : clusters;
@@ -190,15 +193,15 @@ std::vector<FlowProblem> make_outlines_flow_ready(const contours::ContourList& c
         context.threads->in_order(
             clusters.size(),
             [&](std::size_t k, std::size_t) {
-                const std::vector<PartitionContour> cluster =
+                const std::vector<surface::PartitionContour> cluster =
                     drawn(contours, outliner, drawn_numbers[k], footprints);
-                return make_flow_ready(cluster, limits, near_border(cluster, border),
-                                       context.threads->stop());
+                return surface::make_flow_ready(cluster, limits, near_border(cluster, border),
+                                                context.threads->stop());
             },
-            [&](std::size_t k, FlowReady ready) {
+            [&](std::size_t k, surface::FlowReady ready) {
                 for (std::size_t i = 0; i < ready.outlines.size(); ++i)
                     changed.emplace_back(drawn_numbers[k][i], std::move(ready.outlines[i]));
-                for (FlowProblem& problem : ready.problems) {
+                for (surface::FlowProblem& problem : ready.problems) {
                     if (!known.emplace(problem.kind, problem.place, problem.changed).second && !footprints)
                         continue;
                     for (std::int32_t& contour : problem.contours)
@@ -218,13 +221,13 @@ std::vector<FlowProblem> make_outlines_flow_ready(const contours::ContourList& c
     return problems;
 }
 
-std::vector<PlacedProblem> placed_problems(const std::vector<FlowProblem>& problems,
+std::vector<PlacedProblem> placed_problems(const std::vector<surface::FlowProblem>& problems,
                                            const FeatureInput& input, std::int64_t first_id) {
     const RunSetup& setup = input.setup;
     auto transform =
         output_transform(setup.crs, setup.target, setup.georeference, setup.dem.window, StopToken());
     std::vector<PlacedProblem> placed;
-    for (const FlowProblem& problem : problems) {
+    for (const surface::FlowProblem& problem : problems) {
         std::set<std::int64_t> ids;
         for (const std::int32_t contour : problem.contours)
             ids.insert(first_id + input.contours.head(static_cast<std::size_t>(contour)).building);

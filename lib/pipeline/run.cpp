@@ -134,14 +134,16 @@ SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const
 }
 
 /// Adjusts outlines to be flow-ready if asked for. @return the changes and remaining problems
-std::vector<FlowProblem> make_flow_ready(const contours::StoredContours& contours, Outliner& outliner,
-                                         const RunSetup& setup, Context& context) {
+std::vector<surface::FlowProblem> make_flow_ready(const contours::StoredContours& contours,
+                                                  Outliner& outliner, const RunSetup& setup,
+                                                  Context& context) {
     const OutlineOptions& asked = setup.plan.asked.outline;
     if (!asked.is_flow_ready())
         return {};
     return make_outlines_flow_ready(
         contours, outliner,
-        {asked.narrowest_gap(), asked.shortest_wall(), FlowLimits::least_angle, FlowLimits::most_share,
+        {asked.narrowest_gap(), asked.shortest_wall(), surface::FlowLimits::least_angle,
+         surface::FlowLimits::most_share,
          flow_metric(setup.georeference, x_stretch(setup.georeference, setup.crs, setup.dem.window),
                      setup.cell_m())},
         context);
@@ -149,7 +151,7 @@ std::vector<FlowProblem> make_flow_ready(const contours::StoredContours& contour
 
 /// Inputs of the outputs other than features.
 struct FurtherOutputs {
-    const std::vector<FlowProblem>& flow;
+    const std::vector<surface::FlowProblem>& flow;
     const SurfaceLattice* lattice;  ///< null if no surface is asked for
 };
 
@@ -215,7 +217,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     warn_of_result(setup, plan, buildings_up_to(last_building, *contours),
                    found != nullptr ? &found->scene : nullptr, sources.terrain, context);
     Outliner outliner = draw_outlines(*contours, setup, context);
-    const std::vector<FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
+    const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
     std::optional<BuildingRecords> building_records;
     if (lattice)
         building_records.emplace(context.make_spool());

@@ -15,7 +15,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 using Ring = std::vector<std::uint32_t>;
@@ -475,4 +475,4 @@ std::optional<std::vector<PartitionTriangle>> triangulate_face(const PartitionFa
     return all;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

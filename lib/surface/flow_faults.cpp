@@ -12,7 +12,7 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Returns true if a direction is strictly within the sector to the left of the first of two arms.
@@ -387,4 +387,4 @@ std::vector<FlowFault> find_faults(const PartitionEditor& plan, std::span<const 
     return faults;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

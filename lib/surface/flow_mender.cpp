@@ -7,7 +7,7 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Factor by which new walls exceed the limit, because their corners are rounded to the lattice.
@@ -399,4 +399,4 @@ bool FlowMender::round() {
     return any;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

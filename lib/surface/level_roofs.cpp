@@ -14,7 +14,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr double most_share = 0.01;  // of a block's volume
@@ -177,4 +177,4 @@ std::vector<RoofStep> level_roofs(SurfaceCluster& cluster, std::int64_t least) {
     return steps;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

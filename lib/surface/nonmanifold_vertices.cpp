@@ -12,7 +12,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/partition_editor.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr std::int64_t anything = std::numeric_limits<std::int64_t>::min();
@@ -252,4 +252,4 @@ PlannedDistances plan_distances(PlanarPartition& plan, std::span<const Partition
     return planned;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -13,7 +13,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Edge of an outline, with the interior of its contour on the left.
 struct OutlineEdge {
@@ -263,4 +263,4 @@ std::vector<FinePolygon> noded_outlines(std::span<const PartitionContour> contou
     return outlines;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -6,7 +6,7 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 struct Cols {
@@ -362,4 +362,4 @@ PlanarPartition PartitionEditor::plan() const {
     return plan;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -10,7 +10,7 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 LatticeDistance lattice_distance(double metres, const CellSize& cell) {
     // The distance from the box's side to its centre is the height of the parallelogram.
@@ -135,4 +135,4 @@ PlanarPartition extract_partition(const PlanarPartition& plan, std::span<const s
     return part;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

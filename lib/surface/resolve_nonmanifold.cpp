@@ -15,7 +15,7 @@
 #include "surface/partition_editor.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Distances of minimal moves, in halves of the minimum gap, smallest first. The larger ones are for sharp
@@ -382,4 +382,4 @@ ResolvedVertices resolve_nonmanifold_vertices(PlanarPartition& plan,
     return NonmanifoldResolver(plan, contours, wanted, stop).take();
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

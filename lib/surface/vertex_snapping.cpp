@@ -13,7 +13,7 @@
 #include "surface/partition_editor.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr int most_snapping_rounds = 4;
@@ -246,4 +246,4 @@ void level_near_roofs(const PlanarPartition& plan, std::vector<PartitionContour>
             contours[low].top = std::max(contours[low].top, contours[high].top);
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

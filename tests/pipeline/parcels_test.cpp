@@ -237,9 +237,9 @@ TEST(Parcels, SurfacesStayClosed) {
         MemorySurface solids{SurfaceForm::solids};
         const RunReport report = run(options, {dem, nullptr, nullptr, nullptr, &parcels},
                                      {sink, nullptr, nullptr, nullptr, nullptr, {&shell, &solids}});
-        EXPECT_EQ(fault_of(shell.parts), "");
+        EXPECT_EQ(surface::fault_of(shell.parts), "");
         for (const SurfacePart& solid : solids.parts)
-            EXPECT_EQ(fault_of({&solid, 1}), "");
+            EXPECT_EQ(surface::fault_of({&solid, 1}), "");
         EXPECT_EQ(static_cast<std::int64_t>(solids.parts.size()), report.buildings);
         EXPECT_LT(shell.parts.size(), solids.parts.size() / 2);
         EXPECT_EQ(solids.meta.fields.back().name, "parcel");

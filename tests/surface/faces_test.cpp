@@ -11,7 +11,7 @@
 #include "surface/partition.hpp"
 #include "surface/resolve_nonmanifold.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 Int128 twice_area(const PartitionFace& face, const PlanarPartition& plan) {
@@ -153,4 +153,4 @@ TEST(TriangulateFace, isTriedTurned) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -9,7 +9,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 PartitionContour square(std::int64_t row, std::int64_t col, std::int64_t size) {
@@ -151,4 +151,4 @@ TEST(EdgeGrid, aLongEdgeIsInFewCells) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -10,7 +10,7 @@
 #include "surface/surface_check.hpp"
 #include "write/surface/cityjson_sink.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Solids of random grids, read again from the file that the sink wrote of them.
@@ -73,4 +73,4 @@ TEST_F(RandomCityJson, blocksAndStacks) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

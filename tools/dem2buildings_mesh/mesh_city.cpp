@@ -43,10 +43,10 @@ Crs crs_of(const CityModel& city) {
     return crs;
 }
 
-GapTolerances gaps_of(const CityModel& city, const Crs& crs) {
+surface::GapTolerances gaps_of(const CityModel& city, const Crs& crs) {
     const auto unit = crs.horizontal_unit();
     const double metres = FinePoint::steps * (unit ? unit->metres : 1);
-    return gap_tolerances({city.scale[0] * metres, city.scale[1] * metres});
+    return surface::gap_tolerances({city.scale[0] * metres, city.scale[1] * metres});
 }
 
 PlanFrame frame_of(const CityModel& city, const CityPlan& plan, const Crs& crs) {
