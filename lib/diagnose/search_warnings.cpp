@@ -8,7 +8,7 @@
 #include "core/text.hpp"
 #include "diagnose/warnings.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 /// Minimum number of pieces, because one or two may be a small cut-out of a surface.
@@ -352,4 +352,4 @@ void warn_about_search(const SearchSummary& search, bool found_any, Context& con
         context.warn("No building was found: " + explain_empty_search(search) + ".");
 }
 
-}  // namespace d2b
+}  // namespace d2b::diagnose

@@ -12,7 +12,7 @@
 #include "detect/scene_statistics.hpp"
 #include "options/run_plan.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 
 /// Returns a warning if there is no ground for an estimate. A clause without a full stop; "" if there may be.
 [[nodiscard]] std::string missing_ground_warning(const detect::ValidIslands& islands, GroundMode mode,
@@ -78,4 +78,4 @@ struct SearchSummary {
 /// explain_empty_result() reports that.
 void warn_about_search(const SearchSummary& search, bool found_any, Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::diagnose

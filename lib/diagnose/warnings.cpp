@@ -7,7 +7,7 @@
 #include "detect/smoothness.hpp"
 #include "options/run_plan.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 
 std::string rounded(double value) {
     constexpr double whole_from = 10;
@@ -194,4 +194,4 @@ std::string unit_memory_refusal(const SeenPoints& seen) {
                                     : "make the cells larger with gdalwarp -tr.");
 }
 
-}  // namespace d2b
+}  // namespace d2b::diagnose

@@ -302,7 +302,8 @@ void FeatureWriter::warn_of_traced() {
     if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
         return;  // traced outlines were asked for
     const RunReport& report = context_.report;
-    warn_unless_empty(traced_warning(report.building_outlines, report.contour_outlines, cell_m_), context_);
+    diagnose::warn_unless_empty(
+        diagnose::traced_warning(report.building_outlines, report.contour_outlines, cell_m_), context_);
 }
 
 std::optional<DrawnStack> FeatureWriter::finish() {

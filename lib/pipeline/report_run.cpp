@@ -98,15 +98,16 @@ std::size_t buildings_up_to(Label last, const contours::ContourList& contours) {
 void warn_of_result(const RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
                     const detect::SceneStatistics* scene, const DemSource* terrain, Context& context) {
     RunReport& report = context.report;
-    warn_unless_empty(explain_empty_result(plan, buildings, setup.dem, report), context);
+    diagnose::warn_unless_empty(diagnose::explain_empty_result(plan, buildings, setup.dem, report), context);
     if (scene == nullptr)
         return;
     if (setup.plan.asked.detect.is_split_by())
         report.parcels = detect::parcel_report(scene->parcels, setup.cell);
     report.sampling = detect::sampling_report(scene->sampling, report.units.vertical_metres);
-    warn_about_search({setup.dem, setup.plan, report, *scene, setup.cell, setup.crs.kind() != Crs::Kind::none,
-                       terrain != nullptr ? terrain->share_outside() : 0},
-                      buildings > 0, context);
+    diagnose::warn_about_search(
+        {setup.dem, setup.plan, report, *scene, setup.cell, setup.crs.kind() != Crs::Kind::none,
+         terrain != nullptr ? terrain->share_outside() : 0},
+        buildings > 0, context);
 }
 
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {

@@ -82,21 +82,22 @@ void require_memory(const RunPlan& plan, const Window& window, const CellSize& c
     if (units.count() == 1)
         return;
     const double width = plan.asked.ground.max_building_width;
-    SeenPoints seen{units.most_seen(), halo_widths * width, {}};
+    diagnose::SeenPoints seen{units.most_seen(), halo_widths * width, {}};
     if (plan.ground == GroundMode::automatic)
         seen.max_building_width = width;
-    if (const std::string text = unit_memory_refusal(seen); !text.empty())
+    if (const std::string text = diagnose::unit_memory_refusal(seen); !text.empty())
         throw OptionError(text);
-    warn_unless_empty(unit_memory_notice(seen), context);
+    diagnose::warn_unless_empty(diagnose::unit_memory_notice(seen), context);
 }
 
 void warn_of_scale(const RunSetup& setup, Context& context) {
     const bool on_ground = setup.crs.horizontal_unit() || setup.crs.on_ellipsoid();
     if (on_ground)
-        warn_unless_empty(coarse_cells_warning(cell_size_m(setup.dem.window, setup.area)), context);
-    warn_unless_empty(
-        tolerance_warning(setup.plan.asked.outline.simplify, std::sqrt(setup.georeference.cell_area())),
-        context);
+        diagnose::warn_unless_empty(diagnose::coarse_cells_warning(cell_size_m(setup.dem.window, setup.area)),
+                                    context);
+    diagnose::warn_unless_empty(diagnose::tolerance_warning(setup.plan.asked.outline.simplify,
+                                                            std::sqrt(setup.georeference.cell_area())),
+                                context);
 }
 
 }  // namespace

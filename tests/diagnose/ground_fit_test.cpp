@@ -8,7 +8,7 @@
 #include "detect/scene_statistics.hpp"
 #include "diagnose/search_warnings.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
@@ -129,4 +129,4 @@ TEST(ValidIslands, AddUp) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::diagnose

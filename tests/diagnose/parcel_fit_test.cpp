@@ -8,7 +8,7 @@
 
 #include "core/context.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 /// Blocks of one height and single towers, and parcels that are the same moved.
@@ -122,4 +122,4 @@ TEST(ParcelShift, PartsAddUpToTheWhole) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::diagnose

@@ -7,7 +7,7 @@
 
 #include "detect/scene_statistics.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 /// A search in a good surface in which nothing was found; each test spoils something.
@@ -152,4 +152,4 @@ TEST(GroundSlope, IsOfEverySixteenthRowOfItsCells) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::diagnose

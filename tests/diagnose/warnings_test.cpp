@@ -12,7 +12,7 @@
 #include "detect/scene_statistics.hpp"
 #include "diagnose/search_warnings.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 /// So many cells of a height above the ground, and so many of another.
@@ -414,4 +414,4 @@ TEST(EmptyResult, LeavesToTheSearchWhatItKnowsBetter) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::diagnose
