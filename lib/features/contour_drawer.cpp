@@ -11,7 +11,7 @@
 #include "dem2buildings/error.hpp"
 #include "features/reprojection.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 ContourChildren::ContourChildren(const contours::ContourList& contours) : first_(contours.size() + 1) {
     for (std::size_t i = 0; i < contours.size(); ++i)
@@ -330,4 +330,4 @@ void ContourDrawer::draw_building(std::size_t contour, PolygonMaker& maker, Draw
         maker.tally().dropped = counted;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -21,7 +21,7 @@
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Children of each contour in the tree of contours, in CSR form.
 class ContourChildren {
@@ -207,4 +207,4 @@ class ContourDrawer {
 [[nodiscard]] Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup,
                                      Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::features

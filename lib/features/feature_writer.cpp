@@ -13,7 +13,7 @@
 #include "features/write_features.hpp"
 #include "outline/arc_graph.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr std::int64_t max_invalid_named = 10;
@@ -327,4 +327,4 @@ std::optional<DrawnStack> FeatureWriter::finish() {
     return std::move(stack_);
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

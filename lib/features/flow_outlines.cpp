@@ -16,7 +16,7 @@
 #include "features/reprojection.hpp"
 #include "geometry/box_tree.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
@@ -245,4 +245,4 @@ std::vector<PlacedProblem> placed_problems(const std::vector<surface::FlowProble
     return placed;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -10,7 +10,7 @@
 #include "outline/outline.hpp"
 #include "surface/make_flow_ready.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Makes outlines above the ground flow-ready, clusters in parallel, and replaces the changed ones in the
 /// outliner. Counts repaired and remaining defects in the report.
@@ -28,4 +28,4 @@ namespace d2b {
 [[nodiscard]] std::vector<PlacedProblem> placed_problems(const std::vector<surface::FlowProblem>& problems,
                                                          const FeatureInput& input, std::int64_t first_id);
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -11,7 +11,7 @@
 #include "core/context.hpp"
 #include "features/attribute_table.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 void ProblemLayer::note(std::vector<PlacedProblem> problems) {
     std::ranges::move(problems, std::back_inserter(problems_));
@@ -120,4 +120,4 @@ std::vector<PlacedProblem> step_problems(const surface::SurfaceCluster& cluster,
     return problems;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

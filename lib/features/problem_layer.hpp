@@ -10,7 +10,7 @@
 #include "features/surface_cluster.hpp"
 #include "surface/level_roofs.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Problem without id, with its position in the output CRS.
 struct PlacedProblem {
@@ -50,4 +50,4 @@ void add_left_out(const DrawnCluster& drawn, const surface::MadeSurfaces& made,
                                                        const std::vector<surface::RoofStep>& steps,
                                                        const SurfaceFrame& frame);
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -175,4 +175,4 @@ std::string_view status_name(OutlineStatus status) {
     return "";
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -11,7 +11,7 @@
 #include "dem2buildings/records.hpp"
 #include "outline/outline.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Results of detection for a label.
 struct Footprint {
@@ -93,4 +93,4 @@ class StackRmse {
 
 [[nodiscard]] std::string_view status_name(OutlineStatus status);
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -14,7 +14,7 @@
 #include "surface/partition.hpp"
 #include "surface/vertex_snapping.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 /// Absolute area in square steps.
@@ -375,4 +375,4 @@ std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof r
     return parts;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -9,7 +9,7 @@
 #include "features/write_features.hpp"
 #include "surface/make_surfaces.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 class ProblemLayer;
 
@@ -69,4 +69,4 @@ void merge_equal_tiers(DrawnCluster& drawn);
 [[nodiscard]] std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof roof,
                                                       const SurfaceLattice& lattice);
 
-}  // namespace d2b
+}  // namespace d2b::features

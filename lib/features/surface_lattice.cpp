@@ -10,7 +10,7 @@
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr double millimetre = 0.001;
@@ -188,4 +188,4 @@ void SurfaceLattice::require_single_precision(double lowest, double highest) con
                               number_text(reach) + " m of them with -surface_origin.");
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

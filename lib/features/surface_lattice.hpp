@@ -11,7 +11,7 @@
 #include "features/reprojection.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Parameters of the surface lattice.
 struct SurfaceLatticeParameters {
@@ -79,4 +79,4 @@ class SurfaceLattice {
     double reach_ = 0;  ///< largest local coordinate of the window, metres
 };
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -18,7 +18,7 @@
 #include "options/provenance_text.hpp"
 #include "surface/level_roofs.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr std::int64_t max_lost_named = 10;
@@ -293,4 +293,4 @@ void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<Surfa
     writer.finish();
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -83,8 +83,8 @@ struct FoundBuildings {
     detect::LabelRows
         labels;           ///< labels of the window; low-confidence candidates only if they are to be written
     Label buildings = 0;  ///< labels above are low-confidence candidates
-    std::vector<Footprint> footprints;  ///< by label; [0] is not used
-    std::vector<double> ground;         ///< ground elevations in the vertical unit, by label
+    std::vector<features::Footprint> footprints;  ///< by label; [0] is not used
+    std::vector<double> ground;                   ///< ground elevations in the vertical unit, by label
     detect::SceneStatistics scene;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }

@@ -12,30 +12,31 @@
 
 namespace d2b {
 
-StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader) {
-    StackError error;
+features::StackError measure_stack(const features::DrawnStack& stack, const FixedPoint& fixed,
+                                   ElevationReader& reader) {
+    features::StackError error;
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::attributes);
             return stack.error(band, fixed);
         },
-        [&](const ElevationBand&, const StackError& of_band) { error.merge(of_band); });
+        [&](const ElevationBand&, const features::StackError& of_band) { error.merge(of_band); });
     return error;
 }
 
-void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
+void report_stack_errors(const features::DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
                          RunReport& report) {
     const double metres = report.units.vertical_metres;
     report.stack_rmse_m = measure_stack(stack, fixed, reader).rms(fixed) * metres;
     if (report.cuts.empty())
         return;
-    std::vector<StackError> errors(report.cuts.size());
+    std::vector<features::StackError> errors(report.cuts.size());
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::attributes);
             return stack.errors_by_level(band, fixed, static_cast<std::int32_t>(errors.size()));
         },
-        [&](const ElevationBand&, const std::vector<StackError>& of_band) {
+        [&](const ElevationBand&, const std::vector<features::StackError>& of_band) {
             for (std::size_t i = 0; i < errors.size(); ++i)
                 errors[i].merge(of_band[i]);
         });
@@ -95,7 +96,7 @@ std::size_t buildings_up_to(Label last, const contours::ContourList& contours) {
     return buildings;
 }
 
-void warn_of_result(const RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
+void warn_of_result(const features::RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
                     const detect::SceneStatistics* scene, const DemSource* terrain, Context& context) {
     RunReport& report = context.report;
     diagnose::warn_unless_empty(diagnose::explain_empty_result(plan, buildings, setup.dem, report), context);

@@ -18,11 +18,11 @@
 namespace d2b {
 
 /// Measures the error of the stack against the elevations. @param stack as drawn, in the reader's window
-[[nodiscard]] StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed,
-                                       ElevationReader& reader);
+[[nodiscard]] features::StackError measure_stack(const features::DrawnStack& stack, const FixedPoint& fixed,
+                                                 ElevationReader& reader);
 
 /// Measures the errors of the stack as drawn, which replace those of the contours as traced in the report.
-void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
+void report_stack_errors(const features::DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
                          RunReport& report);
 
 /// Returns the warnings of all sources, or sinks, since the last call.
@@ -40,7 +40,7 @@ void report_levels(const contours::LevelPlan& plan, int levels, RunReport& repor
 
 /// Warns if nothing was found, and of conditions that make the result unreliable.
 /// @param scene null if there was no search @param terrain given terrain model or null
-void warn_of_result(const RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
+void warn_of_result(const features::RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
                     const detect::SceneStatistics* scene, const DemSource* terrain, Context& context);
 
 /// Completes the results of all sinks. @param commit publishes them @throws OutputError, Cancelled

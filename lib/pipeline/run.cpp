@@ -55,8 +55,8 @@ auto with_progress(Context& context, double begin, double end, const Work& work)
 }
 
 /// Decides which values are valid elevations and collects their statistics.
-ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& setup, DemSource& source,
-                                       Context& context) {
+ElevationStatistics collect_statistics(ElevationReader& reader, const features::RunSetup& setup,
+                                       DemSource& source, Context& context) {
     const Options& options = setup.plan.asked;
     const DemInfo& info = setup.dem;
     // The thesis preset does not filter elevations.
@@ -75,8 +75,8 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& 
         rules.undeclared = undeclared.values();
         survey = survey_all();
     }
-    report_suspicious_values(survey.suspicious, survey.statistics.moments.n, undeclared, info, options.read,
-                             context);
+    features::report_suspicious_values(survey.suspicious, survey.statistics.moments.n, undeclared, info,
+                                       options.read, context);
     return survey.statistics;
 }
 
@@ -106,9 +106,9 @@ struct SearchResult {
 
 /// Runs all stages from the elevations to the levels of buildings. @param lattice null if no surface is asked
 /// for
-SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const Sources& sources,
-                           const Sinks& sinks, const detect::UnitSize& size, SurfaceLattice* lattice,
-                           Context& context) {
+SearchResult search_levels(ElevationReader& reader, const features::RunSetup& setup, const Sources& sources,
+                           const Sinks& sinks, const detect::UnitSize& size,
+                           features::SurfaceLattice* lattice, Context& context) {
     const RunPlan& decided = setup.plan;
     const Window& window = setup.dem.window;
     const Milestones& at = milestones(decided);
@@ -135,47 +135,50 @@ SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const
 
 /// Adjusts outlines to be flow-ready if asked for. @return the changes and remaining problems
 std::vector<surface::FlowProblem> make_flow_ready(const contours::StoredContours& contours,
-                                                  Outliner& outliner, const RunSetup& setup,
+                                                  Outliner& outliner, const features::RunSetup& setup,
                                                   Context& context) {
     const OutlineOptions& asked = setup.plan.asked.outline;
     if (!asked.is_flow_ready())
         return {};
-    return make_outlines_flow_ready(
+    return features::make_outlines_flow_ready(
         contours, outliner,
         {asked.narrowest_gap(), asked.shortest_wall(), surface::FlowLimits::least_angle,
          surface::FlowLimits::most_share,
-         flow_metric(setup.georeference, x_stretch(setup.georeference, setup.crs, setup.dem.window),
-                     setup.cell_m())},
+         features::flow_metric(setup.georeference, x_stretch(setup.georeference, setup.crs, setup.dem.window),
+                               setup.cell_m())},
         context);
 }
 
 /// Inputs of the outputs other than features.
 struct FurtherOutputs {
     const std::vector<surface::FlowProblem>& flow;
-    const SurfaceLattice* lattice;  ///< null if no surface is asked for
+    const features::SurfaceLattice* lattice;  ///< null if no surface is asked for
 };
 
 /// Draws the contours and writes them to the sinks.
-void write_result(const FeatureInput& input, const RecordBuilder& records, ElevationReader& reader,
-                  const Sinks& sinks, const FurtherOutputs& further, Context& context) {
-    const RunSetup& setup = input.setup;
+void write_result(const features::FeatureInput& input, const features::RecordBuilder& records,
+                  ElevationReader& reader, const Sinks& sinks, const FurtherOutputs& further,
+                  Context& context) {
+    const features::RunSetup& setup = input.setup;
     const Milestones& at = milestones(setup.plan);
-    const SurfaceLattice* const lattice = further.lattice;
+    const features::SurfaceLattice* const lattice = further.lattice;
     const double written = lattice != nullptr ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
-    const std::optional<DrawnStack> stack = with_progress(
-        context, at.traced, written, [&] { return write_features(input, records, sinks.features, context); });
+    const std::optional<features::DrawnStack> stack = with_progress(context, at.traced, written, [&] {
+        return features::write_features(input, records, sinks.features, context);
+    });
     if (stack)
         report_stack_errors(*stack, input.fixed, reader, context.report);
-    ProblemLayer problems(setup.layers.indices.problems);
+    features::ProblemLayer problems(setup.layers.indices.problems);
     const WriteOptions& write = setup.plan.asked.write;
     if (write.problems)
-        problems.note(placed_problems(further.flow, input, sinks.features.first_id()));
+        problems.note(features::placed_problems(further.flow, input, sinks.features.first_id()));
     if (lattice != nullptr)
         with_progress(context, written, at.drawn, [&] {
-            write_surfaces({input, records, *input.building_records, *lattice, setup.plan.surface_of,
-                            write.surface_roof, write.problems ? &problems : nullptr},
-                           surface_meta(setup.plan, *lattice, setup.written(), context.report.units),
-                           sinks.surfaces, context);
+            features::write_surfaces(
+                {input, records, *input.building_records, *lattice, setup.plan.surface_of, write.surface_roof,
+                 write.problems ? &problems : nullptr},
+                features::surface_meta(setup.plan, *lattice, setup.written(), context.report.units),
+                sinks.surfaces, context);
         });
     problems.write(sinks.features, context);
     context.progress(at.drawn);
@@ -190,12 +193,12 @@ void write_result(const FeatureInput& input, const RecordBuilder& records, Eleva
 void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const PieceSizes& size,
                 CommitList& commit, Context& context) {
     const DemInfo& info = sources.dem.info();
-    const RunSetup setup = set_up_run(asked, info, sinks.features, context);
+    const features::RunSetup setup = set_up_run(asked, info, sinks.features, context);
     const RunPlan& decided = setup.plan;
     RunReport& report = context.report;
     const double metres = report.units.vertical_metres;
 
-    std::optional<SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
+    std::optional<features::SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
     ElevationReader reader(sources.dem, context, size.bands);
     SearchResult search =
         search_levels(reader, setup, sources, sinks, size.units, lattice ? &*lattice : nullptr, context);
@@ -208,27 +211,27 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     });
 
     pass_warnings(sources, sinks, context);
-    const std::vector<Footprint> footprints =
-        found != nullptr ? std::move(found->footprints) : std::vector<Footprint>();
-    const RecordBuilder records(
-        *contours, {plan, frame.fixed, footprints, metres, lattice_frame(info.window, decided.trace)});
+    const std::vector<features::Footprint> footprints =
+        found != nullptr ? std::move(found->footprints) : std::vector<features::Footprint>();
+    const features::RecordBuilder records(*contours, {plan, frame.fixed, footprints, metres,
+                                                      features::lattice_frame(info.window, decided.trace)});
     report_levels(plan, plan.level_count(), report);
     const Label last_building = found != nullptr ? found->buildings : std::numeric_limits<Label>::max();
     warn_of_result(setup, plan, buildings_up_to(last_building, *contours),
                    found != nullptr ? &found->scene : nullptr, sources.terrain, context);
-    Outliner outliner = draw_outlines(*contours, setup, context);
+    Outliner outliner = features::draw_outlines(*contours, setup, context);
     const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
-    std::optional<BuildingRecords> building_records;
+    std::optional<features::BuildingRecords> building_records;
     if (lattice)
         building_records.emplace(context.make_spool());
-    const FeatureInput input{setup,
-                             *contours,
-                             outliner,
-                             last_building,
-                             frame.fixed,
-                             sources.parcels,
-                             building_records ? &*building_records : nullptr,
-                             has_tiers(sinks)};
+    const features::FeatureInput input{setup,
+                                       *contours,
+                                       outliner,
+                                       last_building,
+                                       frame.fixed,
+                                       sources.parcels,
+                                       building_records ? &*building_records : nullptr,
+                                       has_tiers(sinks)};
     write_result(input, records, reader, sinks, {flow, lattice ? &*lattice : nullptr}, context);
     prepare_sinks(sinks, commit, context);
 }

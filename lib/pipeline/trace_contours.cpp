@@ -33,7 +33,7 @@ void add_statistics(ElevationReader& reader, const FoundBuildings& found,
 }  // namespace
 
 Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Window& window,
-                 const RunSetup& setup, const FixedPoint& fixed, const contours::LevelPlan& global,
+                 const features::RunSetup& setup, const FixedPoint& fixed, const contours::LevelPlan& global,
                  Context& context) {
     const RunPlan& decided = setup.plan;
     const double metres = context.report.units.vertical_metres;
@@ -138,7 +138,7 @@ void trace_into(contours::ContourArchive& store, ElevationReader& reader, const 
 }
 
 contours::ContourArchive contour_store(const contours::TraceFrame& frame, const FoundBuildings* found,
-                                       const RunSetup& setup, Context& context) {
+                                       const features::RunSetup& setup, Context& context) {
     const RunPlan& plan = setup.plan;
     const contours::NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2,
                                      plan.detects_buildings()};
@@ -158,7 +158,7 @@ contours::ContourArchive contour_store(const contours::TraceFrame& frame, const 
 std::unique_ptr<contours::StoredContours> trace_contours(ElevationReader& reader,
                                                          const contours::TraceFrame& frame,
                                                          const Tiers& tiers, const FoundBuildings* found,
-                                                         const RunSetup& setup, Context& context) {
+                                                         const features::RunSetup& setup, Context& context) {
     contours::ContourArchive store = contour_store(frame, found, setup, context);
     const BandTracing tracing{frame, tiers, found, setup.plan.trace};
     if (tiers.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())

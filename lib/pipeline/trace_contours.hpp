@@ -27,7 +27,7 @@ struct Tiers {
 /// of the run
 /// @param global levels of the whole DEM @throws OptionError, InputError, OutputError, Cancelled
 [[nodiscard]] Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Window& window,
-                               const RunSetup& setup, const FixedPoint& fixed,
+                               const features::RunSetup& setup, const FixedPoint& fixed,
                                const contours::LevelPlan& global, Context& context);
 
 /// Traces and filters the contours of all levels in one pass over the DEM.
@@ -35,6 +35,6 @@ struct Tiers {
 /// @throws InputError, Cancelled, and spool errors
 [[nodiscard]] std::unique_ptr<contours::StoredContours> trace_contours(
     ElevationReader& reader, const contours::TraceFrame& frame, const Tiers& tiers,
-    const FoundBuildings* found, const RunSetup& setup, Context& context);
+    const FoundBuildings* found, const features::RunSetup& setup, Context& context);
 
 }  // namespace d2b

@@ -10,7 +10,7 @@
 #include "features/attribute_table.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 using test::TraceGrid;
@@ -436,4 +436,4 @@ TEST(FieldNames, ChangeNothingElseOfAField) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::features

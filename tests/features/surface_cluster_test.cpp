@@ -5,7 +5,7 @@
 #include "features/problem_layer.hpp"
 #include "support/memory_io.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 /// Blocks of 100 by 100 steps, one beside the other, that stand at 1 m.
@@ -174,4 +174,4 @@ TEST(SurfaceProblems, nameBuildingsThatAreLost) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::features

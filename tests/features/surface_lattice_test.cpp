@@ -6,7 +6,7 @@
 
 #include "dem2buildings/error.hpp"
 
-namespace d2b::test {
+namespace d2b::features {
 namespace {
 
 /// A grid of 100 x 200 cells (rows x columns).
@@ -139,4 +139,4 @@ TEST_F(SurfaceLatticeTest, gapsAreLengthsOnTheGround) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::features

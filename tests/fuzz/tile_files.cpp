@@ -65,7 +65,7 @@ std::size_t read_drawn(std::span<const std::byte> bytes) {
             writer.put(Tally());
             writer.put(std::int32_t{1});
             writer.put(std::int64_t{0});
-            writer.put(StackError());
+            writer.put(features::StackError());
         },
         bytes);
     const DrawnTile tile = load_drawn_tile(reader);
@@ -98,7 +98,7 @@ std::size_t read_numbered_whole(std::span<const std::byte> bytes) {
 
 std::size_t read_contour(std::span<const std::byte> bytes) {
     ByteReader reader({bytes.begin(), bytes.end()});
-    const DrawnContour drawn = load_drawn_contour(reader);
+    const features::DrawnContour drawn = load_drawn_contour(reader);
     demand(drawn.record.level == drawn.key.level, "a contour is on its level");
     // Any number but 0 is read as true, and written as 1.
     demand_same(drawn, bytes.first(bytes.size() - reader.left()), Same::length);

@@ -90,13 +90,13 @@ NumberedWhole numbered_whole() {
     return whole;
 }
 
-DrawnContour contour() {
-    DrawnContour drawn;
+features::DrawnContour contour() {
+    features::DrawnContour drawn;
     drawn.key = {1, {3, 4}};
     drawn.parent = -1;
     drawn.building_index = 0;
     drawn.record.level = 1;
-    FeaturePolygon made;
+    features::FeaturePolygon made;
     WorldPolygon& part = made.parts.emplace_back();
     part.exterior = {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
     part.interiors = {{{1, 1}, {1, 2}, {2, 2}, {1, 1}}};
@@ -124,7 +124,7 @@ void write_all(const fs::path& folder) {
               writer.put(Tally());
               writer.put(std::int32_t{1});
               writer.put(std::int64_t{0});
-              writer.put(StackError());
+              writer.put(features::StackError());
           }));
     write(folder, "numbered", TileFile::numbered, after(numbered(), nothing));
     write(folder, "numbered_whole", TileFile::numbered_whole, after(numbered_whole(), nothing));

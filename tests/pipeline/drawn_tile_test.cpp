@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-DrawnContour contour(std::int32_t level, std::int32_t row, std::size_t vertices = 4) {
-    DrawnContour drawn;
+features::DrawnContour contour(std::int32_t level, std::int32_t row, std::size_t vertices = 4) {
+    features::DrawnContour drawn;
     drawn.key = {level, {row, 7}};
     drawn.record.level = level;
     drawn.contour.emplace().parts.emplace_back().exterior.resize(vertices);

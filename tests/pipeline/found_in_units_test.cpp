@@ -113,8 +113,8 @@ TEST_P(FoundInUnits, IsWhatIsFoundInTheWhole) {
     EXPECT_EQ(units.buildings.scene.slope.cells, whole.buildings.scene.slope.cells);
     EXPECT_EQ(units.buildings.scene.slope.steep_cells, whole.buildings.scene.slope.steep_cells);
     for (const auto& [label, same] : same_cells(whole, units)) {
-        const Footprint& a = whole.buildings.footprints[label];
-        const Footprint& b = units.buildings.footprints[same];
+        const features::Footprint& a = whole.buildings.footprints[label];
+        const features::Footprint& b = units.buildings.footprints[same];
         EXPECT_EQ(a.confidence, b.confidence);
         EXPECT_EQ(a.doubt, b.doubt);
         if (label != 0) {

@@ -9,7 +9,7 @@ using Numbers = std::vector<std::int64_t>;
 
 /// Takes a contour of a tile down as FeatureWriter does, with the number that what stands on it gets.
 void take(TileIds& numbers, std::size_t tile, std::int64_t number, std::int64_t building = 0) {
-    AssignedIds& given = numbers.of(tile);
+    features::AssignedIds& given = numbers.of(tile);
     given.written.push_back(number);
     if (building > 0)
         given.buildings.push_back(building);

@@ -56,8 +56,8 @@ struct Records {
     std::vector<BuildingRecord> buildings;
 };
 
-inline Records make_records(const ContourSet& set, const AttributeContext& context) {
-    const RecordBuilder maker(*set.list, context);
+inline Records make_records(const ContourSet& set, const features::AttributeContext& context) {
+    const features::RecordBuilder maker(*set.list, context);
     Records records;
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         records.contours.push_back(maker.contour(i, set.contours[i]));

@@ -229,7 +229,7 @@ void show_parts(const TileRun& run, std::int64_t after) {
     const std::optional<NumberedWhole> whole = written_totals(run, after);
     if (!whole)
         return;
-    const RunSetup& setup = run.setup();
+    const features::RunSetup& setup = run.setup();
     CommitList commit;
     std::vector<std::unique_ptr<PendingResult>> files;
     for (std::size_t i = 0; i < setup.layers.layers.size(); ++i) {

@@ -34,7 +34,8 @@ class TileLabels {
     /// columns
     [[nodiscard]] std::vector<bool> near_other_tiles(LatticePoint reach) const;
     /// Returns the cells within reach of the wanted buildings, row by row. @param wanted by label - 1
-    [[nodiscard]] std::vector<RowSpan> cells_near(const std::vector<bool>& wanted, LatticePoint reach) const;
+    [[nodiscard]] std::vector<features::RowSpan> cells_near(const std::vector<bool>& wanted,
+                                                            LatticePoint reach) const;
 
   private:
     /// Returns the runs of a row of the window, from left to right.
@@ -129,8 +130,9 @@ std::vector<bool> TileLabels::near_other_tiles(LatticePoint reach) const {
     return near;
 }
 
-std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted, LatticePoint reach) const {
-    std::vector<RowSpan> expanded;
+std::vector<features::RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted,
+                                                      LatticePoint reach) const {
+    std::vector<features::RowSpan> expanded;
     for (const LabelRun& run : runs_) {
         if (run.label > buildings_ || !wanted[run.label - 1])
             continue;
@@ -139,9 +141,9 @@ std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted, Lat
             expanded.push_back({r, std::max(run.begin - reach.col, window_.col),
                                 std::min(run.end + reach.col, window_.end_col())});
     }
-    std::ranges::sort(expanded, {}, [](const RowSpan& s) { return std::pair(s.row, s.begin); });
-    std::vector<RowSpan> spans;
-    for (const RowSpan& span : expanded) {
+    std::ranges::sort(expanded, {}, [](const features::RowSpan& s) { return std::pair(s.row, s.begin); });
+    std::vector<features::RowSpan> spans;
+    for (const features::RowSpan& span : expanded) {
         if (!spans.empty() && spans.back().row == span.row && span.begin <= spans.back().end)
             spans.back().end = std::max(spans.back().end, span.end);
         else
@@ -221,7 +223,7 @@ DividedContours TileDrawing::divide(const contours::StoredContours& contours) {
     const std::vector<bool> near = labels_.near_other_tiles(reach_);
     std::vector<bool> is_deferred(contours.size());
     for (const std::vector<std::uint32_t>& group :
-         outline_dependencies_of(contours, run_.setup(), context_).groups) {
+         features::outline_dependencies_of(contours, run_.setup(), context_).groups) {
         const bool left =
             std::ranges::any_of(group, [&](std::uint32_t i) { return near[contours.head(i).label - 1]; });
         for (const std::uint32_t i : group) {
@@ -246,20 +248,21 @@ DividedContours TileDrawing::divide(const contours::StoredContours& contours) {
 
 void TileDrawing::draw_whole(const contours::StoredContours& contours, const FoundBuildings& found,
                              DrawnTile& drawn, DrawnBlocks& blocks) {
-    const RunSetup& setup = run_.setup();
-    const RecordBuilder records(contours, {tiers_.plan, fixed_, found.footprints, run_.metres(),
-                                           lattice_frame(run_.window(), setup.plan.trace)});
-    const Outliner outliner = draw_outlines(contours, setup, context_);
-    const FeatureInput input{setup, contours, outliner, found.buildings, fixed_};
-    ContourDrawer drawer(input, records, context_);
-    DrawnStack stack(context_.make_spool(), joined_.window);
-    drawer.draw_all([&](std::size_t, const DrawnContour& contour) {
+    const features::RunSetup& setup = run_.setup();
+    const features::RecordBuilder records(contours,
+                                          {tiers_.plan, fixed_, found.footprints, run_.metres(),
+                                           features::lattice_frame(run_.window(), setup.plan.trace)});
+    const Outliner outliner = features::draw_outlines(contours, setup, context_);
+    const features::FeatureInput input{setup, contours, outliner, found.buildings, fixed_};
+    features::ContourDrawer drawer(input, records, context_);
+    features::DrawnStack stack(context_.make_spool(), joined_.window);
+    drawer.draw_all([&](std::size_t, const features::DrawnContour& contour) {
         if (drawer.returns_cells())
-            add_to_stack(contour, setup.layers.indices, stack);
+            features::add_to_stack(contour, setup.layers.indices, stack);
         blocks.add(contour);
     });
     blocks.finish();
-    for (PolygonMaker& maker : drawer.makers())
+    for (features::PolygonMaker& maker : drawer.makers())
         context_.report.merge(maker.tally());
     if (drawer.returns_cells())
         drawn.error = measure_stack(stack, fixed_, reader_);
@@ -294,7 +297,7 @@ void TileDrawing::read_cells(DrawnTile& drawn) {
 }
 
 DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
-    const RunSetup& setup = run_.setup();
+    const features::RunSetup& setup = run_.setup();
     // The survey is run only for its side effect of filtering invalid elevations.
     (void)reader_.survey(
         run_.validity_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});

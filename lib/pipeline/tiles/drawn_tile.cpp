@@ -52,7 +52,7 @@ WorldPolygon load_part(ByteReader& reader) {
     return part;
 }
 
-void save(const FeaturePolygon& polygon, ByteWriter& writer) {
+void save(const features::FeaturePolygon& polygon, ByteWriter& writer) {
     writer.put(static_cast<std::uint64_t>(polygon.parts.size()));
     for (const WorldPolygon& part : polygon.parts)
         save(part, writer);
@@ -65,8 +65,8 @@ void save(const FeaturePolygon& polygon, ByteWriter& writer) {
     writer.put(static_cast<std::uint8_t>(polygon.split_by_projection ? 1 : 0));
 }
 
-FeaturePolygon load_polygon(ByteReader& reader) {
-    FeaturePolygon polygon;
+features::FeaturePolygon load_polygon(ByteReader& reader) {
+    features::FeaturePolygon polygon;
     polygon.parts.resize(reader.take_count(sizeof(std::uint64_t)));
     for (WorldPolygon& part : polygon.parts)
         part = load_part(reader);
@@ -81,13 +81,13 @@ FeaturePolygon load_polygon(ByteReader& reader) {
     return polygon;
 }
 
-void save(const std::optional<FeaturePolygon>& polygon, ByteWriter& writer) {
+void save(const std::optional<features::FeaturePolygon>& polygon, ByteWriter& writer) {
     writer.put(static_cast<std::uint8_t>(polygon ? 1 : 0));
     if (polygon)
         save(*polygon, writer);
 }
 
-std::optional<FeaturePolygon> load_optional_polygon(ByteReader& reader) {
+std::optional<features::FeaturePolygon> load_optional_polygon(ByteReader& reader) {
     if (reader.take<std::uint8_t>() == 0)
         return {};
     return load_polygon(reader);
@@ -95,7 +95,7 @@ std::optional<FeaturePolygon> load_optional_polygon(ByteReader& reader) {
 
 }  // namespace
 
-void save(const DrawnContour& drawn, ByteWriter& writer) {
+void save(const features::DrawnContour& drawn, ByteWriter& writer) {
     writer.put(drawn.key);
     writer.put(drawn.parent);
     writer.put(drawn.building_index);
@@ -113,8 +113,8 @@ void save(const DrawnContour& drawn, ByteWriter& writer) {
     save(drawn.contour, writer);
 }
 
-DrawnContour load_drawn_contour(ByteReader& reader) {
-    DrawnContour drawn;
+features::DrawnContour load_drawn_contour(ByteReader& reader) {
+    features::DrawnContour drawn;
     drawn.key = reader.take<contours::ContourKey>();
     drawn.parent = reader.take<std::int64_t>();
     drawn.building_index = reader.take<std::int64_t>();
@@ -196,17 +196,17 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
     tile.tally = reader.take<Tally>();
     tile.levels = reader.take<std::int32_t>();
     tile.buildings = reader.take<std::int64_t>();
-    tile.error = reader.take<StackError>();
+    tile.error = reader.take<features::StackError>();
     tile.deferred_buildings.resize(reader.take_count(sizeof(JoinedBuilding)));
     for (DeferredBuilding& building : tile.deferred_buildings)
         building = load_deferred_building(reader);
     const std::size_t left = reader.take_count(sizeof(contours::ContourHead));
     for (std::size_t i = 0; i < left; ++i)
         tile.left.push_back(load_deferred_contour(reader, tile));
-    tile.cells.runs = reader.take_list<RowSpan>();
+    tile.cells.runs = reader.take_list<features::RowSpan>();
     tile.cells.elevations = reader.take_list<double>();
     std::uint64_t cells = 0;
-    for (const RowSpan& run : tile.cells.runs) {
+    for (const features::RowSpan& run : tile.cells.runs) {
         if (run.begin >= run.end)
             throw CorruptRecord("a run of cells is empty");
         cells += static_cast<std::uint64_t>(std::int64_t{run.end} - run.begin);
@@ -216,7 +216,7 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
     return tile;
 }
 
-void DrawnBlocks::add(const DrawnContour& drawn) {
+void DrawnBlocks::add(const features::DrawnContour& drawn) {
     if (block_.bytes().empty())
         first_ = drawn.key;
     else if (block_.bytes().size() >= usual_bytes || drawn.key.level != first_.level) {
@@ -245,12 +245,12 @@ std::optional<contours::ContourKey> DrawnStream::key() {
     return {};
 }
 
-DrawnContour DrawnStream::take() {
+features::DrawnContour DrawnStream::take() {
     if (!block_)
         load_block();
     if (!next_)
         load_next();
-    DrawnContour drawn = std::move(*next_);
+    features::DrawnContour drawn = std::move(*next_);
     next_.reset();
     if (block_->left() == 0)
         block_.reset();
@@ -268,7 +268,7 @@ void DrawnStream::load_block() {
 
 void DrawnStream::load_next() {
     try {
-        next_ = std::make_unique<DrawnContour>(load_drawn_contour(*block_));
+        next_ = std::make_unique<features::DrawnContour>(load_drawn_contour(*block_));
     } catch (const CorruptRecord& broken) {
         throw InputError(file_.damaged(broken.what()));
     }

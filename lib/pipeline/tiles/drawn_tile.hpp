@@ -22,9 +22,9 @@
 namespace d2b {
 
 /// Serialises a drawn contour without the cells of the contour.
-void save(const DrawnContour& drawn, ByteWriter& writer);
+void save(const features::DrawnContour& drawn, ByteWriter& writer);
 /// Deserialises a contour. @throws CorruptRecord
-[[nodiscard]] DrawnContour load_drawn_contour(ByteReader& reader);
+[[nodiscard]] features::DrawnContour load_drawn_contour(ByteReader& reader);
 
 /// Building whose outlines depend on those of another tile.
 struct DeferredBuilding {
@@ -41,7 +41,7 @@ struct DeferredContour {
 
 /// Elevations of the cells needed to draw such buildings.
 struct DeferredCells {
-    std::vector<RowSpan> runs;
+    std::vector<features::RowSpan> runs;
     std::vector<double> elevations;  ///< values of all runs, one run after the other
 };
 
@@ -50,7 +50,7 @@ struct DrawnTile {
     Tally tally;
     std::int32_t levels = 1;     ///< number of levels of the tallest stack, including the root
     std::int64_t buildings = 0;  ///< footprints that are buildings with certainty
-    StackError error;            ///< error of the drawn stacks
+    features::StackError error;  ///< error of the drawn stacks
     std::vector<DeferredBuilding> deferred_buildings;
     std::vector<DeferredContour> left;
     DeferredCells cells;
@@ -71,7 +71,7 @@ struct DrawnBlock {
 class DrawnBlocks {
   public:
     /// Adds a contour. @pre contours come in the order of their keys
-    void add(const DrawnContour& drawn);
+    void add(const features::DrawnContour& drawn);
     /// Ends the last block.
     void finish();
     [[nodiscard]] const std::vector<DrawnBlock>& blocks() const { return blocks_; }
@@ -96,7 +96,7 @@ class DrawnStream {
     /// InputError
     [[nodiscard]] std::optional<contours::ContourKey> key();
     /// Returns the next contour. @pre key() @throws InputError
-    [[nodiscard]] DrawnContour take();
+    [[nodiscard]] features::DrawnContour take();
 
   private:
     void load_next();
@@ -107,14 +107,14 @@ class DrawnStream {
     std::size_t next_block_ = 0;
     std::uint64_t begin_ = 0;          ///< start of that block in the payload
     std::optional<ByteReader> block_;  ///< current block, while contours are left in it
-    std::unique_ptr<DrawnContour> next_;
+    std::unique_ptr<features::DrawnContour> next_;
     std::optional<contours::ContourKey> last_;
 };
 
 /// Results of step merge for a tile whose features go into separate files. Contours of the tile drawn by
 /// merge, with their numbers, follow in the payload of the file.
 struct NumberedTile {
-    AssignedIds numbers;  ///< numbers of the contours drawn by step draw
+    features::AssignedIds numbers;  ///< numbers of the contours drawn by step draw
     std::vector<DrawnBlock> left;
 };
 void save(const NumberedTile& tile, ByteWriter& writer);

@@ -182,14 +182,14 @@ class EmptyContourList final : public contours::ContourList {
 
 }  // namespace
 
-LatticePoint draw_reach(const RunSetup& setup, Context& context) {
+LatticePoint draw_reach(const features::RunSetup& setup, Context& context) {
     // One more cell, because contours run along cell borders or through cell centres depending on the trace
     // mode.
-    const LatticePoint cells = outline_dependencies_of(EmptyContourList(), setup, context).cells;
+    const LatticePoint cells = features::outline_dependencies_of(EmptyContourList(), setup, context).cells;
     return {cells.row + 1, cells.col + 1};
 }
 
-LatticePoint draw_margin(const RunSetup& setup, Context& context) {
+LatticePoint draw_margin(const features::RunSetup& setup, Context& context) {
     const LatticePoint reach = draw_reach(setup, context);
     return {reach.row + 1, reach.col + 1};
 }

@@ -81,7 +81,7 @@ class TileRun {
 
     [[nodiscard]] const TileRunParameters& work() const { return work_; }
     [[nodiscard]] const Sources& sources() const { return sources_; }
-    [[nodiscard]] const RunSetup& setup() const { return setup_; }
+    [[nodiscard]] const features::RunSetup& setup() const { return setup_; }
     [[nodiscard]] const TileGrid& tiles() const { return tiles_; }
     [[nodiscard]] Context& context() { return context_; }
     [[nodiscard]] const Window& window() const { return setup_.dem.window; }
@@ -112,7 +112,7 @@ class TileRun {
     TileRunParameters work_;
     Sources sources_;
     Context context_;
-    RunSetup setup_;
+    features::RunSetup setup_;
     detect::UnitGrid units_;
     TileGrid tiles_;
 };
@@ -135,8 +135,8 @@ void require_tileable(const Options& options);
 
 /// Returns the rows and columns around a building's cells within which its outline lies or another building
 /// affects it.
-[[nodiscard]] LatticePoint draw_reach(const RunSetup& setup, Context& context);
+[[nodiscard]] LatticePoint draw_reach(const features::RunSetup& setup, Context& context);
 /// Returns draw_reach() plus the border that is needed to filter elevations.
-[[nodiscard]] LatticePoint draw_margin(const RunSetup& setup, Context& context);
+[[nodiscard]] LatticePoint draw_margin(const features::RunSetup& setup, Context& context);
 
 }  // namespace d2b

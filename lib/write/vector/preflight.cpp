@@ -296,7 +296,7 @@ WorldRing trial_ring(const Position& place) {
 AxisValues values_of(const WorldRing& ring, const CoordinateRounding& rounding) {
     AxisValues values;
     for (const Position& p : ring)
-        values.add({rounded(p.x, rounding), rounded(p.y, rounding)});
+        values.add({features::rounded(p.x, rounding), features::rounded(p.y, rounding)});
     return values;
 }
 
