@@ -118,8 +118,9 @@ AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) 
         sinks.surfaces.push_back(open_surface_sink(std::move(place), write.surface_solids));
     }
     if (!write.page.empty()) {
-        Page page = open_page(resolve_file_target({write.page, write.overwrite, in_use, FileKind::page}),
-                              {.dem = dem, .terrain = detects_buildings(options)});
+        view::Page page =
+            view::open_page(resolve_file_target({write.page, write.overwrite, in_use, FileKind::page}),
+                            {.dem = dem, .terrain = detects_buildings(options)});
         sinks.surfaces.push_back(std::move(page.surface));
         sinks.page_relief = std::move(page.relief);
     }

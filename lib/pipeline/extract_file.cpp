@@ -86,7 +86,7 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks,
     const Inputs inputs = open_inputs(options, recorded, arrays);
     const auto sink = open_sink(options.write, recorded);
     const AuxiliarySinks side = open_auxiliary_sinks(options, inputs.dem->info());
-    Preview preview(options, *sink, inputs.dem->info());
+    view::Preview preview(options, *sink, inputs.dem->info());
     // The page shows buildings on the terrain, or on the lowest elevations if there is no terrain because the
     // run does not detect buildings.
     const bool has_terrain = detects_buildings(options);

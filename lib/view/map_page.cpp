@@ -6,7 +6,7 @@
 #include "options/option_values.hpp"
 #include "view/page.hpp"
 
-namespace d2b {
+namespace d2b::view {
 namespace {
 
 constexpr int lines = 2;
@@ -176,4 +176,4 @@ std::string draw_contact_sheet(std::span<const TrialPicture> trials, const Sheet
     });
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -7,7 +7,7 @@
 #include "view/map_picture.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Returns the size of the map on a page. @param longest side of the page
 [[nodiscard]] PixelSize map_size_on_page(const MapArea& area, int longest);
@@ -41,4 +41,4 @@ struct TrialPicture {
 [[nodiscard]] std::string draw_contact_sheet(std::span<const TrialPicture> trials, const SheetPlan& plan,
                                              PictureFormat format);
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -9,7 +9,7 @@
 #include "view/map_frame.hpp"
 #include "view/page.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Colour of cells without elevation: white. Pixels are 0xRRGGBB.
 inline constexpr std::uint32_t nodata_pixel = 0xFFFFFF;
@@ -244,4 +244,4 @@ std::string rounded_metres(double metres) {
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " m";
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -15,7 +15,7 @@
 #include "view/cairo.hpp"
 #include "view/map_frame.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Width of a legend, in font sizes.
 inline constexpr double legend_width = 24;
@@ -318,4 +318,4 @@ std::string draw_page(PixelSize size, PictureFormat format, const std::function<
     return format == PictureFormat::svg ? renumber_svg_ids(bytes) : bytes;
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

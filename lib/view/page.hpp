@@ -10,7 +10,7 @@
 #include "view/map_picture.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 struct FootprintDrawing::Impl {
     PixelSize size;
@@ -118,4 +118,4 @@ class Footer {
 [[nodiscard]] std::string draw_page(PixelSize size, PictureFormat format,
                                     const std::function<void(cairo_t* pen)>& draw);
 
-}  // namespace d2b
+}  // namespace d2b::view

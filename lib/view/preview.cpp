@@ -9,7 +9,7 @@
 #include "options/run_plan.hpp"
 #include "view/map_page.hpp"
 
-namespace d2b {
+namespace d2b::view {
 namespace {
 
 CellSize cell_of(const DemInfo& dem, const Crs& crs) {
@@ -73,4 +73,4 @@ std::vector<std::string> Preview::take_warnings() {
     return file_ ? file_->take_warnings() : std::vector<std::string>();
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -11,7 +11,7 @@
 #include "view/preview_sink.hpp"
 #include "write/raster/picture_file.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Picture of -preview. Intercepts the features and elevations on their way to their sinks.
 class Preview {
@@ -40,4 +40,4 @@ class Preview {
 /// Returns the grid and CRS that the picture shows. @throws OptionError
 [[nodiscard]] MapArea map_area_of(const Options& options, const DemInfo& dem);
 
-}  // namespace d2b
+}  // namespace d2b::view

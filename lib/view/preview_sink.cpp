@@ -5,7 +5,7 @@
 
 #include "core/height_classes.hpp"
 
-namespace d2b {
+namespace d2b::view {
 namespace {
 
 std::optional<std::size_t> field_of(const LayerSpec& layer, const std::string& name) {
@@ -107,4 +107,4 @@ void PreviewSink::finish() {
     features_.finish();
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -10,7 +10,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "view/map_picture.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Passes features on to another sink and draws them over the relief: buildings coloured by height, and their
 /// contours as lines. If no buildings are written, contours are coloured instead, from low to high.
@@ -72,4 +72,4 @@ class PreviewSink final : public FeatureSink {
     std::optional<DrawnLayer> stroked_layer_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -9,8 +9,10 @@
 #include "view/page.hpp"
 #include "view/pixels.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
+
+using namespace test;
 
 std::vector<TrialPicture> trials(const MapArea& ground, const SheetPlan& plan) {
     std::vector<TrialPicture> all;
@@ -203,4 +205,4 @@ TEST(Relief, WhatIsSmallerThanAPixelIsAveraged) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

@@ -20,8 +20,10 @@
 #include "write/write_fixture.hpp"
 #include "write/zlib.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
+
+using namespace test;
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
@@ -334,4 +336,4 @@ TEST_F(WriteTest, pagesNeedThePartsOfTheBuild) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

@@ -4,8 +4,10 @@
 
 #include "view/pixels.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
+
+using namespace test;
 
 /// All that pages are made of: an image, shapes of another surface, text. What is drawn of other surfaces
 /// outlives the page, as maps do.
@@ -103,4 +105,4 @@ TEST(PageText, KeepsToItsRoomAndItsPlace) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

@@ -10,8 +10,10 @@
 #include "view/page.hpp"
 #include "view/pixels.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
+
+using namespace test;
 
 LayerSpec layer(const std::string& name, const std::string& order) {
     LayerSpec spec;
@@ -172,4 +174,4 @@ TEST(MapPage, FitsMapsOfAnyForm) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

@@ -23,13 +23,14 @@ std::string aligned(const std::string& text) {
 /// Draws a trial.
 class TrialMap final : public TrialView {
   public:
-    TrialMap(FeatureSink& nothing, const MapFrame& frame, PictureFormat format, PreviewSink::OnMap taken)
+    TrialMap(FeatureSink& nothing, const view::MapFrame& frame, PictureFormat format,
+             view::PreviewSink::OnMap taken)
         : sink_(nothing, frame, format, std::move(taken)) {}
     [[nodiscard]] FeatureSink& features() override { return sink_; }
     [[nodiscard]] RasterSink& elevations() override { return sink_.relief(); }
 
   private:
-    PreviewSink sink_;
+    view::PreviewSink sink_;
 };
 
 std::string caption_of(const TrialValues& values, const SweepPlan& plan) {
@@ -80,22 +81,23 @@ void run_sweep(const Options& options, const Sources& sources, const SweepPlan& 
         commit.publish([&] { reader.show(trials); });
         return;
     }
-    const std::unique_ptr<PictureFile> file = open_picture(picture_target(options));
-    const SheetPlan sheet = plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
-    const MapArea ground = map_area_of(options, sources.dem.info());
-    const MapFrame frame(ground, map_size_on_sheet(ground, sheet));
-    std::vector<TrialPicture> pictures;
+    const std::unique_ptr<PictureFile> file = open_picture(view::picture_target(options));
+    const view::SheetPlan sheet =
+        view::plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
+    const view::MapArea ground = view::map_area_of(options, sources.dem.info());
+    const view::MapFrame frame(ground, view::map_size_on_sheet(ground, sheet));
+    std::vector<view::TrialPicture> pictures;
     const std::vector<Trial> trials = run_trials(
         options, sources, plan,
         [&](FeatureSink& nothing, const TrialValues& values) {
             return std::make_unique<TrialMap>(
                 nothing, frame, file->format(),
-                [&pictures, caption = caption_of(values, plan)](MapPicture map) {
+                [&pictures, caption = caption_of(values, plan)](view::MapPicture map) {
                     pictures.push_back({caption, std::move(map)});
                 });
         },
         callbacks);
-    file->write(draw_contact_sheet(pictures, sheet, file->format()));
+    file->write(view::draw_contact_sheet(pictures, sheet, file->format()));
     file->prepare(commit);
     reader.prepare(trials);
     commit.publish([&] {

@@ -25,7 +25,7 @@
 #include "write/xml_text.hpp"
 #include "write/zlib.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 void VarintBuffer::put(std::uint64_t number) {
     for (; number >= 0x80; number >>= 7U)
@@ -415,4 +415,4 @@ Page open_page(FileDestination place, const PageInput& subject, std::uint64_t mo
             open_page_relief(relief)};
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

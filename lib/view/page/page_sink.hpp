@@ -14,7 +14,7 @@
 #include "dem2buildings/surfaces.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Variable-length integers (LEB128): seven bits per byte, low bits first; the eighth bit says that more
 /// follow.
@@ -115,4 +115,4 @@ struct PageInput {
 [[nodiscard]] Page open_page(FileDestination place, const PageInput& subject,
                              std::uint64_t most = std::uint64_t{64} << 20);
 
-}  // namespace d2b
+}  // namespace d2b::view
