@@ -16,7 +16,7 @@
 #include "score/measure.hpp"
 #include "score/score.hpp"
 
-namespace d2b {
+namespace d2b::score {
 namespace {
 
 /// Polygons that limit the area measured.
@@ -117,8 +117,8 @@ LayerChoice reference_choice(const ScoreRequest& request) {
             {"height", "Height", "roof_h"}};
 }
 
-ScoreRun compare(const ScoreRequest& request, const PolygonLayer& found_layer,
-                 const PolygonLayer& reference_layer, Warnings& warnings) {
+ScoreRun score_layers(const ScoreRequest& request, const PolygonLayer& found_layer,
+                      const PolygonLayer& reference_layer, Warnings& warnings) {
     Overlay overlay;
     std::vector<Limit> limits;
     for (auto& limit : {area_of_interest(request, warnings), raster_with_data(request, warnings)})
@@ -154,6 +154,9 @@ ScoreRun compare(const ScoreRequest& request, const PolygonLayer& found_layer,
 }
 
 }  // namespace
+}  // namespace d2b::score
+
+namespace d2b {
 
 ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer* found, const PolygonLayer* reference,
                         const Callbacks& callbacks) {
@@ -162,14 +165,14 @@ ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer* found, 
     ScoreRequest with_limits = request;
     PolygonLayer read_found;
     if (found == nullptr)
-        read_found = read_polygon_layer(found_choice(request), warnings);
+        read_found = read_polygon_layer(score::found_choice(request), warnings);
     PolygonLayer read_reference;
     if (reference == nullptr)
-        read_reference = read_polygon_layer(reference_choice(request), warnings);
+        read_reference = read_polygon_layer(score::reference_choice(request), warnings);
     else
         with_limits.reference.clear();  // datasets in memory have no layer with an area of interest
-    return compare(with_limits, found != nullptr ? *found : read_found,
-                   reference != nullptr ? *reference : read_reference, warnings);
+    return score::score_layers(with_limits, found != nullptr ? *found : read_found,
+                               reference != nullptr ? *reference : read_reference, warnings);
 }
 
 ScoreRun compare_datasets(const ScoreRequest& request, const Callbacks& callbacks) {

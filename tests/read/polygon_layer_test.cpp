@@ -198,7 +198,7 @@ TEST_F(ValidCellsTest, leaveOutWhatHasNone) {
     write(path("a.tif"), holed);
     const ValidCells cells = valid_cells(path("a.tif"), heard_);
     ASSERT_EQ(cells.polygons.size(), 2U);
-    EXPECT_DOUBLE_EQ(area_of(cells.polygons), 2 * (24 - 1 - 1 - 4));
+    EXPECT_DOUBLE_EQ(score::area_of(cells.polygons), 2 * (24 - 1 - 1 - 4));
     const std::size_t holes = cells.polygons[0].interiors.size() + cells.polygons[1].interiors.size();
     EXPECT_EQ(holes, 1U);
 }
@@ -208,7 +208,7 @@ TEST_F(ValidCellsTest, followRotatedGrids) {
     rotated.transform = std::array<double, 6>{0, 3, 4, 0, 4, -3};
     set(rotated, 0, 0, -9999);
     write(path("a.tif"), rotated);
-    EXPECT_DOUBLE_EQ(area_of(valid_cells(path("a.tif"), heard_).polygons), 25 * 23.0);
+    EXPECT_DOUBLE_EQ(score::area_of(valid_cells(path("a.tif"), heard_).polygons), 25 * 23.0);
 }
 
 TEST_F(ValidCellsTest, warnOfAMissingCrs) {
