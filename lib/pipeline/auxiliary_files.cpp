@@ -24,7 +24,7 @@
 #include "write/raster/geotiff.hpp"
 #include "write/surface/surface_sink.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 DemInfo with_given_crs(DemInfo dem, const Options& options) {
     if (!options.read.crs.empty())
@@ -74,25 +74,28 @@ AuxiliaryRaster side_raster(const std::string& option, const std::string& name,
 }
 
 }  // namespace
+}  // namespace d2b::pipeline
+
+namespace d2b {
 
 AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& dem,
                                         const Callbacks& callbacks, const AuxiliaryArrays& arrays) {
     register_formats();
-    const DemInfo grid = with_given_crs(dem, options);
+    const DemInfo grid = pipeline::with_given_crs(dem, options);
     AuxiliarySources sources;
     if (options.ground.mode == GroundMode::given) {
         const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
         sources.terrain =
-            open_terrain(side_raster("ground", options.ground.terrain, arrays.terrain, grid), grid,
+            open_terrain(pipeline::side_raster("ground", options.ground.terrain, arrays.terrain, grid), grid,
                          units.vertical_metres, elevation_limits(options.read, units.vertical_metres),
                          callbacks, {.keeps_undeclared = options.read.ignore_nodata});
     }
     if (!options.detect.mask.empty())
-        sources.mask = open_mask(side_raster("mask", options.detect.mask, arrays.mask, grid),
+        sources.mask = open_mask(pipeline::side_raster("mask", options.detect.mask, arrays.mask, grid),
                                  options.detect.mask_layer, grid, callbacks);
     if (!options.detect.ndvi.empty())
         sources.ndvi =
-            open_ndvi(side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
+            open_ndvi(pipeline::side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
     const DetectOptions& detect = options.detect;
     if (!detect.split_by.empty())
         sources.parcels =
@@ -107,8 +110,8 @@ AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) 
          {options.ground.terrain, options.detect.mask, options.detect.ndvi, options.detect.split_by})
         if (!name.empty())
             in_use.push_back(name);
-    AuxiliarySinks sinks =
-        open_scene_rasters(options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
+    AuxiliarySinks sinks = pipeline::open_scene_rasters(
+        options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
     for (const std::string& destination : write.surfaces) {
         SurfaceDestination place =
             resolve_surface_target({destination, write.overwrite, in_use, FileKind::surface});

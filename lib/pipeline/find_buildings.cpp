@@ -18,7 +18,7 @@
 #include "detect/units.hpp"
 #include "ground/ground.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Writes the requested rasters of a unit: terrain, heights above it, and canopy heights. Canopy is
 /// everything higher than `min_height` metres that is not a building. Rows are computed while writing.
@@ -348,4 +348,4 @@ FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& 
     return found;
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -14,7 +14,7 @@
 #include "features/record_builder.hpp"
 #include "options/run_plan.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Elevations of a part of the window in metres; NaN if there is none.
 /// Borrows the reader's grid if that holds all elevations in this form, because this saves a copy and a pass
@@ -114,4 +114,4 @@ inline constexpr double halo_widths = 5;
 /// @throws InputError, OutputError, Cancelled
 [[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size = {});
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -10,7 +10,7 @@
 #include "diagnose/search_warnings.hpp"
 #include "diagnose/warnings.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 features::StackError measure_stack(const features::DrawnStack& stack, const FixedPoint& fixed,
                                    ElevationReader& reader) {
@@ -125,4 +125,4 @@ void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {
     context.check_stop();  // the run can no longer be cancelled
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

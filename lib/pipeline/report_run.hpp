@@ -15,7 +15,7 @@
 #include "features/drawn_stack.hpp"
 #include "pipeline/run_setup.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Measures the error of the stack against the elevations. @param stack as drawn, in the reader's window
 [[nodiscard]] features::StackError measure_stack(const features::DrawnStack& stack, const FixedPoint& fixed,
@@ -46,4 +46,4 @@ void warn_of_result(const features::RunSetup& setup, const contours::LevelPlan& 
 /// Completes the results of all sinks. @param commit publishes them @throws OutputError, Cancelled
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -25,13 +25,7 @@
 #include "pipeline/trace_contours.hpp"
 #include "read/gdal_setup.hpp"
 
-namespace d2b {
-
-std::string library_versions() {
-    return "GDAL " + gdal_version() + ", GEOS " + geos_version() + ", PROJ " + proj_version() +
-           ", GeographicLib " + geographiclib_version();
-}
-
+namespace d2b::pipeline {
 namespace {
 
 /// Progress of a run at the end of each of its parts, as a share of 1.
@@ -261,16 +255,25 @@ RunReport run_in_units(const Options& options, const Sources& sources, const Sin
     return std::move(context.report);
 }
 
+}  // namespace d2b::pipeline
+
+namespace d2b {
+
+std::string library_versions() {
+    return "GDAL " + gdal_version() + ", GEOS " + geos_version() + ", PROJ " + proj_version() +
+           ", GeographicLib " + geographiclib_version();
+}
+
 RunReport prepare_run(const Options& options, const Sources& sources, const Sinks& sinks, CommitList& commit,
                       const Callbacks& callbacks, const BandSize& size) {
     Context context(callbacks);
-    run_to_commit(options, sources, sinks, {size, {}}, commit, context);
+    pipeline::run_to_commit(options, sources, sinks, {size, {}}, commit, context);
     return std::move(context.report);
 }
 
 RunReport run(const Options& options, const Sources& sources, const Sinks& sinks, const Callbacks& callbacks,
               const BandSize& size) {
-    return run_in_units(options, sources, sinks, callbacks, {}, size);
+    return pipeline::run_in_units(options, sources, sinks, callbacks, {}, size);
 }
 
 }  // namespace d2b

@@ -22,7 +22,7 @@
 #include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 namespace {
 
@@ -169,4 +169,4 @@ void set_heights(features::SurfaceLattice& lattice, const ElevationRange& range,
         lattice.require_single_precision(range.minimum, range.maximum);
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

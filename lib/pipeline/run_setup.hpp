@@ -9,7 +9,7 @@
 #include "features/run_setup.hpp"
 #include "features/surface_lattice.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Validates the options, decides the open ones, starts the threads, and asks the destination whether it can
 /// hold the result, because an impossible request should fail before the work, not after it.
@@ -31,4 +31,4 @@ namespace d2b {
 /// OptionError
 void set_heights(features::SurfaceLattice& lattice, const ElevationRange& range, const Sinks& sinks);
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -13,7 +13,7 @@
 #include "core/context.hpp"
 #include "detect/detection.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 namespace {
 
 /// Collects the elevation statistics from which each building's thresholds are derived.
@@ -169,4 +169,4 @@ std::unique_ptr<contours::StoredContours> trace_contours(ElevationReader& reader
     return store.finish();
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -14,7 +14,7 @@
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/run_setup.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Levels of the buildings' points.
 struct Tiers {
@@ -37,4 +37,4 @@ struct Tiers {
     ElevationReader& reader, const contours::TraceFrame& frame, const Tiers& tiers,
     const FoundBuildings* found, const features::RunSetup& setup, Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

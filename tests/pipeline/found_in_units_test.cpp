@@ -21,7 +21,7 @@ struct Scenery {
 };
 
 struct Found {
-    FoundBuildings buildings;
+    pipeline::FoundBuildings buildings;
     std::vector<Label> labels;
     MemoryRaster ground;
     MemoryRaster height;
@@ -38,7 +38,7 @@ void find(Scenery& scenery, const Options& options, const detect::UnitSize& size
     const Sources sources{scenery.dem, scenery.terrain, scenery.mask, scenery.ndvi};
     const Sinks sinks{features, &found.ground, &found.height, &found.canopy};
     found.buildings =
-        find_buildings({plan, sources, sinks, reader, {window, {1, 1}, 1}, found.context}, size);
+        pipeline::find_buildings({plan, sources, sinks, reader, {window, {1, 1}, 1}, found.context}, size);
     found.labels = found.buildings.band({window.row, window.rows, window.cols}).labels;
 }
 

@@ -69,8 +69,8 @@ Options options_of(double split_height = 0) {
 struct ParcelRun {
     explicit ParcelRun(const Options& options) {
         place_in_utm(dem, 1);
-        result.report =
-            run_in_units(options, {dem, nullptr, nullptr, nullptr, &parcels}, {result.sink}, {}, {});
+        result.report = pipeline::run_in_units(options, {dem, nullptr, nullptr, nullptr, &parcels},
+                                               {result.sink}, {}, {});
     }
     MemorySource dem = terraces().source();
     MadeParcels parcels{leaning};
@@ -149,7 +149,7 @@ TEST(Parcels, HousesShareTheirWallsVertexForVertex) {
     MemorySource dem = terraces().source();
     place_in_utm(dem, 1);
     Result blocks;
-    blocks.report = run_in_units(whole, {dem}, {blocks.sink}, {}, {});
+    blocks.report = pipeline::run_in_units(whole, {dem}, {blocks.sink}, {}, {});
     double expected = 0;
     for (const Feature& block : blocks.sink.features.at(buildings))
         expected += std::get<BuildingRecord>(block.record).area_m2;
@@ -206,7 +206,7 @@ TEST(Parcels, CutTheSameInTilesAsInOneRun) {
         const Sources sources{dem, nullptr, nullptr, nullptr, &parcels};
         const detect::UnitSize units{0, 100};
         Result whole;
-        whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
+        whole.report = pipeline::run_in_units(options, sources, {whole.sink}, {}, units);
         EXPECT_GT(whole.report.buildings, 40);
         for (const std::int32_t side : {1, 2}) {
             TemporaryFolder folder;

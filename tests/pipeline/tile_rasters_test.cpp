@@ -71,9 +71,9 @@ void compare_rasters(MemorySource& dem, Options options) {
     {
         const AuxiliarySinks sinks = open_auxiliary_sinks(options, dem.info());
         Result whole;
-        (void)run_in_units(options, {dem},
-                           {whole.sink, sinks.ground.get(), sinks.height.get(), sinks.canopy.get()}, {},
-                           many_units);
+        (void)pipeline::run_in_units(options, {dem},
+                                     {whole.sink, sinks.ground.get(), sinks.height.get(), sinks.canopy.get()},
+                                     {}, many_units);
     }
     for (const std::int32_t side : {1, 2}) {
         const fs::path work = folder.path() / ("work" + std::to_string(side));

@@ -169,7 +169,7 @@ void expect_same(const Result& a, const Result& b) {
 
 void expect_same_in_tiles(const Sources& sources, const Options& options, const detect::UnitSize& units,
                           const TileOrder& order, Result& whole) {
-    whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
+    whole.report = pipeline::run_in_units(options, sources, {whole.sink}, {}, units);
     const TemporaryFolder folder;
     Result tiles;
     StepsInTiles steps(sources, options, {folder.path(), some_plan, 1, units});

@@ -123,7 +123,7 @@ TEST(Tiles, OfBlocksThatSeamsCut) {
     for (const double split : {0.0, 3.0}) {
         options.detect.split_height = split;
         Result whole;
-        whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
+        whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, units);
         EXPECT_GE(whole.report.buildings, 7);
         for (const std::int32_t side : {1, 2, 5}) {
             TemporaryFolder folder;
@@ -150,7 +150,7 @@ TEST(Tiles, OfAClusterOverTwelveUnits) {
     options.detect.split_height = 2;
     const TemporaryFolder folder;
     Result whole;
-    whole.report = run_in_units(options, {dem}, {whole.sink}, {}, {0, 100});
+    whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, {0, 100});
     EXPECT_GE(whole.report.buildings, 60);
     Result tiles;
     StepsInTiles steps({dem}, options, {folder.path(), some_plan, 1, {0, 100}});
@@ -193,7 +193,7 @@ TEST(Tiles, OfContoursOrBuildingsAlone) {
     for (const Layers layers : {Layers::buildings, Layers::contours}) {
         options.write.layers = layers;
         Result whole;
-        whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
+        whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, units);
         TemporaryFolder folder;
         Result tiles;
         StepsInTiles({dem}, options, {folder.path(), some_plan, 1, units}, layers).run({}, tiles);
@@ -209,7 +209,7 @@ TEST(Tiles, OfOneColumnAndOfNothing) {
         MemorySource dem(rows, cols, z);
         place_in_utm(dem, 1);
         Result whole;
-        whole.report = run_in_units(options_for_blocks(), {dem}, {whole.sink}, {}, {0, 64});
+        whole.report = pipeline::run_in_units(options_for_blocks(), {dem}, {whole.sink}, {}, {0, 64});
         TemporaryFolder folder;
         Result tiles;
         StepsInTiles({dem}, options_for_blocks(), {folder.path(), some_plan, 1, {0, 64}}).run({}, tiles);
@@ -299,7 +299,7 @@ TEST(Tiles, OfATerrainThatIsPartlyNone) {
     Result whole;
     {
         DoubtfulTerrain terrain(sound);
-        whole.report = run_in_units(options, {dem, &terrain}, {whole.sink}, {}, units);
+        whole.report = pipeline::run_in_units(options, {dem, &terrain}, {whole.sink}, {}, units);
     }
     EXPECT_EQ(whole.report.counted(Reason::terrain_outside_range), 4 * 3 * 5);
     ASSERT_FALSE(whole.report.warnings.empty());

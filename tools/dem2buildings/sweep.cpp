@@ -21,7 +21,7 @@ std::string aligned(const std::string& text) {
 }
 
 /// Draws a trial.
-class TrialMap final : public TrialView {
+class TrialMap final : public pipeline::TrialView {
   public:
     TrialMap(FeatureSink& nothing, const view::MapFrame& frame, PictureFormat format,
              view::PreviewSink::OnMap taken)
@@ -33,7 +33,7 @@ class TrialMap final : public TrialView {
     view::PreviewSink sink_;
 };
 
-std::string caption_of(const TrialValues& values, const SweepPlan& plan) {
+std::string caption_of(const pipeline::TrialValues& values, const SweepPlan& plan) {
     std::string caption = "lod " + std::to_string(values.lod) + ", nf " + std::to_string(values.noise_factor);
     if (!plan.details.empty())
         caption += ", detail " + number_text(values.detail);
@@ -42,12 +42,12 @@ std::string caption_of(const TrialValues& values, const SweepPlan& plan) {
 
 }  // namespace
 
-std::string sweep_table(const std::vector<Trial>& trials) {
+std::string sweep_table(const std::vector<pipeline::Trial>& trials) {
     std::string text;
     for (const char* title :
          {"lod", "nf", "detail", "buildings", "contours", "points", "rmse [m]", "seconds"})
         text += aligned(title);
-    for (const Trial& trial : trials) {
+    for (const pipeline::Trial& trial : trials) {
         const RunReport& report = trial.report;
         text += "\n" + aligned(std::to_string(trial.values.lod)) +
                 aligned(std::to_string(trial.values.noise_factor)) +
@@ -58,9 +58,9 @@ std::string sweep_table(const std::vector<Trial>& trials) {
     return text + "\n";
 }
 
-std::string sweep_json(const std::vector<Trial>& trials) {
+std::string sweep_json(const std::vector<pipeline::Trial>& trials) {
     Json rows = Json::array();
-    for (const Trial& trial : trials)
+    for (const pipeline::Trial& trial : trials)
         rows.push_back(Json{{"lod", trial.values.lod},
                             {"nf", trial.values.noise_factor},
                             {"detail", trial.values.detail},
@@ -73,10 +73,11 @@ std::string sweep_json(const std::vector<Trial>& trials) {
 }
 
 void run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
-               const Callbacks& callbacks, const ReportReader<std::vector<Trial>>& reader) {
+               const Callbacks& callbacks, const ReportReader<std::vector<pipeline::Trial>>& reader) {
     CommitList commit;
     if (options.write.preview.empty()) {
-        const std::vector<Trial> trials = run_trials(options, sources, plan, {}, callbacks);
+        const std::vector<pipeline::Trial> trials =
+            pipeline::run_trials(options, sources, plan, {}, callbacks);
         reader.prepare(trials);
         commit.publish([&] { reader.show(trials); });
         return;
@@ -87,9 +88,9 @@ void run_sweep(const Options& options, const Sources& sources, const SweepPlan& 
     const view::MapArea ground = view::map_area_of(options, sources.dem.info());
     const view::MapFrame frame(ground, view::map_size_on_sheet(ground, sheet));
     std::vector<view::TrialPicture> pictures;
-    const std::vector<Trial> trials = run_trials(
+    const std::vector<pipeline::Trial> trials = pipeline::run_trials(
         options, sources, plan,
-        [&](FeatureSink& nothing, const TrialValues& values) {
+        [&](FeatureSink& nothing, const pipeline::TrialValues& values) {
             return std::make_unique<TrialMap>(
                 nothing, frame, file->format(),
                 [&pictures, caption = caption_of(values, plan)](view::MapPicture map) {

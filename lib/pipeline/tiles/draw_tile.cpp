@@ -169,11 +169,11 @@ class TileDrawing {
     [[nodiscard]] DrawnTile draw(DrawnBlocks& blocks);
 
   private:
-    [[nodiscard]] FoundBuildings found() const;
+    [[nodiscard]] pipeline::FoundBuildings found() const;
     [[nodiscard]] contours::LevelPlan global_levels() const;
     [[nodiscard]] DividedContours divide(const contours::StoredContours& contours);
-    void draw_whole(const contours::StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
-                    DrawnBlocks& blocks);
+    void draw_whole(const contours::StoredContours& contours, const pipeline::FoundBuildings& found,
+                    DrawnTile& drawn, DrawnBlocks& blocks);
     void defer(const contours::StoredContours& contours, DrawnTile& drawn);
     void read_cells(DrawnTile& drawn);
 
@@ -186,7 +186,7 @@ class TileDrawing {
     SubwindowSource part_;
     ElevationReader reader_;
     LatticePoint reach_;
-    Tiers tiers_;
+    pipeline::Tiers tiers_;
     std::vector<bool> deferred_buildings_;  ///< by label - 1
 };
 
@@ -202,8 +202,8 @@ TileDrawing::TileDrawing(TileRun& run, const JoinedTile& joined)
       reach_(draw_reach(run.setup(), context_)),
       deferred_buildings_(joined.buildings.size()) {}
 
-FoundBuildings TileDrawing::found() const {
-    FoundBuildings found;
+pipeline::FoundBuildings TileDrawing::found() const {
+    pipeline::FoundBuildings found;
     found.labels = labels_.own(context_);
     found.buildings = joined_.sure();
     for (const JoinedBuilding& building : joined_.buildings)
@@ -246,7 +246,7 @@ DividedContours TileDrawing::divide(const contours::StoredContours& contours) {
     return {whole.finish(), left.finish()};
 }
 
-void TileDrawing::draw_whole(const contours::StoredContours& contours, const FoundBuildings& found,
+void TileDrawing::draw_whole(const contours::StoredContours& contours, const pipeline::FoundBuildings& found,
                              DrawnTile& drawn, DrawnBlocks& blocks) {
     const features::RunSetup& setup = run_.setup();
     const features::RecordBuilder records(contours,
@@ -265,7 +265,7 @@ void TileDrawing::draw_whole(const contours::StoredContours& contours, const Fou
     for (features::PolygonMaker& maker : drawer.makers())
         context_.report.merge(maker.tally());
     if (drawer.returns_cells())
-        drawn.error = measure_stack(stack, fixed_, reader_);
+        drawn.error = pipeline::measure_stack(stack, fixed_, reader_);
 }
 
 void TileDrawing::defer(const contours::StoredContours& contours, DrawnTile& drawn) {
@@ -301,14 +301,15 @@ DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
     // The survey is run only for its side effect of filtering invalid elevations.
     (void)reader_.survey(
         run_.validity_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});
-    const FoundBuildings buildings = found();
-    tiers_ = plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
+    const pipeline::FoundBuildings buildings = found();
+    tiers_ =
+        pipeline::plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
     const contours::TraceFrame frame{joined_.window, tiers_.plan.level_count(), fixed_,
                                      frame_.survey.statistics.range()};
-    const auto contours = trace_contours(reader_, frame, tiers_, &buildings, setup, context_);
+    const auto contours = pipeline::trace_contours(reader_, frame, tiers_, &buildings, setup, context_);
     DrawnTile drawn;
     drawn.levels = tiers_.plan.level_count();
-    drawn.buildings = static_cast<std::int64_t>(buildings_up_to(buildings.buildings, *contours));
+    drawn.buildings = static_cast<std::int64_t>(pipeline::buildings_up_to(buildings.buildings, *contours));
     const DividedContours divided = divide(*contours);
     draw_whole(*divided.whole, buildings, drawn, blocks);
     if (divided.left->size() > 0)

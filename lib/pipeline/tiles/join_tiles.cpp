@@ -210,7 +210,7 @@ class TileJoiner {
 };
 
 void TileJoiner::load() {
-    const InteriorRules rules{min_cells(run_.setup().plan, run_.tiles().units(), run_.setup().cell),
+    const InteriorRules rules{pipeline::min_cells(run_.setup().plan, run_.tiles().units(), run_.setup().cell),
                               run_.setup().plan.asked.write.doubtful};
     for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
         run_.context().check_stop();
@@ -231,7 +231,7 @@ void TileJoiner::load(FoundUnit&& found, std::int64_t number, const InteriorRule
 
 void TileJoiner::join() {
     Context& context = run_.context();
-    detect::UnitMerger::Merged merged = merge_found_units(
+    detect::UnitMerger::Merged merged = pipeline::merge_found_units(
         seams_.merger(), run_.setup().plan, run_.tiles().units(), run_.setup().cell, context.report);
     context.report.count(Reason::building_doubtful, interior_low_confidence_);
     facts_.tally.merge(context.report);

@@ -281,7 +281,7 @@ void check_terrain_range(TileRun& run, const FoundFacts& facts, FeatureSink& fea
         run.sources().terrain->read(part, values);
     }
     context.report.count(Reason::terrain_outside_range, run.sources().terrain->cells_outside_range());
-    pass_warnings(run.sources(), {features}, context);
+    pipeline::pass_warnings(run.sources(), {features}, context);
 }
 
 /// Loads the results of join and issues the same warnings as an untiled run. @throws InputError
@@ -293,7 +293,7 @@ FoundFacts load_and_report_frame(TileRun& run, FeatureSink& features) {
                                        context);
     for (const std::string& text : facts.warnings)
         context.warn(text);
-    pass_warnings(run.sources(), {features}, context);
+    pipeline::pass_warnings(run.sources(), {features}, context);
     return facts;
 }
 
@@ -316,14 +316,14 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
     const features::RecordBuilder records(*drawn.left,
                                           {drawn.plan, fixed, drawn.footprints, run.metres(),
                                            features::lattice_frame(run.window(), setup.plan.trace)});
-    report_levels(drawn.plan, drawn.levels, report);
-    warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &facts.scene,
-                   run.sources().terrain, context);
+    pipeline::report_levels(drawn.plan, drawn.levels, report);
+    pipeline::warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &facts.scene,
+                             run.sources().terrain, context);
     const Outliner outliner = features::draw_outlines(*drawn.left, setup, context);
     const features::FeatureInput input{setup,      *drawn.left, outliner,
                                        drawn.sure, fixed,       run.sources().parcels};
     const TileIds numbers = write_all(input, records, drawn, features, parts, context);
-    prepare_sinks({features}, commit, context);
+    pipeline::prepare_sinks({features}, commit, context);
     if (parts != nullptr) {
         parts->write(run, numbers, drawn.levels);
         commit.add(*parts);
@@ -332,7 +332,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
 
 RunReport merge(TileRun& run, FeatureSink& features, IdCollectorSink* parts,
                 const ReportReader<RunReport>& reader) {
-    const auto warn = [&] { pass_warnings(run.sources(), {features}, run.context()); };
+    const auto warn = [&] { pipeline::pass_warnings(run.sources(), {features}, run.context()); };
     CommitList commit;
     try {
         merge_drawn(run, features, parts, commit);

@@ -103,7 +103,7 @@ AuxiliarySinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
     grid.window = run.tiles().whole(tile).own;
     const WriteOptions& write = options.write;
     std::vector<std::string> in_use;
-    return open_scene_rasters(
+    return pipeline::open_scene_rasters(
         options, grid,
         {path_of(write.ground, tile), path_of(write.height, tile), path_of(write.canopy, tile)}, true,
         in_use);

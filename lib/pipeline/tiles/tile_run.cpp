@@ -100,8 +100,8 @@ TileRun::TileRun(const TileRunParameters& work, const Options& options, const So
     : work_(work),
       sources_(sources),
       context_(callbacks),
-      setup_(set_up_run(options, sources.dem.info(), features, context_)),
-      units_(unit_grid(setup_.plan, setup_.dem.window, setup_.cell, work.units)),
+      setup_(pipeline::set_up_run(options, sources.dem.info(), features, context_)),
+      units_(pipeline::unit_grid(setup_.plan, setup_.dem.window, setup_.cell, work.units)),
       tiles_(units_, work.side) {
     if (!work_.undeclared)
         work_.undeclared =

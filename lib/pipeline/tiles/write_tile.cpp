@@ -93,7 +93,7 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
                                                             setup.plan.levels, context);
     plan.footprints = true;
     plan.thresholds = {{}};
-    report_levels(plan, load_whole(run).levels, context.report);
+    pipeline::report_levels(plan, load_whole(run).levels, context.report);
     const std::unique_ptr<contours::StoredContours> none =
         contours::ContourMerger(context.make_spool()).finish();
     const std::vector<features::Footprint> footprints{{}};
@@ -105,7 +105,7 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     writer.begin();
     write_features(run, tile, writer);
     CommitList commit;
-    prepare_sinks({features}, commit, context);
+    pipeline::prepare_sinks({features}, commit, context);
     commit.publish();
     write_checkpoint(path, seal, {});
 }
