@@ -22,7 +22,7 @@ ByteWriter after(const Value& value, const Begin& begin) {
     ByteWriter first;
     begin(first);
     ByteWriter all;
-    save(value, all);
+    tiles::save(value, all);
     ByteWriter rest;
     rest.put_bytes(all.bytes().subspan(first.bytes().size()));
     return rest;
@@ -31,9 +31,9 @@ ByteWriter after(const Value& value, const Begin& begin) {
 constexpr auto nothing = [](ByteWriter&) {};
 
 /// Two objects, of which one lies on the seam on the right.
-FoundTile found() {
-    FoundTile tile{empty_facts(), {}};
-    FoundUnit& unit = tile.units.emplace_back();
+tiles::FoundTile found() {
+    tiles::FoundTile tile{empty_facts(), {}};
+    tiles::FoundUnit& unit = tile.units.emplace_back();
     const Window& w = tile_window;
     unit.objects = {{{0.9, detect::CounterEvidence::rough, 6, -1}, true, 1.5, 6},
                     {{0.4, detect::CounterEvidence::green, 4, -1}, false, 2, 4}};
@@ -48,8 +48,8 @@ FoundTile found() {
     return tile;
 }
 
-JoinedTile joined() {
-    JoinedTile tile;
+tiles::JoinedTile joined() {
+    tiles::JoinedTile tile;
     tile.buildings = {{true, detect::CounterEvidence::rough, 1.5, 0.9, -1},
                       {false, detect::CounterEvidence::green, 2, 0.4, -1}};
     tile.window = tile_window;
@@ -58,12 +58,12 @@ JoinedTile joined() {
 }
 
 /// A building that is left to merge, with a tier.
-DrawnTile drawn() {
-    DrawnTile tile;
+tiles::DrawnTile drawn() {
+    tiles::DrawnTile tile;
     tile.levels = 2;
     tile.deferred_buildings = {{{true, detect::CounterEvidence::rough, 1.5, 0.9, -1}, {2.5, 4}}};
     for (std::int32_t level = 1; level <= 2; ++level) {
-        DeferredContour left;
+        tiles::DeferredContour left;
         left.head.key = {level, {level, level}};
         left.head.label = 1;
         left.head.parent = level - 2;
@@ -73,15 +73,15 @@ DrawnTile drawn() {
     return tile;
 }
 
-NumberedTile numbered() {
+tiles::NumberedTile numbered() {
     return {{{1, 2, 2, 4}, {1, 2}, 0}, {{{300, 17}, {1, {3, 4}}}}};
 }
 
-NumberedWhole numbered_whole() {
-    NumberedWhole whole;
+tiles::NumberedWhole numbered_whole() {
+    tiles::NumberedWhole whole;
     whole.levels = 3;
     whole.layers.resize(2);
-    for (NumberedLayer& layer : whole.layers) {
+    for (tiles::NumberedLayer& layer : whole.layers) {
         WorldPolygon part;
         part.exterior = {{0, 0}, {3, 0}, {3, 2}, {0, 0}};
         layer.add(2, {part});

@@ -5,7 +5,7 @@
 #include "pipeline/tiles/file_cache.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST_F(DrawnStreamTest, RefusesBytesOfNoContour) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::tiles

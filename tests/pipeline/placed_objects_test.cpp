@@ -2,7 +2,7 @@
 
 #include "pipeline/tiles/join_tiles.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 using Labels = std::vector<Label>;
@@ -69,4 +69,4 @@ TEST_F(TwoTiles, WhatAnotherTileDrawsIsOneMoreThanTheBuildings) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 using Numbers = std::vector<std::int64_t>;
@@ -61,4 +61,4 @@ TEST(TileIds, AreNotPutAsideTwice) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -17,8 +17,10 @@
 #include "pipeline/run.hpp"
 #include "pipeline/tiles_case.hpp"
 
-namespace d2b::test {
+namespace d2b::tiles {
 namespace {
+
+using namespace test;
 
 namespace fs = std::filesystem;
 
@@ -201,4 +203,4 @@ TEST_F(RastersOfATown, HaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::tiles

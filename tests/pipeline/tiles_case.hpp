@@ -25,7 +25,7 @@ struct TileOrder {
 class StepsInTiles {
   public:
     /// @param layers that the destination gets
-    StepsInTiles(const Sources& sources, Options options, TileRunParameters work,
+    StepsInTiles(const Sources& sources, Options options, tiles::TileRunParameters work,
                  Layers layers = Layers::both)
         : sources_(sources), options_(std::move(options)), work_(std::move(work)), layers_(layers) {}
 
@@ -46,7 +46,7 @@ class StepsInTiles {
 
     Sources sources_;
     Options options_;
-    TileRunParameters work_;
+    tiles::TileRunParameters work_;
     Layers layers_;
 };
 

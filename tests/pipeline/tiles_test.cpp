@@ -15,8 +15,10 @@
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles_case.hpp"
 
-namespace d2b::test {
+namespace d2b::tiles {
 namespace {
+
+using namespace test;
 
 Options options_of(unsigned seed) {
     Options options;
@@ -483,4 +485,4 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::tiles

@@ -183,7 +183,7 @@ KnownPlan plan_from(const std::filesystem::path& work, const std::string& bytes)
         refuse(path, no_plan);
     }
     known.work = {
-        work, digest_of(std::as_bytes(std::span(bytes))), known.plan.side, {}, known.plan.undeclared};
+        work, tiles::digest_of(std::as_bytes(std::span(bytes))), known.plan.side, {}, known.plan.undeclared};
     return known;
 }
 

@@ -41,7 +41,7 @@ void write_plan(const std::filesystem::path& work, const TilePlan& plan, const T
 /// A plan that is there, and its digest.
 struct KnownPlan {
     TilePlan plan;
-    TileRunParameters work;
+    tiles::TileRunParameters work;
 };
 /// @throws InputError where there is none, or it is of another version, or damaged
 [[nodiscard]] KnownPlan read_plan(const std::filesystem::path& work);

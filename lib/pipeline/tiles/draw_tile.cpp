@@ -20,7 +20,7 @@
 #include "pipeline/tiles/tile_steps.hpp"
 #include "pipeline/trace_contours.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Labels of the buildings that a tile draws, and of other buildings near them, whichever tile found them.
 class TileLabels {
@@ -339,4 +339,4 @@ void draw_tile(TileRun& run, std::int64_t tile) {
     write_checkpoint(path, seal, writer.bytes(), blocks.bytes());
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -9,7 +9,7 @@
 #include "contours/contour_archive.hpp"
 #include "detect/detection.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 constexpr std::array doubts{detect::CounterEvidence::rough, detect::CounterEvidence::no_step,
@@ -333,4 +333,4 @@ NumberedWhole load_numbered_whole(ByteReader& reader, std::int64_t tiles) {
     return whole;
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -19,7 +19,7 @@
 #include "pipeline/tiles/checkpoint_file.hpp"
 #include "pipeline/tiles/found_tile.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Serialises a drawn contour without the cells of the contour.
 void save(const features::DrawnContour& drawn, ByteWriter& writer);
@@ -141,4 +141,4 @@ void save(const NumberedWhole& whole, ByteWriter& writer);
 /// @param tiles number of tiles of the plan @throws CorruptRecord
 [[nodiscard]] NumberedWhole load_numbered_whole(ByteReader& reader, std::int64_t tiles);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

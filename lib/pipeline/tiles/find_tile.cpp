@@ -6,7 +6,7 @@
 #include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 /// Reads the extent of a tile's units and filters invalid elevations. Reads one cell more on each side,
@@ -69,4 +69,4 @@ void find_tile(TileRun& run, std::int64_t tile) {
     write_checkpoint(path, seal, writer.bytes());
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -6,7 +6,7 @@
 
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 void save_text(const std::string& text, ByteWriter& writer) {
@@ -197,4 +197,4 @@ JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64
     return tile;
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

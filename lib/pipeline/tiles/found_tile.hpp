@@ -13,7 +13,7 @@
 #include "detect/units.hpp"
 #include "elevations/elevation_reader.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Run of cells with one label in a row of the whole raster.
 struct LabelRun {
@@ -94,4 +94,4 @@ void save(const JoinedTile& tile, ByteWriter& writer);
 /// @param window of the whole raster @param units number of units in it @throws CorruptRecord
 [[nodiscard]] JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64_t units);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

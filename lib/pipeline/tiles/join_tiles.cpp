@@ -11,7 +11,7 @@
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 std::vector<bool> labels_at_seams(const FoundUnit& unit) {
@@ -288,4 +288,4 @@ void join_tiles(TileRun& run) {
     run.remove_leftovers(TileStep::join);
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -13,7 +13,7 @@
 #include "pipeline/tiles/found_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Object that does not touch a seam, so only its unit contains it.
 struct InteriorObject {
@@ -151,4 +151,4 @@ class ObjectAssignment {
     std::vector<std::int64_t> drawn_by_;    ///< drawing tile of each
 };
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -27,7 +27,7 @@
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Elevations of the cells around deferred buildings, collected from all tiles and kept in a spool.
 class DeferredElevations {
@@ -363,4 +363,4 @@ RunReport number_tiles(TileRun& run, const ReportReader<RunReport>& reader) {
     return merge(run, parts, &parts, reader);
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

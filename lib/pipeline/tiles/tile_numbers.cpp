@@ -6,7 +6,7 @@
 
 #include "pipeline/tiles/drawn_tile.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 TileIds::TileIds(std::unique_ptr<Spool> spool, std::size_t tiles)
     : spool_(std::move(spool)), spooled_(tiles) {}
@@ -108,4 +108,4 @@ std::string IdCollectorSink::roll_back() {
     return error ? "\"" + frame_.string() + "\" already exists" : "";
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

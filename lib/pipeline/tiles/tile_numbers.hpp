@@ -15,7 +15,7 @@
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Ids of the contours that each tile has drawn. Contours of all tiles arrive level by level and row by row,
 /// so those of one tile are consecutive once per level. In between its ids are spooled, because memory
@@ -81,4 +81,4 @@ class IdCollectorSink final : public FeatureSink, public PendingResult {
     std::int64_t tile_ = 0;
 };
 
-}  // namespace d2b
+}  // namespace d2b::tiles

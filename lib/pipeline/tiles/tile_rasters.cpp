@@ -14,7 +14,7 @@
 #include "pipeline/auxiliary_files.hpp"
 #include "write/raster/geotiff.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,4 +151,4 @@ void publish_rasters(const TileRun& run) {
             remove_left_over(folder_of(name));
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

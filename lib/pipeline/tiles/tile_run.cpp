@@ -11,7 +11,7 @@
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/run_setup.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 /// Returns the first unit that ends beyond a row or column. Binary search, because ends ascend.
@@ -194,4 +194,4 @@ LatticePoint draw_margin(const features::RunSetup& setup, Context& context) {
     return {reach.row + 1, reach.col + 1};
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

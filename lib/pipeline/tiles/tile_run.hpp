@@ -16,7 +16,7 @@
 #include "pipeline/tiles/checkpoint_file.hpp"
 #include "pipeline/tiles/found_tile.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Unit with its row-major index.
 struct NumberedUnit {
@@ -139,4 +139,4 @@ void require_tileable(const Options& options);
 /// Returns draw_reach() plus the border that is needed to filter elevations.
 [[nodiscard]] LatticePoint draw_margin(const features::RunSetup& setup, Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -8,7 +8,7 @@
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 NumberedWhole load_whole(const TileRun& run) {
@@ -120,4 +120,4 @@ std::optional<NumberedWhole> written_totals(const TileRun& run, std::int64_t aft
     return load_whole(run);
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles
