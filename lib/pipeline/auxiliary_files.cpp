@@ -62,8 +62,8 @@ std::string shape_text(std::int32_t rows, std::int32_t cols) {
 }
 
 /// @param option name of the option that gives the raster
-AuxiliaryRaster side_raster(const std::string& option, const std::string& name,
-                            const std::optional<ElevationArray>& array, const DemInfo& dem) {
+reading::AuxiliaryRaster side_raster(const std::string& option, const std::string& name,
+                                     const std::optional<ElevationArray>& array, const DemInfo& dem) {
     if (!array)
         return {name};
     if (array->rows != dem.rows || array->cols != dem.cols)
@@ -80,26 +80,27 @@ namespace d2b {
 
 AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& dem,
                                         const Callbacks& callbacks, const AuxiliaryArrays& arrays) {
-    register_formats();
+    reading::register_formats();
     const DemInfo grid = pipeline::with_given_crs(dem, options);
     AuxiliarySources sources;
     if (options.ground.mode == GroundMode::given) {
         const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
-        sources.terrain =
-            open_terrain(pipeline::side_raster("ground", options.ground.terrain, arrays.terrain, grid), grid,
-                         units.vertical_metres, elevation_limits(options.read, units.vertical_metres),
-                         callbacks, {.keeps_undeclared = options.read.ignore_nodata});
+        sources.terrain = reading::open_terrain(
+            pipeline::side_raster("ground", options.ground.terrain, arrays.terrain, grid), grid,
+            units.vertical_metres, elevation_limits(options.read, units.vertical_metres), callbacks,
+            {.keeps_undeclared = options.read.ignore_nodata});
     }
     if (!options.detect.mask.empty())
-        sources.mask = open_mask(pipeline::side_raster("mask", options.detect.mask, arrays.mask, grid),
-                                 options.detect.mask_layer, grid, callbacks);
+        sources.mask =
+            reading::open_mask(pipeline::side_raster("mask", options.detect.mask, arrays.mask, grid),
+                               options.detect.mask_layer, grid, callbacks);
     if (!options.detect.ndvi.empty())
-        sources.ndvi =
-            open_ndvi(pipeline::side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
+        sources.ndvi = reading::open_ndvi(
+            pipeline::side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
     const DetectOptions& detect = options.detect;
     if (!detect.split_by.empty())
         sources.parcels =
-            open_parcels({detect.split_by, detect.split_layer, detect.split_field}, grid, callbacks);
+            reading::open_parcels({detect.split_by, detect.split_layer, detect.split_field}, grid, callbacks);
     return sources;
 }
 

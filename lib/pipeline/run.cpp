@@ -260,7 +260,7 @@ RunReport run_in_units(const Options& options, const Sources& sources, const Sin
 namespace d2b {
 
 std::string library_versions() {
-    return "GDAL " + gdal_version() + ", GEOS " + geos_version() + ", PROJ " + proj_version() +
+    return "GDAL " + reading::gdal_version() + ", GEOS " + geos_version() + ", PROJ " + proj_version() +
            ", GeographicLib " + geographiclib_version();
 }
 

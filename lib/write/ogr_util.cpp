@@ -33,7 +33,7 @@ void OgrCall::fail(const std::string& doing) const {
                       advice_for(text) + ".");
 }
 
-void close_written(const WriteTarget& target, DatasetOwner dataset) {
+void close_written(const WriteTarget& target, reading::DatasetOwner dataset) {
     OgrCall call(target);
     GDALFlushCache(dataset.get());
 #if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)

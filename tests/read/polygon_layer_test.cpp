@@ -12,8 +12,10 @@
 #include "support/error_of.hpp"
 #include "support/vector_file.hpp"
 
-namespace d2b::test {
+namespace d2b::reading {
 namespace {
+
+using namespace test;
 
 constexpr const char* square = "POLYGON((0 0,10 0,10 10,0 10,0 0))";
 
@@ -231,4 +233,4 @@ TEST_F(ValidCellsTest, refuseARasterWithoutData) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::reading

@@ -32,7 +32,7 @@ int run(const std::vector<std::string>& arguments, const Tool& tool) {
         std::cerr << tool.short_usage();
         return exit_code::wrong_usage;
     }
-    const auto left = apply_gdal_switches(arguments);
+    const auto left = reading::apply_gdal_switches(arguments);
     return left ? tool.run(*left) : exit_code::done;
 }
 

@@ -40,7 +40,7 @@ void process(const Request& request) {
     };
     callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
     callbacks.stop = interrupted;
-    start_gdal();
+    reading::start_gdal();
     if (!request.tool.sweep.empty()) {
         const Inputs inputs = open_inputs(options, callbacks);
         run_sweep(

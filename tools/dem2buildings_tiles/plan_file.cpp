@@ -68,7 +68,7 @@ Json json_of(const TilePlan& plan, const TileCost& cost) {
     for (const std::string& word : plan.words)
         words.push_back(to_json(word));
     Json files = Json::array();
-    for (const SourceFile& file : plan.files)
+    for (const reading::SourceFile& file : plan.files)
         files.push_back({{"name", to_json(file.name)}, {"bytes", file.size}, {"modified", file.modified}});
     return {{"program", program},
             {"version", version},

@@ -22,7 +22,7 @@ struct TilePlan {
     std::int32_t side = 1;           ///< units of a tile in a row, and rows
     std::int64_t tiles = 0;
     Window window;  ///< of the source
-    std::vector<SourceFile> files;
+    std::vector<reading::SourceFile> files;
     UndeclaredNodata undeclared = {};  ///< of the source
 };
 

@@ -63,9 +63,9 @@ std::string spoken(const TilePlan& plan, const TileCost& cost, const std::string
 }
 
 /// All that the steps read beside each other's files.
-std::vector<SourceFile> files_behind(const Options& options) {
-    std::vector<SourceFile> files = source_files(options.read);
-    std::ranges::copy(list_auxiliary_files(options), std::back_inserter(files));
+std::vector<reading::SourceFile> files_behind(const Options& options) {
+    std::vector<reading::SourceFile> files = reading::source_files(options.read);
+    std::ranges::copy(reading::list_auxiliary_files(options), std::back_inserter(files));
     return files;
 }
 
@@ -123,8 +123,8 @@ struct Planned {
 };
 
 void require_same_source(const TilePlan& plan, const Options& options, const DemInfo& dem) {
-    const std::vector<SourceFile> files = files_behind(options);
-    for (const SourceFile& file : files)
+    const std::vector<reading::SourceFile> files = files_behind(options);
+    for (const reading::SourceFile& file : files)
         if (std::ranges::find(plan.files, file) == plan.files.end())
             throw InputError("'" + file.name +
                              "' has changed since the plan was made; plan again, with a new work folder.");

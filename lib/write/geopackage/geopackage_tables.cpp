@@ -19,7 +19,7 @@ std::string now() {
 }
 
 bool has_table(GDALDatasetH dataset, const std::string& name) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     return sql_value(dataset, "SELECT 1 FROM sqlite_master WHERE lower(name) = " + sql_literal(name))
         .has_value();
 }

@@ -181,7 +181,7 @@ std::optional<SpatialIndex> SpatialIndex::begin(GDALDatasetH dataset, OGRLayerH 
     sqlite3* const handle = sqlite_handle(dataset);
     if (handle == nullptr)
         return std::nullopt;
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     const std::string table = OGR_L_GetName(layer);
     const std::string column = OGR_L_GetGeometryColumn(layer);
     SpatialIndex index(dataset, handle, target);

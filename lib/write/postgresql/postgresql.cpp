@@ -19,12 +19,12 @@ constexpr std::string_view first_schema =
     R"(btrim(split_part(current_setting('search_path'), ',', 1), ' "'''))";
 
 bool query_is_true(GDALDatasetH database, const std::string& condition) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     return sql_value(database, "SELECT 1 AS n WHERE " + condition).has_value();
 }
 
 std::string query_text(GDALDatasetH database, const std::string& expression) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     return sql_value(database, "SELECT " + expression + " AS text").value_or("");
 }
 

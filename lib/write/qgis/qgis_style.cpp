@@ -414,7 +414,7 @@ void write_style_sidecar(const std::string& path, const NewLayer& layer) {
         single ? fs::path(path).replace_extension(".qml") : fs::path(path) / (layer.table + ".qml");
     const std::string text = qml_style(layer.spec, layer.columns);
     // Failed writes are detected by the VSI layer that monitors the files.
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     VSILFILE* out = VSIFOpenL(file.c_str(), "wb");
     if (out == nullptr)
         return;

@@ -80,12 +80,12 @@ class DatasetWriter {
     WriteTarget target_;
     const VectorFormat& format_;
     const WriteOptions& options_;
-    std::optional<ScopedConfigOption> no_id_field_;
+    std::optional<reading::ScopedConfigOption> no_id_field_;
     Mode mode_ = Mode::create;
     std::string path_;
     CommitGuard guard_;  ///< declared before the dataset, because it must outlive it
-    DatasetOwner dataset_;
-    CrsOwner srs_;
+    reading::DatasetOwner dataset_;
+    reading::CrsOwner srs_;
     Provenance provenance_;
     std::vector<LayerSpec> specs_;
     std::optional<DependentObjects> dependents_;

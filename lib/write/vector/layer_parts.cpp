@@ -117,7 +117,7 @@ std::unique_ptr<FeatureSink> open_part_sink(const WriteOptions& options, std::in
 bool writes_parts(const WriteOptions& options) {
     if (options.format.empty() || options.destination.empty() || options.destination.starts_with("/vsi"))
         return false;
-    register_formats();
+    reading::register_formats();
     const VectorFormat format = format_for(options);
     return format.name == "FlatGeobuf" && format.folder;
 }

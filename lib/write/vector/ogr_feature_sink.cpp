@@ -164,15 +164,15 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
             staging.copy_in(existing_->files);
         }
     } else if (existing_ && mode() == DatasetWriter::Mode::create) {
-        const GdalMessages quiet;
+        const reading::GdalMessages quiet;
         GDALDeleteDataset(format_.driver, path.c_str());
     }
     if (path.find("/vsistdout") != std::string::npos)
         captured_.emplace();
     // Prevent .aux.xml files of formats without metadata, because they would outlive a rollback.
-    const NoSidecar no_sidecar;
+    const reading::NoSidecar no_sidecar;
     // Staged files are synced once before the rename, so SQLite need not sync earlier.
-    std::optional<ScopedConfigOption> no_waiting;
+    std::optional<reading::ScopedConfigOption> no_waiting;
     if (files_)
         no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF");
     writer_.emplace(target_, format_, options_);
@@ -224,7 +224,7 @@ std::optional<ExistingDataset> find_existing(Destination& destination, VectorFor
 }  // namespace
 
 std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callbacks& callbacks) {
-    register_formats();
+    reading::register_formats();
     VectorFormat format = format_for(options);
     const Layers layers = resolve_layers(options, format);
     Destination destination = locate(options, format);

@@ -51,7 +51,7 @@ OGRLayerH add_trial_layer(GDALDatasetH dataset, const char* name, OGRSpatialRefe
 bool add_trial_feature(OGRLayerH layer, const Position& place);
 
 /// Opens the file with this driver only. @return null on failure
-[[nodiscard]] DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file);
+[[nodiscard]] reading::DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file);
 
 /// True if the driver metadata have YES for a capability.
 [[nodiscard]] bool has_capability(GDALDriverH driver, const char* capability);
@@ -77,7 +77,7 @@ struct VectorFormat {
 
 /// Opens a dataset with this driver only. @param access GDAL_OF_READONLY or GDAL_OF_UPDATE @return null on
 /// failure
-DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access);
+reading::DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access);
 
 /// True if the destination is a pipe or a device, which is written sequentially and cannot be read back.
 [[nodiscard]] bool is_stream(const std::string& destination);
