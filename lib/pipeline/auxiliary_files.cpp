@@ -38,13 +38,13 @@ AuxiliarySinks open_scene_rasters(const Options& options, const DemInfo& dem, co
     const auto open = [&](const std::string& destination, const char* what, bool elevations) {
         if (destination.empty())
             return std::unique_ptr<RasterSink>();
-        RasterMetadata meta;
+        writing::RasterMetadata meta;
         meta.description = what;
         meta.elevations = elevations;
         meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", utf8_text(grid.name)}};
         if (const std::string words = reproducing_arguments(options); !words.empty())
             meta.metadata.emplace("D2B_OPTIONS", utf8_text(words));
-        auto sink = open_geotiff_sink({destination, overwrite, in_use}, grid, meta);
+        auto sink = writing::open_geotiff_sink({destination, overwrite, in_use}, grid, meta);
         in_use.push_back(destination);
         return sink;
     };
@@ -114,17 +114,17 @@ AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) 
     AuxiliarySinks sinks = pipeline::open_scene_rasters(
         options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
     for (const std::string& destination : write.surfaces) {
-        SurfaceDestination place =
-            resolve_surface_target({destination, write.overwrite, in_use, FileKind::surface});
+        writing::SurfaceDestination place = writing::resolve_surface_target(
+            {destination, write.overwrite, in_use, writing::FileKind::surface});
         in_use.push_back(destination);
         if (place.materials)
             in_use.push_back(place.materials->name);
-        sinks.surfaces.push_back(open_surface_sink(std::move(place), write.surface_solids));
+        sinks.surfaces.push_back(writing::open_surface_sink(std::move(place), write.surface_solids));
     }
     if (!write.page.empty()) {
-        view::Page page =
-            view::open_page(resolve_file_target({write.page, write.overwrite, in_use, FileKind::page}),
-                            {.dem = dem, .terrain = detects_buildings(options)});
+        view::Page page = view::open_page(
+            writing::resolve_file_target({write.page, write.overwrite, in_use, writing::FileKind::page}),
+            {.dem = dem, .terrain = detects_buildings(options)});
         sinks.surfaces.push_back(std::move(page.surface));
         sinks.page_relief = std::move(page.relief);
     }

@@ -16,7 +16,7 @@ namespace d2b::view {
 /// but within it, later polygons hide earlier ones.
 class FootprintDrawing {
   public:
-    FootprintDrawing(const MapFrame& frame, PictureFormat format);
+    FootprintDrawing(const MapFrame& frame, writing::PictureFormat format);
     FootprintDrawing(FootprintDrawing&&) noexcept;
     FootprintDrawing& operator=(FootprintDrawing&&) noexcept;
     ~FootprintDrawing();

@@ -31,12 +31,12 @@ class Preview {
 
   private:
     FeatureSink& features_;
-    std::unique_ptr<PictureFile> file_;
+    std::unique_ptr<writing::PictureFile> file_;
     std::optional<PreviewSink> sink_;
 };
 
 /// Returns the destination of the picture.
-[[nodiscard]] FileTarget picture_target(const Options& options);
+[[nodiscard]] writing::FileTarget picture_target(const Options& options);
 /// Returns the grid and CRS that the picture shows. @throws OptionError
 [[nodiscard]] MapArea map_area_of(const Options& options, const DemInfo& dem);
 

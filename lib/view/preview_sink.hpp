@@ -24,7 +24,7 @@ class PreviewSink final : public FeatureSink {
 
     /// @param features must outlive this @param on_map called in finish() or prepare(), before those of
     /// `features`
-    PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, OnMap on_map);
+    PreviewSink(FeatureSink& features, const MapFrame& frame, writing::PictureFormat format, OnMap on_map);
 
     /// Returns the sink for the elevations, which must be complete before finish().
     [[nodiscard]] RasterSink& relief() { return *relief_; }

@@ -26,7 +26,7 @@
 #include "write/sql.hpp"
 #include "write/staging.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// True if the name is among the names; case-insensitive, because OGR compares layer names like that.
 [[nodiscard]] bool contains_name(const std::vector<std::string>& names, const std::string& name);
@@ -438,4 +438,4 @@ std::string stamp_of(const std::vector<std::string>& files) {
     return stamp;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

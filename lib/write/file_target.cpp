@@ -15,7 +15,7 @@
 #include "write/ogr_util.hpp"
 #include "write/surface/surface_sink.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -189,4 +189,4 @@ FileDestination resolve_file_target(const FileTarget& target) {
     return place;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -4,7 +4,7 @@
 
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 std::string advice_for(const std::string& reason) {
     if (reason.find("database is locked") != std::string::npos)
@@ -45,4 +45,4 @@ void close_written(const WriteTarget& target, reading::DatasetOwner dataset) {
     call.check(closed, "closing the dataset");
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

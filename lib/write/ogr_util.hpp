@@ -14,7 +14,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 using FieldOwner = reading::GdalOwner<OGRFieldDefnH, OGR_Fld_Destroy>;
 
@@ -80,4 +80,4 @@ class OgrCall {
 /// Flushes and closes. @throws OutputError, also if only closing fails
 void close_written(const WriteTarget& target, reading::DatasetOwner dataset);
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -2,7 +2,7 @@
 
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -94,4 +94,4 @@ void CommitGuard::watch(GDALDatasetH dataset) {
     sqlite3_commit_hook(handle, veto_commit, &rolled_back_);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -6,7 +6,7 @@
 
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 PendingVirtualFile::~PendingVirtualFile() {
     const reading::GdalMessages quiet;
@@ -71,4 +71,4 @@ void StagedFile::prepare(CommitList& commit) {
     commit.add(*local_);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

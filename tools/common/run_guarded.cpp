@@ -54,7 +54,7 @@ int run_guarded(int argc, const char* const* argv, const Tool& tool) {
         // What cannot be written, a report say, must not look as if it had been.
         // The second condition holds where GDAL could not write to /vsistdout/, of which it says nothing.
         if (!std::cout.flush() || std::ferror(stdout) != 0)
-            throw_stdout_failure();
+            writing::throw_stdout_failure();
         return status;
     } catch (const OptionError& error) {
         print_line("ERROR: ", error.what());

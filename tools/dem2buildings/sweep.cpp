@@ -23,7 +23,7 @@ std::string aligned(const std::string& text) {
 /// Draws a trial.
 class TrialMap final : public pipeline::TrialView {
   public:
-    TrialMap(FeatureSink& nothing, const view::MapFrame& frame, PictureFormat format,
+    TrialMap(FeatureSink& nothing, const view::MapFrame& frame, writing::PictureFormat format,
              view::PreviewSink::OnMap taken)
         : sink_(nothing, frame, format, std::move(taken)) {}
     [[nodiscard]] FeatureSink& features() override { return sink_; }
@@ -82,7 +82,7 @@ void run_sweep(const Options& options, const Sources& sources, const SweepPlan& 
         commit.publish([&] { reader.show(trials); });
         return;
     }
-    const std::unique_ptr<PictureFile> file = open_picture(view::picture_target(options));
+    const std::unique_ptr<writing::PictureFile> file = writing::open_picture(view::picture_target(options));
     const view::SheetPlan sheet =
         view::plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
     const view::MapArea ground = view::map_area_of(options, sources.dem.info());

@@ -151,7 +151,7 @@ void write_plan(const std::filesystem::path& work, const TilePlan& plan, const T
     std::filesystem::create_directories(work, error);
     if (error)
         refuse_folder(work, error);
-    write_text_file(path_of(work), plan_text(plan, cost));
+    writing::write_text_file(path_of(work), plan_text(plan, cost));
 }
 
 KnownPlan read_plan(const std::filesystem::path& work) {

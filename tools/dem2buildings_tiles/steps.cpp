@@ -82,7 +82,7 @@ void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
 void plan(const TileCommand& command, const Callbacks& callbacks) {
     const Options& options = command.request.options;
     tiles::require_tileable(options);
-    const bool parts = writes_parts(options.write);
+    const bool parts = writing::writes_parts(options.write);
     if (parts && (options.write.append || options.write.overwrite))
         throw OptionError(
             "The folder to which tiles add their files must be new; give another name, or delete it, and "
@@ -235,15 +235,15 @@ void show_parts(const tiles::TileRun& run, std::int64_t after) {
     std::vector<std::unique_ptr<PendingResult>> files;
     for (std::size_t i = 0; i < setup.layers.layers.size(); ++i) {
         const tiles::NumberedLayer& layer = whole->layers.at(i);
-        LayerMosaic mosaic{setup.layers.layers[i],
-                           setup.written().wkt(),
-                           layer.features,
-                           layer.least,
-                           layer.most,
-                           layer.tiles};
+        writing::LayerMosaic mosaic{setup.layers.layers[i],
+                                    setup.written().wkt(),
+                                    layer.features,
+                                    layer.least,
+                                    layer.most,
+                                    layer.tiles};
         if (mosaic.parts.empty() || mosaic.parts.front() != 0)
             mosaic.parts.insert(mosaic.parts.begin(), 0);
-        files.push_back(prepare_layer_mosaic(setup.plan.asked.write, mosaic));
+        files.push_back(writing::prepare_layer_mosaic(setup.plan.asked.write, mosaic));
         commit.add(*files.back());
     }
     commit.publish();
@@ -258,7 +258,7 @@ void write(const TileCommand& command, const Callbacks& callbacks) {
     for (const std::int64_t tile : command.tiles)
         require_tile(tile, planned.known.plan);
     for (const std::int64_t tile : command.tiles) {
-        const auto sink = open_part_sink(planned.options.write, tile, callbacks);
+        const auto sink = writing::open_part_sink(planned.options.write, tile, callbacks);
         const auto run = begin_step(planned, *sink, callbacks);
         tiles::write_tile(*run, tile, *sink);
         if (tile == command.tiles.back())

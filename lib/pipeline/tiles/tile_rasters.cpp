@@ -136,13 +136,13 @@ void publish_rasters(const TileRun& run) {
     for (const auto& [option, name] : asked(run.setup().plan.asked)) {
         if (name.empty())
             continue;
-        std::vector<RasterPart> parts;
+        std::vector<writing::RasterPart> parts;
         for (std::int64_t tile = 0; tile < run.tiles().count(); ++tile) {
             const Window own = run.tiles().whole(tile).own;
             parts.push_back({(folder_of(name).filename() / file_of(tile)).string(),
                              {own.row - window.row, own.col - window.col, own.rows, own.cols}});
         }
-        files.push_back(prepare_raster_parts(name, window.rows, window.cols, parts));
+        files.push_back(writing::prepare_raster_parts(name, window.rows, window.cols, parts));
         commit.add(*files.back());
     }
     commit.publish();

@@ -11,7 +11,7 @@
 #include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -193,4 +193,4 @@ void DependentObjects::require(const WriteTarget& target, const std::string& sql
                           "); remove it first, or write to another destination.");
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -6,7 +6,7 @@
 #include "write/qgis/qgis_style.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -160,4 +160,4 @@ void write_geopackage_tables(GDALDatasetH dataset, const NewLayer& layer, const 
     tables.data_columns();
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

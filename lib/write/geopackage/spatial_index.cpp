@@ -11,7 +11,7 @@
 #include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 // https://www.sqlite.org/rtree.html, section 6: a node has its depth (only set in the root) and number of
@@ -266,4 +266,4 @@ void SpatialIndex::finish() {
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

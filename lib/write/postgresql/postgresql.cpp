@@ -9,7 +9,7 @@
 #include "write/qgis/qgis_style.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -227,4 +227,4 @@ void complete_postgresql_table(GDALDatasetH dataset, const NewLayer& layer, cons
     postgresql_table.style();
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -30,7 +30,7 @@
 #include "write/staging.hpp"
 #include "write/xml_text.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Writes a GeoTIFF of 32-bit floats on the window of a DEM: tiles of 256 x 256, DEFLATE with the
 /// floating-point predictor, BigTIFF if it might exceed 4 GB. NoData is -9999, because other programs expect
@@ -361,4 +361,4 @@ std::unique_ptr<PendingResult> prepare_raster_parts(const std::filesystem::path&
     return prepare_text_file(vrt, text + "  </VRTRasterBand>\n</VRTDataset>\n");
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

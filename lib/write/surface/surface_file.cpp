@@ -16,7 +16,7 @@
 #include "write/ogr_util.hpp"
 #include "write/staged_file.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 constexpr std::size_t bytes_per_write = std::size_t{1} << 20;
@@ -139,4 +139,4 @@ std::string json_text(const nlohmann::ordered_json& json) {
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -21,7 +21,7 @@
 #include "write/vector/layer_writer.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Takes a write lock on our layers until the transaction ends, so that values read from them stay true.
 /// Needed because SQLite transactions begin as readers and PostgreSQL lets two writers run concurrently.
@@ -351,4 +351,4 @@ void DatasetWriter::close() {
     close_written(target_, std::move(dataset_));
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

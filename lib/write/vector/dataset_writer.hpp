@@ -14,7 +14,7 @@
 #include "write/sql.hpp"
 #include "write/vector/layer_writer.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Writes layers into one OGR dataset, new or existing.
 ///
@@ -99,4 +99,4 @@ class DatasetWriter {
     LayerCounts counts_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

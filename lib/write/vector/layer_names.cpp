@@ -19,7 +19,7 @@
 #include "write/ogr_util.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Returns the name that a driver will give to a layer. Existing layers are looked up by it, because drivers
 /// of databases replace some characters, and PostgreSQL truncates long names. @param base of the layer name
@@ -199,4 +199,4 @@ std::vector<std::string> names_of(const WriteOptions& options, const VectorForma
     return names;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -14,7 +14,7 @@
 #include "write/vector/vector_format.hpp"
 #include "write/xml_text.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 class PartSink final : public FileSink<FeatureSink> {
@@ -166,4 +166,4 @@ std::unique_ptr<PendingResult> prepare_layer_mosaic(const WriteOptions& options,
                              vrt_text(mosaic));
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -12,7 +12,7 @@
 #include "read/georeferencing.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -439,4 +439,4 @@ void verify_counts(const WriteTarget& target, const VectorFormat& format, const 
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -14,7 +14,7 @@
 #include "write/ogr_util.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Settings shared by all layers of a run.
 struct LayerSettings {
@@ -120,4 +120,4 @@ void check_counts(const WriteTarget& target, GDALDatasetH dataset, const LayerCo
 void verify_counts(const WriteTarget& target, const VectorFormat& format, const std::string& path,
                    const LayerCounts& counts);
 
-}  // namespace d2b
+}  // namespace d2b::writing

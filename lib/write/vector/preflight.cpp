@@ -28,7 +28,7 @@
 #include "write/vector/layer_writer.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -391,4 +391,4 @@ void warn_of_invalid(const WriteTarget& target, const VectorFormat& format, cons
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

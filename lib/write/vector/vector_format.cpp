@@ -17,7 +17,7 @@
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Properties of a format found by a trial, because metadata of drivers are unreliable.
 struct FormatProbe {
@@ -261,4 +261,4 @@ bool has_layer_option(GDALDriverH driver, const std::string& name) {
            list.find("name=\"" + name + "\"") != std::string::npos;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

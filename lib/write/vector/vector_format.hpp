@@ -11,7 +11,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "write/ogr_util.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Private folder in /vsimem/ for trials. Its name contains the address of this object, which is unique in
 /// the process.
@@ -88,4 +88,4 @@ reading::DatasetOwner open_dataset(const VectorFormat& format, const std::string
 /// True if the driver has a layer creation option of this name.
 [[nodiscard]] bool has_layer_option(GDALDriverH driver, const std::string& name);
 
-}  // namespace d2b
+}  // namespace d2b::writing
