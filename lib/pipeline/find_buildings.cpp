@@ -138,10 +138,10 @@ MetreGrid terrain_of(const UnitSearch& search, const Window& seen, UnitSurface& 
     if (search.plan.ground == GroundMode::given)
         return detect::read_grid(*search.sources.terrain, seen, search.frame.metres, search.context);
     const StageClock clock(search.context.report, Stage::ground);
-    Terrain terrain = estimate_ground(surface, search.frame.cell, search.plan.asked.ground, search.context,
-                                      {seen.row, seen.col});
+    ground::Terrain terrain = ground::estimate_ground(surface, search.frame.cell, search.plan.asked.ground,
+                                                      search.context, {seen.row, seen.col});
     // Cells far below the ground are measurement errors, neither building nor ground.
-    unit_surface.mask_flagged(terrain.flags, low_outlier, threads_of(search));
+    unit_surface.mask_flagged(terrain.flags, ground::low_outlier, threads_of(search));
     return std::move(terrain.elevation);
 }
 

@@ -84,9 +84,9 @@ void print_evidence(const char* surface_path, const char* truth_path) {
         throw std::runtime_error("the two rasters differ in size");
     Context context;
     const Options options;
-    const Terrain terrain = estimate_ground(surface.z, surface.cell, options.ground, context);
+    const ground::Terrain terrain = ground::estimate_ground(surface.z, surface.cell, options.ground, context);
     for (std::size_t i = 0; i < surface.z.values.size(); ++i)
-        if ((terrain.flags.values[i] & low_outlier) != 0)
+        if ((terrain.flags.values[i] & ground::low_outlier) != 0)
             surface.z.values[i] = std::numeric_limits<float>::quiet_NaN();
     const detect::Scene scene{surface.z, terrain.elevation, surface.cell};
     detect::SceneCells known = detect::scene_cells(scene, options.detect, *context.threads);
