@@ -172,8 +172,8 @@ FeaturePolygon PolygonMaker::as_traced(const LatticePolygon& polygon) {
 }
 
 FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
-    const Outliner& outliner = terms_.outliner;
-    const OutlineQuality quality =
+    const outline::Outliner& outliner = terms_.outliner;
+    const outline::OutlineQuality quality =
         form == Form::footprint ? outliner.footprint_quality(contour) : outliner.quality(contour);
     FeaturePolygon made;
     split_by_projection_ = false;
@@ -238,7 +238,7 @@ bool measures_drawn(const RunPlan& plan) {
     return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
 }
 
-OutlineRules outline_rules(const RunSetup& setup) {
+outline::OutlineRules outline_rules(const RunSetup& setup) {
     const OutlineOptions& asked = setup.plan.asked.outline;
     return {setup.plan.walls, setup.plan.wall_tolerance(setup.cell_m()), asked.wall_inset, asked.simplify,
             setup.target.kind() != Crs::Kind::none};
@@ -250,18 +250,19 @@ double x_stretch_of(const RunSetup& setup) {
 
 }  // namespace
 
-OutlineDependencies outline_dependencies_of(const contours::ContourList& contours, const RunSetup& setup,
-                                            Context& context) {
+outline::OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
+                                                     const RunSetup& setup, Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    return outline_dependencies(contours, outline_rules(setup), setup.georeference, x_stretch_of(setup),
-                                context.threads->stop());
+    return outline::outline_dependencies(contours, outline_rules(setup), setup.georeference,
+                                         x_stretch_of(setup), context.threads->stop());
 }
 
-Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup, Context& context) {
+outline::Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup,
+                                Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    const OutlineRules rules = outline_rules(setup);
+    const outline::OutlineRules rules = outline_rules(setup);
     return {contours,
-            choose_outline_method(rules, setup.georeference),
+            outline::choose_outline_method(rules, setup.georeference),
             rules,
             setup.georeference,
             x_stretch_of(setup),

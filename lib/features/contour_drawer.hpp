@@ -55,7 +55,7 @@ using DrawParts = std::function<std::vector<WorldPolygon>()>;
 /// Parameters for converting outlines to polygons of the output.
 struct PolygonParameters {
     const RunSetup& setup;
-    const Outliner& outliner;
+    const outline::Outliner& outliner;
     const ContourChildren& children;  ///< may be empty if no tiers are drawn
     StopToken stop = {};
     bool with_cells = false;  ///< true to return the cells of each polygon
@@ -200,11 +200,11 @@ class ContourDrawer {
 };
 
 /// Groups contours whose outlines depend on each other, and returns the reach of that dependence in cells.
-[[nodiscard]] OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
-                                                          const RunSetup& setup, Context& context);
+[[nodiscard]] outline::OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
+                                                                   const RunSetup& setup, Context& context);
 
 /// Draws the outlines of the contours of a run.
-[[nodiscard]] Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup,
-                                     Context& context);
+[[nodiscard]] outline::Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup,
+                                              Context& context);
 
 }  // namespace d2b::features

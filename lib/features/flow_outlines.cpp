@@ -23,7 +23,7 @@ using Indices = std::vector<std::uint32_t>;
 
 /// Groups contours above the ground that may come close to each other, with the contours on top of them.
 /// @param reach distance in cells beyond which nothing changes
-std::vector<Indices> flow_clusters(const contours::ContourList& contours, const Outliner& outliner,
+std::vector<Indices> flow_clusters(const contours::ContourList& contours, const outline::Outliner& outliner,
                                    double reach, const StopToken& stop) {
     const auto count = static_cast<std::uint32_t>(contours.size());
     DisjointSets sets(count);
@@ -65,7 +65,7 @@ std::vector<Indices> flow_clusters(const contours::ContourList& contours, const 
 class TerrainBorder {
   public:
     /// @param reach in cells
-    TerrainBorder(const contours::ContourList& contours, const Outliner& outliner, double reach)
+    TerrainBorder(const contours::ContourList& contours, const outline::Outliner& outliner, double reach)
         : tree_(boxes(contours, outliner)), margin_(reach * FinePoint::steps) {}
 
     [[nodiscard]] bool is_near(const FinePolygon& outline) const {
@@ -92,7 +92,7 @@ class TerrainBorder {
         for (const FineRing& ring : outline.interiors)
             along(ring);
     }
-    static std::vector<Box> boxes(const contours::ContourList& contours, const Outliner& outliner) {
+    static std::vector<Box> boxes(const contours::ContourList& contours, const outline::Outliner& outliner) {
         std::vector<Box> boxes;
         for (std::uint32_t i = 0; i < contours.size(); ++i)
             if (contours.head(i).key.level == 0)
@@ -105,8 +105,9 @@ class TerrainBorder {
 };
 
 /// @param footprints true for the footprints of the lowest contours, false for all outlines
-std::vector<surface::PartitionContour> drawn(const contours::ContourList& contours, const Outliner& outliner,
-                                             const Indices& numbers, bool footprints) {
+std::vector<surface::PartitionContour> drawn(const contours::ContourList& contours,
+                                             const outline::Outliner& outliner, const Indices& numbers,
+                                             bool footprints) {
     std::map<std::int64_t, std::int32_t> place;
     std::vector<surface::PartitionContour> result;
     for (const std::uint32_t i : numbers) {
@@ -141,7 +142,7 @@ std::vector<bool> near_border(const std::vector<surface::PartitionContour>& clus
 
 using ChangedContours = std::vector<std::pair<std::uint32_t, FinePolygon>>;
 
-void replace_outlines(Outliner& outliner, ChangedContours& changed, bool footprints) {
+void replace_outlines(outline::Outliner& outliner, ChangedContours& changed, bool footprints) {
     for (auto& [contour, outline] : changed)
         if (footprints)
             outliner.replace_footprint(contour, outline);
@@ -173,7 +174,7 @@ surface::FlowMetric flow_metric(const Georeference& georeference, double x_stret
 }
 
 std::vector<surface::FlowProblem> make_outlines_flow_ready(const contours::ContourList& contours,
-                                                           Outliner& outliner,
+                                                           outline::Outliner& outliner,
                                                            const surface::FlowLimits& limits,
                                                            Context& context) {
     const StageClock clock(context.report, Stage::outline);

@@ -16,7 +16,7 @@ namespace d2b::features {
 /// outliner. Counts repaired and remaining defects in the report.
 /// @return the defects; their contours are indices in the list @throws Cancelled
 [[nodiscard]] std::vector<surface::FlowProblem> make_outlines_flow_ready(
-    const contours::ContourList& contours, Outliner& outliner, const surface::FlowLimits& limits,
+    const contours::ContourList& contours, outline::Outliner& outliner, const surface::FlowLimits& limits,
     Context& context);
 
 /// Returns the steps of the fine lattice in metres. @param x_stretch see Outliner

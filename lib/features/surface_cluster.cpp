@@ -117,7 +117,7 @@ void ClusterDrawer::add_contour(std::uint32_t contour) {
     const auto building = building_place_.find(head(contour).building);
     if (building == building_place_.end())
         return;
-    const Outliner& outliner = input_.features.outliner;
+    const outline::Outliner& outliner = input_.features.outliner;
     surface::PartitionContour plan;
     plan.outline = input_.of == SurfaceOf::contours ? outliner.outline(contour) : outliner.footprint(contour);
     plan.building = building->second;
@@ -235,7 +235,7 @@ namespace {
 Int128 twice_area(const FineRing& ring) {
     Int128 sum = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum += turn(ring[0], ring[i], ring[i + 1]);
+        sum += outline::turn(ring[0], ring[i], ring[i + 1]);
     return sum < 0 ? -sum : sum;
 }
 

@@ -39,7 +39,7 @@ class BuildingRecords {
 struct FeatureInput {
     const RunSetup& setup;
     const contours::StoredContours& contours;
-    const Outliner& outliner;
+    const outline::Outliner& outliner;
     Label buildings;  ///< labels above are low-confidence candidates
     FixedPoint fixed;
     ParcelSource* parcels = nullptr;  ///< gives the names of parcels

@@ -12,7 +12,7 @@
 #include "core/lattice.hpp"
 #include "core/stop_token.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Noded rings of contours: every corner of another ring on an edge of a ring becomes a vertex of it.
 class NodedRings {
@@ -345,4 +345,4 @@ LatticePolygon ArcGraph::polygon(std::size_t contour) const {
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -8,7 +8,7 @@
 #include "core/lattice.hpp"
 #include "core/stop_token.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Index of the corners of all outlines by row and by column. Compression may leave a corner of one outline
 /// in the middle of an edge of another on a shared wall. Noding inserts it into both, because otherwise
@@ -64,4 +64,4 @@ struct ArcGraph {
 [[nodiscard]] ArcGraph build_arc_graph(const std::vector<contours::Contour>& contours,
                                        const StopToken& stop = {});
 
-}  // namespace d2b
+}  // namespace d2b::outline

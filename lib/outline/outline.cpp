@@ -21,7 +21,7 @@
 #include "outline/walls/fit_walls.hpp"
 #include "outline/walls/trace_sums.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Outlines that replace those derived from traces, spooled at a few bytes per vertex.
 class ReplacedOutlines {
@@ -327,4 +327,4 @@ FinePolygon Outliner::traced(std::size_t contour) const {
     return fine(impl_->corners ? impl_->corners->noded(polygon) : polygon);
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -13,7 +13,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/records.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Options for drawing outlines.
 struct OutlineRules {
@@ -111,4 +111,4 @@ struct OutlineDependencies {
 [[nodiscard]] OutlineMethod choose_outline_method(const OutlineRules& rules,
                                                   const Georeference& georeference);
 
-}  // namespace d2b
+}  // namespace d2b::outline

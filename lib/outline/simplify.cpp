@@ -13,7 +13,7 @@
 
 #include "core/lattice.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Uniform grid of points with buckets of 16 x 16, for finding points in triangles.
 class VertexGrid {
@@ -236,4 +236,4 @@ void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& geor
         arcs[i] = simplifier.result(i);
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -129,8 +129,8 @@ SearchResult search_levels(ElevationReader& reader, const features::RunSetup& se
 
 /// Adjusts outlines to be flow-ready if asked for. @return the changes and remaining problems
 std::vector<surface::FlowProblem> make_flow_ready(const contours::StoredContours& contours,
-                                                  Outliner& outliner, const features::RunSetup& setup,
-                                                  Context& context) {
+                                                  outline::Outliner& outliner,
+                                                  const features::RunSetup& setup, Context& context) {
     const OutlineOptions& asked = setup.plan.asked.outline;
     if (!asked.is_flow_ready())
         return {};
@@ -213,7 +213,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     const Label last_building = found != nullptr ? found->buildings : std::numeric_limits<Label>::max();
     warn_of_result(setup, plan, buildings_up_to(last_building, *contours),
                    found != nullptr ? &found->scene : nullptr, sources.terrain, context);
-    Outliner outliner = features::draw_outlines(*contours, setup, context);
+    outline::Outliner outliner = features::draw_outlines(*contours, setup, context);
     const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
     std::optional<features::BuildingRecords> building_records;
     if (lattice)

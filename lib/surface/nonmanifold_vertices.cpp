@@ -197,7 +197,7 @@ void DistancePlanner::divide(const Cut& cut) const {
 }  // namespace
 
 void SweptArea::add(const IncidentEdge& beside, FinePoint end, FinePoint from, FinePoint to) {
-    const double area = std::abs(static_cast<double>(turn(from, to, end))) / 2;
+    const double area = std::abs(static_cast<double>(outline::turn(from, to, end))) / 2;
     (beside.left == open_ground || beside.right == open_ground ? outside : inside) += area;
 }
 

@@ -28,7 +28,7 @@ Int128 along(FinePoint a, FinePoint b, FinePoint point) {
 bool is_near(FinePoint a, FinePoint b, FinePoint point) {
     const Int128 square = along(a, b, b);
     const Int128 way = along(a, b, point);
-    const Int128 off = turn(a, b, point);
+    const Int128 off = outline::turn(a, b, point);
     return way > 0 && way < square && off * off <= square;
 }
 

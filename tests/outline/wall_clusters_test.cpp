@@ -9,7 +9,7 @@
 #include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 using test::ContourVector;
@@ -195,4 +195,4 @@ TEST(PackedOutline, GivesBackWhatWasPutIn) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

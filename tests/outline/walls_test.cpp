@@ -11,7 +11,7 @@
 #include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 using test::planar_area;
@@ -296,4 +296,4 @@ TEST(Walls, RightAnglesAreThoseOfTheGround) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

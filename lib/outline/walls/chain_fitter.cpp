@@ -9,7 +9,7 @@
 
 #include "outline/walls/chain_polyline.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Composes a chain from stretches of walls and stretches that follow the trace more closely. A wall extends
 /// to the point that corresponds to the first step of the next stretch.
@@ -447,4 +447,4 @@ ChainPolyline ChainFitter::draw(ChainFitMode& mode, const std::optional<ChainEnd
     return drawn;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -16,7 +16,7 @@
 #include "outline/walls/wall_check.hpp"
 #include "outline/walls/wall_layout.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Assembles an outline from drawn chains, ring by ring, and measures its difference from the trace.
 class OutlineBuilder {
@@ -503,4 +503,4 @@ FinePolygon RegularizedOutlines::traced(std::size_t contour) const {
     return fine(corners(cluster_of_[contour])->noded(traced_polygon(contours_.fetch(contour))));
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -14,7 +14,7 @@
 #include "outline/arc_graph.hpp"
 #include "outline/walls/wall_clusters.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Measures of the difference between a fitted outline and its trace.
 struct WallQuality {
@@ -108,4 +108,4 @@ class RegularizedOutlines {
     std::unique_ptr<LargeClusters> large_clusters_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 constexpr double max_area_change = 0.02;
@@ -153,4 +153,4 @@ void RingAreas::tighten_highest_rank(const Ring& ring) {
             layout_.tighten(c);
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

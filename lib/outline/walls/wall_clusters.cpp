@@ -7,7 +7,7 @@
 
 #include "core/disjoint_sets.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 /// Half-open range of lattice rows.
@@ -217,4 +217,4 @@ FetchedCluster::FetchedCluster(const contours::ContourList& contours, const Clus
     cluster_.parents = plan.parents;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

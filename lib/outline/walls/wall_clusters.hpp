@@ -8,7 +8,7 @@
 #include "dem2buildings/options.hpp"
 #include "outline/walls/trace_sums.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Parameters of wall fitting.
 struct WallOptions {
@@ -61,4 +61,4 @@ class FetchedCluster {
     WallCluster cluster_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -15,7 +15,7 @@
 #include "core/stop_token.hpp"
 #include "outline/walls/chain_polyline.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Divides a chain into walls by dynamic programming over its turning points. Minimizes the sum of a price
 /// per wall and of squared distances, subject to every wall staying within the tolerance of its trace. Walls
@@ -561,4 +561,4 @@ std::vector<std::size_t> ChainWalls::movable_walls(std::size_t begin, std::size_
     return walls;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -10,7 +10,7 @@
 #include "outline/walls/trace_sums.hpp"
 #include "outline/walls/wall_graph.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// A range of steps of a traced chain that is drawn as one straight wall or circular arc.
 struct WallSegment {
@@ -111,4 +111,4 @@ class ChainWalls {
     std::vector<Shift> shifts_;  // per wall
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -252,7 +252,7 @@ void TileDrawing::draw_whole(const contours::StoredContours& contours, const pip
     const features::RecordBuilder records(contours,
                                           {tiers_.plan, fixed_, found.footprints, run_.metres(),
                                            features::lattice_frame(run_.window(), setup.plan.trace)});
-    const Outliner outliner = features::draw_outlines(contours, setup, context_);
+    const outline::Outliner outliner = features::draw_outlines(contours, setup, context_);
     const features::FeatureInput input{setup, contours, outliner, found.buildings, fixed_};
     features::ContourDrawer drawer(input, records, context_);
     features::DrawnStack stack(context_.make_spool(), joined_.window);

@@ -319,7 +319,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
     pipeline::report_levels(drawn.plan, drawn.levels, report);
     pipeline::warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &facts.scene,
                              run.sources().terrain, context);
-    const Outliner outliner = features::draw_outlines(*drawn.left, setup, context);
+    const outline::Outliner outliner = features::draw_outlines(*drawn.left, setup, context);
     const features::FeatureInput input{setup,      *drawn.left, outliner,
                                        drawn.sure, fixed,       run.sources().parcels};
     const TileIds numbers = write_all(input, records, drawn, features, parts, context);

@@ -99,7 +99,7 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     const std::vector<features::Footprint> footprints{{}};
     const features::RecordBuilder records(*none, {plan, fixed, footprints, run.metres(),
                                                   features::lattice_frame(run.window(), setup.plan.trace)});
-    const Outliner outliner = features::draw_outlines(*none, setup, context);
+    const outline::Outliner outliner = features::draw_outlines(*none, setup, context);
     const features::FeatureInput input{setup, *none, outliner, 0, fixed, run.sources().parcels};
     features::FeatureWriter writer(input, records, features, context);
     writer.begin();
