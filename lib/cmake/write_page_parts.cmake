@@ -9,7 +9,7 @@ function(add_bytes name file)
   set(text "${text}" PARENT_SCOPE)
 endfunction()
 
-set(text "#include \"view/page_parts.hpp\"\n\n// NOLINTBEGIN: nobody edits these bytes\nnamespace d2b {\nnamespace {\n\n")
+set(text "#include \"view/page_parts.hpp\"\n\n// NOLINTBEGIN: nobody edits these bytes\nnamespace d2b::view {\nnamespace {\n\n")
 foreach(part HTML STYLE SCRIPT LICENCE)
   string(TOLOWER ${part} name)
   add_bytes(${name} ${${part}})
@@ -31,7 +31,7 @@ const PageParts* page_parts() {
     return &parts;
 }
 
-}  // namespace d2b
+}  // namespace d2b::view
 // NOLINTEND
 ")
 file(WRITE ${OUTPUT} "${text}")

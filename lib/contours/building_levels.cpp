@@ -7,7 +7,7 @@
 #include "contours/natural_breaks.hpp"
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 constexpr double least_step_m = 0.5;
@@ -122,4 +122,4 @@ LevelPlan plan_building_levels(const BuildingStatistics& statistics, const std::
     return plan;
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -9,7 +9,7 @@
 #include "core/context.hpp"
 #include "dem2buildings/options.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Run of adjacent cells with the same label and elevation.
 struct ConstantRun {
@@ -71,4 +71,4 @@ class BuildingStatistics {
                                              const LevelOptions& options, LevelSource source, double metres,
                                              double border_price = 0);
 
-}  // namespace d2b
+}  // namespace d2b::contours

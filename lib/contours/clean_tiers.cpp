@@ -12,7 +12,7 @@
 #include "core/context.hpp"
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 bool same(double a, double b) {
@@ -72,7 +72,7 @@ GatheredRows gather_rows(const ElevationBand& band, const LabelBand& labels) {
 
 /// Returns the last row with cells of each label.
 /// @param window window of the labels
-std::vector<std::int32_t> last_rows(const LabelRows& labels, Label count, const Window& window,
+std::vector<std::int32_t> last_rows(const detect::LabelRows& labels, Label count, const Window& window,
                                     Executor& threads) {
     std::vector<std::int32_t> last(count + std::size_t{1}, -1);
     const std::vector<RowBand> bands = row_bands(window.rows, window.cols);
@@ -135,7 +135,7 @@ void clean(BuildingCells& cells, const RegionOptions& options, const StopToken& 
 
 }  // namespace
 
-CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label count,
+CleanRows clean_tiers(ElevationReader& reader, const detect::LabelRows& labels, Label count,
                       const RegionOptions& regions, const Window& window,
                       const std::function<void(Label, const BuildingCells&)>& use, Context& context) {
     Executor& threads = *context.threads;
@@ -181,4 +181,4 @@ RegionOptions region_options(double detail, const CellSize& cell, double metres)
     return {height * height * strip_cells, least_width, own_border};
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

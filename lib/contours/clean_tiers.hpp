@@ -15,7 +15,7 @@
 #include "detect/units.hpp"
 #include "elevations/elevation_reader.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Clean elevations of buildings, spooled to disk as runs of constant elevation: 24 bytes per run.
 class CleanRows {
@@ -72,7 +72,7 @@ class CleanRows {
 /// @param window window of the DEM
 /// @param use called once per building, with its clean cells, on any thread
 /// @throws Cancelled, InputError, OutputError
-[[nodiscard]] CleanRows clean_tiers(ElevationReader& reader, const LabelRows& labels, Label count,
+[[nodiscard]] CleanRows clean_tiers(ElevationReader& reader, const detect::LabelRows& labels, Label count,
                                     const RegionOptions& regions, const Window& window,
                                     const std::function<void(Label, const BuildingCells&)>& use,
                                     Context& context);
@@ -84,4 +84,4 @@ class CleanRows {
 /// @param metres metres per vertical unit
 [[nodiscard]] RegionOptions region_options(double detail, const CellSize& cell, double metres);
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <utility>
 
-namespace d2b {
+namespace d2b::contours {
 
 std::uint32_t Components::allocate() {
     if (free_ == no_index) {
@@ -96,4 +96,4 @@ FinishedContour Components::finish(std::uint32_t root) {
     return finished;
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -7,7 +7,7 @@
 #include "contours/contour.hpp"
 #include "contours/runs.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Connected component of runs: a contour that is still growing.
 struct Component {
@@ -61,4 +61,4 @@ class Components {
     std::uint32_t free_ = no_index;
 };
 
-}  // namespace d2b
+}  // namespace d2b::contours

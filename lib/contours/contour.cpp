@@ -1,6 +1,6 @@
 #include "contours/contour.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 std::vector<Contour> fetch_all(const ContourList& contours) {
     std::vector<Contour> all;
@@ -32,4 +32,4 @@ Contour load_contour(ByteReader& reader) {
     return contour;
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -10,7 +10,7 @@
 #include "core/lattice.hpp"
 #include "core/statistics.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Identifies a contour independently of bands, threads and tiles: its level and its first unit square in the
 /// scan order of the whole raster.
@@ -95,4 +95,4 @@ class ContourList {
 void save(const Contour& contour, ByteWriter& writer);
 [[nodiscard]] Contour load_contour(ByteReader& reader);
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 constexpr std::int64_t dropped_parent = -2;  // marks a dropped parent
@@ -249,4 +249,4 @@ std::unique_ptr<StoredContours> ContourMerger::finish() {
                                             std::vector<StoredContours::Rejected>());
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -11,7 +11,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/spool.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Contours kept in a spool. Only their heads and a few bytes per hole are in memory.
 class StoredContours : public ContourList {
@@ -150,4 +150,4 @@ class ContourMerger {
 void save(const StoredContours::Stored& stored, std::int32_t level, ByteWriter& writer);
 [[nodiscard]] StoredContours::Stored load_stored(std::int32_t level, ByteReader& reader);
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -11,7 +11,7 @@
 #include "core/grid.hpp"
 #include "core/text.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 std::vector<double> sliced(const ElevationStatistics& statistics, int lod) {
@@ -182,4 +182,4 @@ template std::uint16_t quantise(double, Label, const LevelPlan&);
 template LevelBand<std::uint8_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 template LevelBand<std::uint16_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -9,7 +9,7 @@
 #include "dem2buildings/options.hpp"
 #include "elevations/statistics.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Maximum number of levels of a label, including the root, because levels are stored in 16 bits and 0 means
 /// "not valid".
@@ -63,4 +63,4 @@ extern template std::uint16_t quantise(double, Label, const LevelPlan&);
 extern template LevelBand<std::uint8_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 extern template LevelBand<std::uint16_t> quantise(const ElevationBand&, const LabelBand&, const LevelPlan&);
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -15,7 +15,7 @@
 #include "core/disjoint_sets.hpp"
 #include "core/stop_token.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Visits the cells of a building in scan order with their preceding neighbours. Holds two rows that move
 /// down the building's columns.
@@ -409,4 +409,4 @@ TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& optio
     return numbered(image);
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -6,7 +6,7 @@
 
 #include "core/stop_token.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Cells of one building and their elevations.
 struct BuildingCells {
@@ -48,4 +48,4 @@ struct RegionOptions {
 [[nodiscard]] TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& options,
                                         const StopToken& stop = {});
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 // Multiplied or divided by 10, because 0.1 is not a binary number.
@@ -168,4 +168,4 @@ std::vector<std::int64_t> natural_breaks(std::span<const HistogramBin> bins, int
     return breaks;
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

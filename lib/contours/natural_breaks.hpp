@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Number of points in one bin.
 struct HistogramBin {
@@ -53,4 +53,4 @@ struct BreakPenalty {
                                                        std::int64_t least_bins,
                                                        const BreakPenalty& price = {});
 
-}  // namespace d2b
+}  // namespace d2b::contours

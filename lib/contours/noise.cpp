@@ -6,7 +6,7 @@
 
 #include "core/text.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 bool is_small(std::int64_t squares, LatticePoint place, const NoiseRules& rules,
@@ -120,4 +120,4 @@ std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const H
     return filled;
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -12,7 +12,7 @@
 #include "core/statistics.hpp"
 #include "dem2buildings/options.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Thresholds below which contours and holes are noise.
 struct NoiseRules {
@@ -62,4 +62,4 @@ struct Hole {
                                            const std::function<LatticeRing(std::size_t)>& ring,
                                            Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::contours

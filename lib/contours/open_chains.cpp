@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace d2b {
+namespace d2b::contours {
 
 std::uint32_t OpenChains::add_node(const Corner& corner, std::uint32_t next) {
     if (free_node_ == no_index) {
@@ -122,4 +122,4 @@ std::span<const Corner> OpenChains::take_ring(std::uint32_t first, std::uint32_t
     return ring_;
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

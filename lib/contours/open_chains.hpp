@@ -8,7 +8,7 @@
 #include "contours/runs.hpp"
 #include "core/lattice.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 inline constexpr double nothing_outside = std::numeric_limits<double>::infinity();
 
@@ -86,4 +86,4 @@ class OpenChains {
     std::vector<Corner> ring_;  ///< the ring closed last
 };
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -9,7 +9,7 @@
 
 #include "core/band.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 inline constexpr std::uint32_t no_index = std::numeric_limits<std::uint32_t>::max();
 
@@ -104,4 +104,4 @@ void run_length_encode(std::span<const Count> counts, std::span<const Label> lab
     encoder.finish();
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -10,7 +10,7 @@
 #include "core/band.hpp"
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Adapts collapsed contouring (-trace points) to the tracer of cells: a unit square between four grid points
 /// belongs to the levels that all four have, so its count is the smallest count of its corners. Above level 0
@@ -236,4 +236,4 @@ template std::vector<TraceLine> split_into_runs(const TraceFrame&, TraceMode, co
 template std::vector<TraceLine> split_into_runs(const TraceFrame&, TraceMode, const PointRows<std::uint16_t>&,
                                                 const PointRows<std::uint16_t>&);
 
-}  // namespace d2b
+}  // namespace d2b::contours

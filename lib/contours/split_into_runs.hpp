@@ -10,7 +10,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Properties of the whole DEM required before tracing its first row.
 struct TraceFrame {
@@ -79,4 +79,4 @@ extern template std::vector<TraceLine> split_into_runs(const TraceFrame&, TraceM
                                                        const PointRows<std::uint16_t>&,
                                                        const PointRows<std::uint16_t>&);
 
-}  // namespace d2b
+}  // namespace d2b::contours

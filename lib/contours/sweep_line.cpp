@@ -8,7 +8,7 @@
 
 #include "contours/open_chains.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Splits a closed outline into simple rings. Because squares are joined along edges only, an outline
 /// touches itself if two squares of one contour share just a corner:
@@ -431,4 +431,4 @@ void SweepLine::finish(std::uint32_t root, ContourSink& sink) {
     lower.children.push_back(name);
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -9,7 +9,7 @@
 #include "contours/open_chains.hpp"
 #include "contours/runs.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// A part of an outline that leaves its band: the chain between two crossings of the borders of the band.
 struct OutlinePiece {
@@ -111,4 +111,4 @@ class SweepLine {
     LatticeRing ring_;  ///< scratch buffer
 };
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace d2b {
+namespace d2b::contours {
 
 Tracer::Tracer(const TraceFrame& frame, TraceMode mode, ContourSink& sink)
     : points_(mode == TraceMode::points),
@@ -109,4 +109,4 @@ void Tracer::add_roof(const TraceLine& line, const PointRun& share, ElevationSam
     add_up_to(share.end);
 }
 
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -8,7 +8,7 @@
 #include "contours/split_into_runs.hpp"
 #include "contours/sweep_line.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 
 /// Lines of a band, linked as far as possible without the lines above it.
 struct LinkedBand {
@@ -59,4 +59,4 @@ class Tracer {
     std::array<std::vector<double>, 3> outside_;  ///< latest rows of points, newest first
 };
 
-}  // namespace d2b
+}  // namespace d2b::contours

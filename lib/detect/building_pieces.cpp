@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 double height_difference(const PieceAdjacencyGraph::Piece& a, const PieceAdjacencyGraph::Piece& b) {
@@ -185,4 +185,4 @@ void add_borders(const Grid<Label>& pieces, const Grid<Label>& buildings, PieceA
         }
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

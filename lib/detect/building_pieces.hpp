@@ -9,7 +9,7 @@
 #include "raster/morphology.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Region adjacency graph of pieces of buildings, weighted by the length of common borders. Merges small
 /// pieces into their neighbours.
@@ -72,4 +72,4 @@ void write_pieces(const Regions& regions, const std::vector<Label>& number, Dete
 /// Adds the common borders of pieces to a graph: neighbouring cells of one building in different pieces.
 void add_borders(const Grid<Label>& pieces, const Grid<Label>& buildings, PieceAdjacencyGraph& graph);
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -14,7 +14,7 @@
 #include "raster/morphology.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr std::int32_t cells_beside = 2;
@@ -214,4 +214,4 @@ Candidates find_candidates(const Scene& scene, SceneCells& cells, double min_are
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -10,7 +10,7 @@
 #include "detect/smoothness.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Removes border cells that are less than half as high as the inner cells within two cells. A wall crosses
 /// them, and in a blurred raster it stands at the points of half its height. Objects without inner cells keep
@@ -48,4 +48,4 @@ enum class CrownTreatment { cut_off, keep };
                                          const SurfaceQuality& quality, Executor& threads,
                                          CrownTreatment crowns = CrownTreatment::cut_off);
 
-}  // namespace d2b
+}  // namespace d2b::detect

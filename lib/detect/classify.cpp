@@ -8,7 +8,7 @@
 
 #include "detect/object_features.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 // Buildings of the cities in docs/accuracy.md have walls on at least a quarter of their border, mostly on all
@@ -149,4 +149,4 @@ std::string_view counter_evidence_name(CounterEvidence doubt) {
     return "";
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Odds of a probability, finite even for 1.
 [[nodiscard]] inline double odds(double probability) {
@@ -20,4 +20,4 @@ namespace d2b {
     return probability_of(odds(probability) * std::exp(-log_odds));
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -13,7 +13,7 @@
 #include "detect/threshold_scale.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr float lowest_roof_m = 1;  // lower objects are cars, hedges or errors of the ground
@@ -152,4 +152,4 @@ LabelBand detect_one_label(const ElevationBand& elevations, Context& /*context*/
     return {elevations.shape, {}};
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -11,42 +11,43 @@
 #include "detect/scene.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// First cell of a region in scan order.
 struct FirstCell {
     std::int32_t row = 0;
     std::int32_t col = 0;
 
-    friend bool operator==(const FirstCell&, const FirstCell&) = default;
+    friend bool operator==(const detect::FirstCell&, const detect::FirstCell&) = default;
 };
 
 /// Crown that was cut off a roof.
 struct CutCrown {
-    FirstCell first;
+    detect::FirstCell first;
     std::int64_t cells = 0;
 };
 
 /// Objects rejected before classification, identified by their first cells, so that objects seen by several
 /// overlapping units are counted once.
 struct RejectedObjects {
-    std::vector<FirstCell> small;  ///< objects with fewer cells than a building needs
-    std::vector<FirstCell> low;    ///< see low_roofs()
-    std::vector<CutCrown> crowns;  ///< see remove_attached_crowns(); independent of options
-    std::vector<FirstCell>
+    std::vector<detect::FirstCell> small;  ///< objects with fewer cells than a building needs
+    std::vector<detect::FirstCell> low;    ///< see low_roofs()
+    std::vector<detect::CutCrown> crowns;  ///< see remove_attached_crowns(); independent of options
+    std::vector<detect::FirstCell>
         parts;  ///< parts cut off by parcels that are too small or too narrow for buildings
 };
 
 /// Removes small regions and renumbers the others from 1.
 /// @return first cells of the removed regions
-[[nodiscard]] std::vector<FirstCell> remove_small(Regions& regions, std::int64_t min_cells);
+[[nodiscard]] std::vector<detect::FirstCell> remove_small(Regions& regions, std::int64_t min_cells);
 
 /// Finds potential roofs that are too low: smooth segments of the surface with the size of a building that
 /// rise more than a metre above the ground, but nowhere by more than `min_height`.
 /// @param flags result of smoothness()
 /// @return their first cells
-[[nodiscard]] std::vector<FirstCell> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags,
-                                               double min_height, std::int64_t min_cells, Executor& threads);
+[[nodiscard]] std::vector<detect::FirstCell> low_roofs(const detect::Scene& scene,
+                                                       const Grid<std::uint8_t>& flags, double min_height,
+                                                       std::int64_t min_cells, Executor& threads);
 
 /// Strongest evidence against an object being a building.
 enum class CounterEvidence {
@@ -58,12 +59,12 @@ enum class CounterEvidence {
     no_right_angles,  ///< its border follows no two perpendicular directions
     ragged            ///< it is small and has arms and bays
 };
-[[nodiscard]] std::string_view counter_evidence_name(CounterEvidence doubt);
+[[nodiscard]] std::string_view counter_evidence_name(detect::CounterEvidence doubt);
 
 /// Object above the ground that resembles a building.
 struct DetectedObject {
     double confidence = 0;  ///< 0 to 1
-    CounterEvidence doubt = CounterEvidence::rough;
+    detect::CounterEvidence doubt = detect::CounterEvidence::rough;
     std::int64_t cells = 0;
     std::int64_t parcel = ParcelCell::no_parcel;  ///< parcel with most of its cells
     Label whole = 0;  ///< shared by all objects that one object was divided into; 0: unknown
@@ -72,9 +73,9 @@ struct DetectedObject {
 /// Detected objects and their cells.
 struct Detection {
     Grid<Label> labels;  ///< labels up to `buildings` are buildings, higher ones doubtful objects
-    std::vector<DetectedObject> objects;  ///< by label - 1
+    std::vector<detect::DetectedObject> objects;  ///< by label - 1
     Label buildings = 0;
-    RejectedObjects rejected;
+    detect::RejectedObjects rejected;
 
     [[nodiscard]] bool is_building(Label label) const { return label != 0 && label <= buildings; }
 };
@@ -92,11 +93,11 @@ struct Detection {
 /// Halo: an object, the segments it meets, and 11 m and five cells around them. Memory: 5 to 9 bytes per cell
 /// in addition to the scene, of which the result has four; 9 to 13 if buildings are divided.
 /// @param min_area_m2 smaller objects are not buildings
-[[nodiscard]] Detection detect_buildings(const Scene& scene, const DetectOptions& options, double min_area_m2,
-                                         Context& context);
+[[nodiscard]] detect::Detection detect_buildings(const detect::Scene& scene, const DetectOptions& options,
+                                                 double min_area_m2, Context& context);
 
 /// Detection of the thesis preset: all cells above the ground level belong to one object with one label,
 /// because the contours alone separate buildings. Pointwise: no halo, no state.
 [[nodiscard]] LabelBand detect_one_label(const ElevationBand& elevations, Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::detect

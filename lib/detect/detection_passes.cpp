@@ -14,7 +14,7 @@
 #include "detect/priors.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 std::vector<bool> max_weight_antichain(std::span<const NestedCandidate> candidates) {
     std::vector<double> within(candidates.size(), 0);  // best sum of the candidates inside each
@@ -235,4 +235,4 @@ Candidates merge_candidates(Candidates one, const Candidates& other, Executor& t
     return both;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

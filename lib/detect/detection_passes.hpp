@@ -6,7 +6,7 @@
 
 #include "detect/candidates.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Node of a forest of nested candidates.
 struct NestedCandidate {
@@ -73,4 +73,4 @@ struct NestedCandidate {
 /// Merges two sets of objects that share no edge, in scan order.
 [[nodiscard]] Candidates merge_candidates(Candidates one, const Candidates& other, Executor& threads);
 
-}  // namespace d2b
+}  // namespace d2b::detect

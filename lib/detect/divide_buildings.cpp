@@ -14,7 +14,7 @@
 #include "raster/morphology.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Assigns the final piece to each cell of a building. Parcels and walls never agree exactly, and the raster
 /// blurs both. Therefore cells are unassigned that an opening of their piece by half of the width removes
@@ -401,4 +401,4 @@ void split_buildings(const Scene& scene, double split_height, std::int64_t min_c
     write_pieces(regions, graph.numbered(), detection);
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -5,7 +5,7 @@
 #include "detect/detection.hpp"
 #include "detect/scene.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Divides buildings along parcel boundaries, and records for each building and doubtful object the parcel
 /// with most of its cells. Neighbouring cells stay together if their centres are in one parcel and no
@@ -28,4 +28,4 @@ void cut_by_parcels(const Scene& scene, double width_m, std::int64_t min_cells, 
 void split_buildings(const Scene& scene, double split_height, std::int64_t min_cells, Detection& detection,
                      Executor& threads);
 
-}  // namespace d2b
+}  // namespace d2b::detect

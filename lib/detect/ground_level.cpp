@@ -10,7 +10,7 @@
 
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 using Values = std::vector<float>;
@@ -106,4 +106,4 @@ std::vector<double> ground_levels(const MetreGrid& terrain, const Grid<Label>& l
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

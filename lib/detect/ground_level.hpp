@@ -6,7 +6,7 @@
 #include "core/executor.hpp"
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Ground elevation per label in m: the tenth percentile of the terrain in the cells along the label's
 /// border, inside and outside. A building on a slope stands on its lower side, and a single pit does not pull
@@ -15,4 +15,4 @@ namespace d2b {
 [[nodiscard]] std::vector<double> ground_levels(const MetreGrid& terrain, const Grid<Label>& labels,
                                                 Label count, Executor& threads);
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -8,7 +8,7 @@
 
 #include "detect/smoothness.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr std::int32_t ring_cells = 2;
@@ -314,4 +314,4 @@ std::vector<ObjectFeatures> compute_features(const Scene& scene, const ObjectReg
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -8,7 +8,7 @@
 #include "detect/smoothness.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Surroundings and gradients of an object, summed over its border cells.
 class BorderSums {
@@ -124,4 +124,4 @@ struct ObjectRegions {
 /// the size of their segments counts a quarter.
 [[nodiscard]] double roof_score(const ObjectFeatures& part);
 
-}  // namespace d2b
+}  // namespace d2b::detect

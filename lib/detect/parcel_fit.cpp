@@ -13,7 +13,7 @@
 #include "core/grid.hpp"
 #include "detect/scene.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr double step_m = 0.5;
@@ -419,4 +419,4 @@ ParcelReport parcel_report(const ParcelFit& fit, const CellSize& cell) {
     return report;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

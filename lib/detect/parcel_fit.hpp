@@ -10,7 +10,7 @@
 #include "dem2buildings/report.hpp"
 #include "detect/detection.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Factor on roof_step() from which a step counts as a wall between houses, not as a dormer.
 inline constexpr float walls_to_steps = 2;
@@ -71,4 +71,4 @@ void add_fit(const Scene& scene, const Detection& detection, const Window& own, 
 /// @param cell cell size of the DEM
 [[nodiscard]] ParcelReport parcel_report(const ParcelFit& fit, const CellSize& cell);
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -10,7 +10,7 @@
 
 #include "detect/classify.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr std::size_t fewest_candidates = 100;
@@ -255,4 +255,4 @@ void apply_reference_prior(const Candidates& reference_objects, const CellSize& 
     });
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -7,7 +7,7 @@
 #include "detect/detection.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Estimates the share of buildings among the candidates of a scene. Confidences are only valid for the share
 /// in the training data of classify(); wooded scenes have fewer buildings.
@@ -68,4 +68,4 @@ void apply_spatial_prior(const Regions& regions, const CellSize& cell, const Pri
 void apply_reference_prior(const Candidates& reference_objects, const CellSize& cell, const PriorShare& prior,
                            Candidates& judged, Executor& threads);
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -8,7 +8,7 @@
 #include "core/context.hpp"
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 double Scene::side() const {
     return std::sqrt(cell_area());
@@ -80,4 +80,4 @@ Mask read_mask(DemSource& source, const Window& part, Context& context) {
     return mask;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -9,7 +9,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/parcel_source.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Parcels of the cells of a scene.
 using ParcelGrid = Grid<ParcelCell>;
@@ -28,9 +28,9 @@ struct Scene {
     const MetreGrid& surface;  ///< the DSM, NaN in cells that are not valid
     const MetreGrid& terrain;  ///< never NaN if the surface is valid
     CellSize cell;
-    const Mask* allowed = nullptr;         ///< cells in which buildings are searched; null: everywhere
-    const MetreGrid* greenness = nullptr;  ///< NDVI, NaN if unknown; may be null
-    const ParcelGrid* parcels = nullptr;   ///< parcels that divide buildings; may be null
+    const Mask* allowed = nullptr;                ///< cells in which buildings are searched; null: everywhere
+    const MetreGrid* greenness = nullptr;         ///< NDVI, NaN if unknown; may be null
+    const detect::ParcelGrid* parcels = nullptr;  ///< parcels that divide buildings; may be null
 
     [[nodiscard]] float height(std::size_t i) const { return surface.values[i] - terrain.values[i]; }
     /// Side in metres of a square cell of the same area.
@@ -42,11 +42,11 @@ struct Scene {
 [[nodiscard]] std::int64_t cells_covering(double area_m2, const CellSize& cell);
 
 /// Returns the cells higher above the terrain than a threshold, within the allowed area.
-[[nodiscard]] Mask elevated_cells(const Scene& scene, double min_height, Executor& threads);
+[[nodiscard]] Mask elevated_cells(const detect::Scene& scene, double min_height, Executor& threads);
 
 /// Height difference in m between neighbouring cells that are separated by a wall. It is more than roofs
 /// rise: 63 degrees in cells of 0.5 m, 56 degrees in cells of a metre and more.
-[[nodiscard]] inline float roof_step(const Scene& scene) {
+[[nodiscard]] inline float roof_step(const detect::Scene& scene) {
     constexpr double least = 1;
     constexpr double slope = 1.5;
     return static_cast<float>(std::max(least, slope * scene.side()));
@@ -59,4 +59,4 @@ struct Scene {
 /// @throws InputError
 [[nodiscard]] Mask read_mask(DemSource& source, const Window& part, Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::detect

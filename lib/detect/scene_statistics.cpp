@@ -10,7 +10,7 @@
 #include "core/grid.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Returns the first bin for NaN. Branch-free, so that the loop vectorises.
 std::int32_t GroundFit::bin_of(double height) {
@@ -195,4 +195,4 @@ void SceneStatistics::merge(const SceneStatistics& other) {
     islands.merge(other.islands);
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -13,7 +13,7 @@
 #include "detect/scene.hpp"
 #include "detect/surface_sampling.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Histogram of the heights of a surface above its ground. Integer counts, so the order does not matter.
 class GroundFit {
@@ -146,4 +146,4 @@ struct SceneStatistics {
     ValidIslands islands;
 };
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -7,7 +7,7 @@
 
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 // The thresholds include noise up to this. Noise beyond it makes second differences 2.4 times as wide; crowns
@@ -211,4 +211,4 @@ SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated, const G
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

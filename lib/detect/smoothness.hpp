@@ -7,7 +7,7 @@
 #include "detect/scene.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Curvature of the surface at a cell, as bits: second differences below thresholds. Thresholds grow with the
 /// cell size, because the relief of roofs and the error of gridding do, and with noise beyond the usual.
@@ -79,4 +79,4 @@ struct SmoothSegments {
 [[nodiscard]] SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated,
                                              const Grid<std::uint8_t>& flags, Executor& threads);
 
-}  // namespace d2b
+}  // namespace d2b::detect

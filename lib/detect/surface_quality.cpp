@@ -13,7 +13,7 @@
 #include "detect/smoothness.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr std::size_t step_bins = StepHistogram::bins;
@@ -323,4 +323,4 @@ double interpolated_fraction(const MetreGrid& surface, const Mask& elevated, con
         reduce_row_bands(threads, surface.rows, surface.cols, HeightDifferences(), add_band));
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

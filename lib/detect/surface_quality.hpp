@@ -10,7 +10,7 @@
 #include "core/grid.hpp"
 #include "detect/scene.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Histogram with one overflow bin.
 template <std::size_t bins>
@@ -103,4 +103,4 @@ void add_differences(std::span<const float> heights, const float* heights_below,
 /// Same, from the histogram of these pairs.
 [[nodiscard]] double interpolated_fraction(const HeightDifferences& differences);
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -10,7 +10,7 @@
 #include "core/grid.hpp"
 #include "detect/smoothness.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr std::int32_t sampling_reach = SurfaceSampling::reach;
@@ -217,4 +217,4 @@ SamplingReport sampling_report(const SurfaceSampling& sampling, double metres) {
     return report;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

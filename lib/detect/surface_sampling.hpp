@@ -9,7 +9,7 @@
 #include "detect/scene.hpp"
 #include "detect/surface_quality.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Statistics of the sampling of a surface. Integer counts, so the order does not matter.
 struct SurfaceSampling {
@@ -46,4 +46,4 @@ void add_sampling(const Scene& scene, const Detection& detection, double min_hei
 /// @param metres metres per vertical unit of the raster
 [[nodiscard]] SamplingReport sampling_report(const SurfaceSampling& sampling, double metres);
 
-}  // namespace d2b
+}  // namespace d2b::detect

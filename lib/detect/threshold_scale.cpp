@@ -11,7 +11,7 @@
 #include "core/grid.hpp"
 #include "raster/morphology.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr std::int32_t near = 1;  // cells
@@ -197,4 +197,4 @@ std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectO
     return first_too_strict == stricter.begin() ? 1 : *(first_too_strict - 1);
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

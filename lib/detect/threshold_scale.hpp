@@ -7,7 +7,7 @@
 #include "detect/candidates.hpp"
 #include "detect/scene.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Sharpness of the steps at the borders of objects: the fall within one cell divided by the fall within
 /// three. It is 1 for vertical walls, and a half or less if the raster is blurred, as in elevations from
@@ -51,4 +51,4 @@ struct RoofSample {
                                                              const SurfaceQuality& quality,
                                                              const Candidates& first, Executor& threads);
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -13,7 +13,7 @@
 #include "detect/object_features.hpp"
 #include "raster/morphology.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Line along which a crown is cut off.
 struct CutLine {
@@ -449,4 +449,4 @@ std::vector<CutCrown> remove_attached_crowns(const Scene& scene, const SmoothSeg
     return crowns;
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

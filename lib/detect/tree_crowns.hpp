@@ -9,7 +9,7 @@
 #include "detect/scene.hpp"
 #include "detect/smoothness.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Position in m from the raster's first corner.
 struct MetricPoint {
@@ -110,4 +110,4 @@ class SharedBoundary {
                                                            std::int64_t min_cells, Mask cells,
                                                            Candidates& judged, Executor& threads);
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -9,7 +9,7 @@
 #include "core/byte_stream.hpp"
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr double fewest_around = 64;  // cells
@@ -285,4 +285,4 @@ void UnitSeams::add(std::int32_t col, UnitEdges&& edges, UnitMerger& merger) {
     left_ = std::move(edges.right);
 }
 
-}  // namespace d2b
+}  // namespace d2b::detect

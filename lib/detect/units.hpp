@@ -18,7 +18,7 @@
 #include "detect/detection.hpp"
 #include "raster/regions.hpp"
 
-namespace d2b {
+namespace d2b::detect {
 
 /// Block of a window that is processed at once, as windows of the whole raster: a core, and an extent that
 /// adds a halo to it.
@@ -187,4 +187,4 @@ class UnitSeams {
     UnitEdges::Lines left_;  ///< edges at the seam to the right of the previous unit
 };
 
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -8,7 +8,7 @@
 #include "core/text.hpp"
 #include "diagnose/warnings.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 /// Minimum number of pieces, because one or two may be a small cut-out of a surface.
@@ -16,7 +16,8 @@ constexpr std::int64_t fewest_islands = 3;
 
 }  // namespace
 
-std::string missing_ground_warning(const ValidIslands& islands, GroundMode mode, const std::string& dem) {
+std::string missing_ground_warning(const detect::ValidIslands& islands, GroundMode mode,
+                                   const std::string& dem) {
     if (mode != GroundMode::automatic || !islands.narrow_most() || islands.islands < fewest_islands ||
         2 * islands.largest > islands.cells)
         return {};
@@ -26,7 +27,7 @@ std::string missing_ground_warning(const ValidIslands& islands, GroundMode mode,
            "elevations";
 }
 
-std::string empty_auxiliary_warning(const AuxiliaryCoverage& known, const Options& options) {
+std::string empty_auxiliary_warning(const detect::AuxiliaryCoverage& known, const Options& options) {
     if (!known.terrain)
         return "the terrain '" + options.ground.terrain +
                "' has no valid cell over the DEM; give one of the same place with -ground, or leave -ground "
@@ -38,18 +39,19 @@ std::string empty_auxiliary_warning(const AuxiliaryCoverage& known, const Option
     return {};
 }
 
-std::string ndvi_warning(const AuxiliaryCoverage& known, const Options& options) {
+std::string ndvi_warning(const detect::AuxiliaryCoverage& known, const Options& options) {
     if (known.ndvi)
         return {};
     return "the NDVI '" + options.detect.ndvi +
            "' has no valid cell over the DEM, so it shows no plants; give one of the same place with -ndvi";
 }
 
-std::string slope_warning(const GroundSlope& slope, const std::string& dem) {
+std::string slope_warning(const detect::GroundSlope& slope, const std::string& dem) {
     if (2 * slope.steep_cells <= slope.cells)
         return {};
     const double share = static_cast<double>(slope.steep_cells) / static_cast<double>(slope.cells);
-    return percent(share) + " of the ground of '" + dem + "' is steeper than " + percent(GroundSlope::steep) +
+    return percent(share) + " of the ground of '" + dem + "' is steeper than " +
+           percent(detect::GroundSlope::steep) +
            ", where buildings can hardly be told from the slope; give a terrain model with -ground, and "
            "check the units of elevations and coordinates (-zunit)";
 }
@@ -60,12 +62,12 @@ constexpr double fewest_bare = 0.05;
 constexpr double farthest_m = 2;
 constexpr double fewest_raised = 0.001;
 
-std::string within(const GroundFit& fit) {
+std::string within(const detect::GroundFit& fit) {
     return "only " + percent(fit.bare_share()) + " of the cells lie within " + number_text(fit.min_height()) +
            " m of ";
 }
 
-std::string doubt_of_given(const GroundFit& fit, const std::string& terrain, bool few) {
+std::string doubt_of_given(const detect::GroundFit& fit, const std::string& terrain, bool few) {
     const std::string see = "; check whether both have the same unit and vertical datum";
     if (few)
         return within(fit) + "the terrain '" + terrain + "', above which the surface lies " +
@@ -77,7 +79,7 @@ std::string doubt_of_given(const GroundFit& fit, const std::string& terrain, boo
 
 }  // namespace
 
-std::string ground_warning(const GroundFit& fit, GroundMode mode, const std::string& terrain) {
+std::string ground_warning(const detect::GroundFit& fit, GroundMode mode, const std::string& terrain) {
     const bool few = fit.bare_share() < fewest_bare;
     if (fit.cells() == 0 || (!few && !(std::abs(fit.bare_median()) > farthest_m)))
         return {};
@@ -92,7 +94,7 @@ std::string ground_warning(const GroundFit& fit, GroundMode mode, const std::str
            "; give a terrain model with -ground, or use a larger part of the raster";
 }
 
-std::string surface_warning(const GroundFit& fit, const std::string& dem) {
+std::string surface_warning(const detect::GroundFit& fit, const std::string& dem) {
     const double usual = DetectOptions{}.min_height;
     const double share = fit.share_above(usual);
     if (fit.cells() == 0 || share >= fewest_raised)
@@ -210,7 +212,7 @@ using Report = const RunReport&;
 /// Reason why the ground of a search cannot be right, or only buildings have elevations.
 std::string search_ground_warning(Search search) {
     const GroundMode mode = search.plan.ground;
-    const ValidIslands& islands = search.scene.islands;
+    const detect::ValidIslands& islands = search.scene.islands;
     if (std::string text = missing_ground_warning(islands, mode, search.dem.name); !text.empty())
         return text;
     // A raster with NoData as ground contains roofs alone, whose heights are those of buildings.
@@ -232,8 +234,9 @@ std::string terrain_gap_warning(Search search, Report report) {
     const Window& window = search.dem.window;
     const std::int64_t known = search.scene.fit.cells();
     const std::int64_t missing = report.valid_points - known;
-    const std::int64_t fewest = std::max<std::int64_t>(cells_covering(search.plan.building_m2, search.cell),
-                                                       std::int64_t{window.rows} + window.cols);
+    const std::int64_t fewest =
+        std::max<std::int64_t>(detect::cells_covering(search.plan.building_m2, search.cell),
+                               std::int64_t{window.rows} + window.cols);
     const auto outside = std::llround(search.terrain_outside * static_cast<double>(window.points()));
     // The share outside is measured on a lattice of points.
     if (search.plan.ground != GroundMode::given || known == 0 || missing < fewest ||
@@ -322,7 +325,7 @@ std::string explain_empty_search(const SearchSummary& search) {
            "for large buildings, and -write_canopy shows everything that rises";
 }
 
-std::string explain_empty_result(const LevelPlan& plan, std::size_t buildings, const DemInfo& dem,
+std::string explain_empty_result(const contours::LevelPlan& plan, std::size_t buildings, const DemInfo& dem,
                                  const RunReport& report) {
     if (report.valid_points == 0)
         return "'" + report.input + "' has no valid point; the layers are empty";
@@ -349,4 +352,4 @@ void warn_about_search(const SearchSummary& search, bool found_any, Context& con
         context.warn("No building was found: " + explain_empty_search(search) + ".");
 }
 
-}  // namespace d2b
+}  // namespace d2b::diagnose

@@ -7,7 +7,7 @@
 #include "detect/smoothness.hpp"
 #include "options/run_plan.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 
 std::string rounded(double value) {
     constexpr double whole_from = 10;
@@ -85,7 +85,7 @@ constexpr double widest_step = 2.5;
 }  // namespace
 
 std::string sparse_points_warning(const SamplingReport& report, double side) {
-    if (report.interpolated_fraction <= thin_points || !report.points_per_cell)
+    if (report.interpolated_fraction <= detect::thin_points || !report.points_per_cell)
         return {};
     return "points are thin: about " + rounded(*report.points_per_cell) + " fell into a cell of " +
            rounded(side) + " m, and none into " + percent(report.interpolated_fraction) +
@@ -196,4 +196,4 @@ std::string unit_memory_refusal(const SeenPoints& seen) {
                                     : "make the cells larger with gdalwarp -tr.");
 }
 
-}  // namespace d2b
+}  // namespace d2b::diagnose

@@ -8,7 +8,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/report.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 
 /// Formats a length for a sentence, to the metre, or to the decimetre below ten: "43", "0.3".
 [[nodiscard]] std::string rounded(double value);
@@ -83,4 +83,4 @@ struct SeenPoints {
 /// Returns the reason why it is too much, and possible remedies; "" if it is not.
 [[nodiscard]] std::string unit_memory_refusal(const SeenPoints& seen);
 
-}  // namespace d2b
+}  // namespace d2b::diagnose

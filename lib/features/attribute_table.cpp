@@ -7,7 +7,7 @@
 
 #include "core/text.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 struct Translation {
@@ -374,4 +374,4 @@ std::span<const Attribute<ProblemRecord>> problem_attributes() {
     return problem_table;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

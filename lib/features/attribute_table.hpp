@@ -8,7 +8,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "features/record_builder.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Returns another program's name for a field of the buildings layer, or our own name if it has none.
 [[nodiscard]] std::string_view field_name(FieldNames names, std::string_view own);
@@ -53,4 +53,4 @@ template <typename Record>
 /// Describes the layers as Markdown tables, which docs/output.md contains.
 [[nodiscard]] std::string schema_markdown();
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -11,9 +11,9 @@
 #include "dem2buildings/error.hpp"
 #include "features/reprojection.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
-ContourChildren::ContourChildren(const ContourList& contours) : first_(contours.size() + 1) {
+ContourChildren::ContourChildren(const contours::ContourList& contours) : first_(contours.size() + 1) {
     for (std::size_t i = 0; i < contours.size(); ++i)
         if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
             ++first_[static_cast<std::size_t>(parent) + 1];
@@ -172,8 +172,8 @@ FeaturePolygon PolygonMaker::as_traced(const LatticePolygon& polygon) {
 }
 
 FeaturePolygon PolygonMaker::make(std::size_t contour, Form form) {
-    const Outliner& outliner = terms_.outliner;
-    const OutlineQuality quality =
+    const outline::Outliner& outliner = terms_.outliner;
+    const outline::OutlineQuality quality =
         form == Form::footprint ? outliner.footprint_quality(contour) : outliner.quality(contour);
     FeaturePolygon made;
     split_by_projection_ = false;
@@ -238,7 +238,7 @@ bool measures_drawn(const RunPlan& plan) {
     return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
 }
 
-OutlineRules outline_rules(const RunSetup& setup) {
+outline::OutlineRules outline_rules(const RunSetup& setup) {
     const OutlineOptions& asked = setup.plan.asked.outline;
     return {setup.plan.walls,
             setup.plan.wall_tolerance(setup.cell_m()),
@@ -254,18 +254,19 @@ double x_stretch_of(const RunSetup& setup) {
 
 }  // namespace
 
-OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunSetup& setup,
-                                            Context& context) {
+outline::OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
+                                                     const RunSetup& setup, Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    return outline_dependencies(contours, outline_rules(setup), setup.georeference, x_stretch_of(setup),
-                                context.threads->stop());
+    return outline::outline_dependencies(contours, outline_rules(setup), setup.georeference,
+                                         x_stretch_of(setup), context.threads->stop());
 }
 
-Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context) {
+outline::Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup,
+                                Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    const OutlineRules rules = outline_rules(setup);
+    const outline::OutlineRules rules = outline_rules(setup);
     return {contours,
-            choose_outline_method(rules, setup.georeference),
+            outline::choose_outline_method(rules, setup.georeference),
             rules,
             setup.georeference,
             x_stretch_of(setup),
@@ -296,13 +297,13 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordBuilder& rec
 
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
     PolygonMaker& maker = makers_[thread];
-    const ContourHead& head = input_.contours.head(contour);
+    const contours::ContourHead& head = input_.contours.head(contour);
     DrawnContour drawn{
         head.key, head.parent, head.building, input_.is_low_confidence(contour), {}, {}, {}, {}, {}, {}};
     const bool is_building = head.key.level == 1;
     {
         const StageClock clock(maker.tally(), Stage::attributes);
-        const StoredContours::Stored stored = input_.contours.fetch_stored(contour);
+        const contours::StoredContours::Stored stored = input_.contours.fetch_stored(contour);
         drawn.record = records_.contour(contour, stored.contour);
         drawn.own = drawn.whole = stored.contour.own;
         drawn.whole.merge(stored.contour.above);
@@ -334,4 +335,4 @@ void ContourDrawer::draw_building(std::size_t contour, PolygonMaker& maker, Draw
         maker.tally().dropped = counted;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -21,13 +21,13 @@
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Children of each contour in the tree of contours, in CSR form.
 class ContourChildren {
   public:
     ContourChildren() = default;
-    explicit ContourChildren(const ContourList& contours);
+    explicit ContourChildren(const contours::ContourList& contours);
     [[nodiscard]] std::span<const std::uint32_t> of(std::size_t contour) const {
         return std::span(children_).subspan(first_[contour], first_[contour + 1] - first_[contour]);
     }
@@ -55,7 +55,7 @@ using DrawParts = std::function<std::vector<WorldPolygon>()>;
 /// Parameters for converting outlines to polygons of the output.
 struct PolygonParameters {
     const RunSetup& setup;
-    const Outliner& outliner;
+    const outline::Outliner& outliner;
     const ContourChildren& children;  ///< may be empty if no tiers are drawn
     StopToken stop = {};
     bool with_cells = false;  ///< true to return the cells of each polygon
@@ -128,7 +128,7 @@ class PolygonMaker {
 
 /// Records of a contour and its polygons. A polygon is empty if its layer is not written.
 struct DrawnContour {
-    ContourKey key;
+    contours::ContourKey key;
     std::int64_t parent = -1;          ///< index of the parent in the contour list
     std::int64_t building_index = -1;  ///< index of the building in the contour list
     bool is_low_confidence = false;
@@ -200,10 +200,11 @@ class ContourDrawer {
 };
 
 /// Groups contours whose outlines depend on each other, and returns the reach of that dependence in cells.
-[[nodiscard]] OutlineDependencies outline_dependencies_of(const ContourList& contours, const RunSetup& setup,
-                                                          Context& context);
+[[nodiscard]] outline::OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
+                                                                   const RunSetup& setup, Context& context);
 
 /// Draws the outlines of the contours of a run.
-[[nodiscard]] Outliner draw_outlines(const ContourList& contours, const RunSetup& setup, Context& context);
+[[nodiscard]] outline::Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup,
+                                              Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::features

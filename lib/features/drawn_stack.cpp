@@ -10,7 +10,7 @@
 
 #include "core/byte_stream.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr std::int64_t whole_cell = FinePoint::steps;
@@ -234,4 +234,4 @@ std::vector<StackError> DrawnStack::errors_by_level(const ElevationBand& band, c
     return errors;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -12,7 +12,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/spool.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Run of cells in a row of the whole raster.
 struct RowSpan {
@@ -101,4 +101,4 @@ class DrawnStack {
     RowSlabs<Slab> slabs_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::features

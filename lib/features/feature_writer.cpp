@@ -13,7 +13,7 @@
 #include "features/write_features.hpp"
 #include "outline/arc_graph.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr std::int64_t max_invalid_named = 10;
@@ -109,7 +109,7 @@ RejectedLayer::Drawn RejectedLayer::draw(std::size_t i, PolygonMaker& maker) con
     } else {
         const Changed& changed = changed_[i - rejected.size()];
         drawn.record = changed.record;
-        drawn.made = maker.as_traced(traced_polygon(input_.contours.fetch(changed.contour)));
+        drawn.made = maker.as_traced(outline::traced_polygon(input_.contours.fetch(changed.contour)));
     }
     drawn.record.area_m2 = drawn.made.measure.area_m2;
     drawn.record.perimeter_m = drawn.made.measure.perimeter_m;
@@ -302,9 +302,9 @@ void FeatureWriter::warn_of_traced() {
     if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
         return;  // traced outlines were asked for
     const RunReport& report = context_.report;
-    warn_unless_empty(
-        traced_warning(report.building_outlines, report.contour_outlines, plan.walls != Walls::off, cell_m_),
-        context_);
+    diagnose::warn_unless_empty(diagnose::traced_warning(report.building_outlines, report.contour_outlines,
+                                                         plan.walls != Walls::off, cell_m_),
+                                context_);
 }
 
 std::optional<DrawnStack> FeatureWriter::finish() {
@@ -328,4 +328,4 @@ std::optional<DrawnStack> FeatureWriter::finish() {
     return std::move(stack_);
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -16,7 +16,7 @@
 #include "features/suspicious_values.hpp"
 #include "features/write_features.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Warns of features that were not written as drawn because GEOS rejected them. The first few are named with
 /// GEOS's reason, all others are only counted.
@@ -141,4 +141,4 @@ class FeatureWriter {
     ProjectionSplitWarnings split_warnings_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -16,15 +16,15 @@
 #include "features/reprojection.hpp"
 #include "geometry/box_tree.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
 /// Groups contours above the ground that may come close to each other, with the contours on top of them.
 /// @param reach distance in cells beyond which nothing changes
-std::vector<Indices> flow_clusters(const ContourList& contours, const Outliner& outliner, double reach,
-                                   const StopToken& stop) {
+std::vector<Indices> flow_clusters(const contours::ContourList& contours, const outline::Outliner& outliner,
+                                   double reach, const StopToken& stop) {
     const auto count = static_cast<std::uint32_t>(contours.size());
     DisjointSets sets(count);
     const auto is_above_ground = [&](std::uint32_t i) { return contours.head(i).key.level > 0; };
@@ -65,7 +65,7 @@ std::vector<Indices> flow_clusters(const ContourList& contours, const Outliner& 
 class TerrainBorder {
   public:
     /// @param reach in cells
-    TerrainBorder(const ContourList& contours, const Outliner& outliner, double reach)
+    TerrainBorder(const contours::ContourList& contours, const outline::Outliner& outliner, double reach)
         : tree_(boxes(contours, outliner)), margin_(reach * FinePoint::steps) {}
 
     [[nodiscard]] bool is_near(const FinePolygon& outline) const {
@@ -92,7 +92,7 @@ class TerrainBorder {
         for (const FineRing& ring : outline.interiors)
             along(ring);
     }
-    static std::vector<Box> boxes(const ContourList& contours, const Outliner& outliner) {
+    static std::vector<Box> boxes(const contours::ContourList& contours, const outline::Outliner& outliner) {
         std::vector<Box> boxes;
         for (std::uint32_t i = 0; i < contours.size(); ++i)
             if (contours.head(i).key.level == 0)
@@ -105,12 +105,13 @@ class TerrainBorder {
 };
 
 /// @param footprints true for the footprints of the lowest contours, false for all outlines
-std::vector<PartitionContour> drawn(const ContourList& contours, const Outliner& outliner,
-                                    const Indices& numbers, bool footprints) {
+std::vector<surface::PartitionContour> drawn(const contours::ContourList& contours,
+                                             const outline::Outliner& outliner, const Indices& numbers,
+                                             bool footprints) {
     std::map<std::int64_t, std::int32_t> place;
-    std::vector<PartitionContour> result;
+    std::vector<surface::PartitionContour> result;
     for (const std::uint32_t i : numbers) {
-        PartitionContour contour;
+        surface::PartitionContour contour;
         contour.outline = footprints ? outliner.footprint(i) : outliner.outline(i);
         contour.building = static_cast<std::int32_t>(contours.head(i).building);
         if (const auto parent = place.find(contours.head(i).parent); parent != place.end())
@@ -122,24 +123,26 @@ std::vector<PartitionContour> drawn(const ContourList& contours, const Outliner&
 }
 
 /// Keeps the lowest contours, because footprints are made ready without the tiers above them.
-std::vector<Indices> without_upper_levels(const ContourList& contours, std::vector<Indices> clusters) {
+std::vector<Indices> without_upper_levels(const contours::ContourList& contours,
+                                          std::vector<Indices> clusters) {
     for (Indices& numbers : clusters)
         std::erase_if(numbers, [&](std::uint32_t i) { return contours.head(i).key.level != 1; });
     return clusters;
 }
 
 /// Marks contours near the border of the terrain, which stay as they are.
-std::vector<bool> near_border(const std::vector<PartitionContour>& cluster, const TerrainBorder& border) {
+std::vector<bool> near_border(const std::vector<surface::PartitionContour>& cluster,
+                              const TerrainBorder& border) {
     std::vector<bool> marked;
     marked.reserve(cluster.size());
-    for (const PartitionContour& contour : cluster)
+    for (const surface::PartitionContour& contour : cluster)
         marked.push_back(border.is_near(contour.outline));
     return marked;
 }
 
 using ChangedContours = std::vector<std::pair<std::uint32_t, FinePolygon>>;
 
-void replace_outlines(Outliner& outliner, ChangedContours& changed, bool footprints) {
+void replace_outlines(outline::Outliner& outliner, ChangedContours& changed, bool footprints) {
     for (auto& [contour, outline] : changed)
         if (footprints)
             outliner.replace_footprint(contour, outline);
@@ -162,7 +165,7 @@ constexpr std::array<std::string_view, 6> kind_names{"flow_wall", "flow_angle", 
 
 }  // namespace
 
-FlowMetric flow_metric(const Georeference& georeference, double x_stretch, double cell_size_m) {
+surface::FlowMetric flow_metric(const Georeference& georeference, double x_stretch, double cell_size_m) {
     const Position col = georeference.step(0, 1);
     const Position row = georeference.step(1, 0);
     const double area = std::abs(x_stretch * (col.x * row.y - col.y * row.x));
@@ -170,17 +173,19 @@ FlowMetric flow_metric(const Georeference& georeference, double x_stretch, doubl
     return {scale * x_stretch * col.x, scale * col.y, scale * x_stretch * row.x, scale * row.y};
 }
 
-std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, Outliner& outliner,
-                                                  const FlowLimits& limits, Context& context) {
+std::vector<surface::FlowProblem> make_outlines_flow_ready(const contours::ContourList& contours,
+                                                           outline::Outliner& outliner,
+                                                           const surface::FlowLimits& limits,
+                                                           Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    const FlowMetric& m = limits.metric;
+    const surface::FlowMetric& m = limits.metric;
     const double cell =
         FinePoint::steps * std::min(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
     const double reach = 3 * std::max(limits.gap, limits.wall) / cell;
     const TerrainBorder border(contours, outliner, reach);
     const std::vector<Indices> clusters = flow_clusters(contours, outliner, reach, context.threads->stop());
-    std::vector<FlowProblem> problems;
-    std::set<std::tuple<FlowProblemKind, FinePoint, bool>> known;
+    std::vector<surface::FlowProblem> problems;
+    std::set<std::tuple<surface::FlowProblemKind, FinePoint, bool>> known;
     const auto make_ready = [&](bool footprints) {
         const std::vector<Indices> drawn_numbers =
             footprints ? without_upper_levels(contours, clusters) : clusters;
@@ -189,15 +194,15 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
         context.threads->in_order(
             clusters.size(),
             [&](std::size_t k, std::size_t) {
-                const std::vector<PartitionContour> cluster =
+                const std::vector<surface::PartitionContour> cluster =
                     drawn(contours, outliner, drawn_numbers[k], footprints);
-                return make_flow_ready(cluster, limits, near_border(cluster, border),
-                                       context.threads->stop());
+                return surface::make_flow_ready(cluster, limits, near_border(cluster, border),
+                                                context.threads->stop());
             },
-            [&](std::size_t k, FlowReady ready) {
+            [&](std::size_t k, surface::FlowReady ready) {
                 for (std::size_t i = 0; i < ready.outlines.size(); ++i)
                     changed.emplace_back(drawn_numbers[k][i], std::move(ready.outlines[i]));
-                for (FlowProblem& problem : ready.problems) {
+                for (surface::FlowProblem& problem : ready.problems) {
                     if (!known.emplace(problem.kind, problem.place, problem.changed).second && !footprints)
                         continue;
                     for (std::int32_t& contour : problem.contours)
@@ -217,13 +222,13 @@ std::vector<FlowProblem> make_outlines_flow_ready(const ContourList& contours, O
     return problems;
 }
 
-std::vector<PlacedProblem> placed_problems(const std::vector<FlowProblem>& problems,
+std::vector<PlacedProblem> placed_problems(const std::vector<surface::FlowProblem>& problems,
                                            const FeatureInput& input, std::int64_t first_id) {
     const RunSetup& setup = input.setup;
     auto transform =
         output_transform(setup.crs, setup.target, setup.georeference, setup.dem.window, StopToken());
     std::vector<PlacedProblem> placed;
-    for (const FlowProblem& problem : problems) {
+    for (const surface::FlowProblem& problem : problems) {
         std::set<std::int64_t> ids;
         for (const std::int32_t contour : problem.contours)
             ids.insert(first_id + input.contours.head(static_cast<std::size_t>(contour)).building);
@@ -241,4 +246,4 @@ std::vector<PlacedProblem> placed_problems(const std::vector<FlowProblem>& probl
     return placed;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -11,7 +11,7 @@
 #include "core/context.hpp"
 #include "features/attribute_table.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 void ProblemLayer::note(std::vector<PlacedProblem> problems) {
     std::ranges::move(problems, std::back_inserter(problems_));
@@ -46,7 +46,8 @@ Position position_of(FinePoint point, const SurfaceFrame& frame) {
 }
 
 /// Sets the first two buildings that the contours belong to, by id.
-ProblemRecord between_buildings(std::span<const std::int32_t> contours, const SurfaceCluster& cluster) {
+ProblemRecord between_buildings(std::span<const std::int32_t> contours,
+                                const surface::SurfaceCluster& cluster) {
     std::set<std::int64_t> ids;
     for (const std::int32_t contour : contours)
         ids.insert(cluster
@@ -59,7 +60,8 @@ ProblemRecord between_buildings(std::span<const std::int32_t> contours, const Su
     return record;
 }
 
-ProblemRecord record_of(const VertexRepair& mend, const SurfaceCluster& cluster, const SurfaceFrame& frame) {
+ProblemRecord record_of(const surface::VertexRepair& mend, const surface::SurfaceCluster& cluster,
+                        const SurfaceFrame& frame) {
     ProblemRecord record = between_buildings(mend.contours, cluster);
     record.kind = kind_of(mend.filled ? Reason::surface_notch_filled : Reason::surface_corner_cut);
     const Position from = position_of(mend.place, frame);
@@ -71,22 +73,24 @@ ProblemRecord record_of(const VertexRepair& mend, const SurfaceCluster& cluster,
 
 }  // namespace
 
-void add_left_out(const DrawnCluster& drawn, const MadeSurfaces& made, std::vector<LostBuilding>& lost) {
+void add_left_out(const DrawnCluster& drawn, const surface::MadeSurfaces& made,
+                  std::vector<LostBuilding>& lost) {
     for (const std::int64_t id : made.left_out) {
-        const auto building = std::ranges::find(drawn.cluster.buildings, id, &ClusterBuilding::id);
+        const auto building = std::ranges::find(drawn.cluster.buildings, id, &surface::ClusterBuilding::id);
         const auto place = building - drawn.cluster.buildings.begin();
         const auto contour = std::ranges::find(drawn.cluster.contours, static_cast<std::int32_t>(place),
-                                               &PartitionContour::building);
+                                               &surface::PartitionContour::building);
         lost.push_back({id, drawn.buildings[static_cast<std::size_t>(place)].area_m2,
                         contour->outline.exterior.front()});
     }
 }
 
-std::vector<PlacedProblem> surface_problems(const SurfaceCluster& cluster, const MadeSurfaces& made,
+std::vector<PlacedProblem> surface_problems(const surface::SurfaceCluster& cluster,
+                                            const surface::MadeSurfaces& made,
                                             const std::vector<LostBuilding>& lost,
                                             const SurfaceFrame& frame) {
     std::vector<PlacedProblem> problems;
-    for (const VertexRepair& mend : made.repairs)
+    for (const surface::VertexRepair& mend : made.repairs)
         problems.push_back({record_of(mend, cluster, frame), position_of(mend.place, frame)});
     for (const LostBuilding& building : lost) {
         if (!building.corner)
@@ -100,11 +104,12 @@ std::vector<PlacedProblem> surface_problems(const SurfaceCluster& cluster, const
     return problems;
 }
 
-std::vector<PlacedProblem> step_problems(const SurfaceCluster& cluster, const std::vector<RoofStep>& steps,
+std::vector<PlacedProblem> step_problems(const surface::SurfaceCluster& cluster,
+                                         const std::vector<surface::RoofStep>& steps,
                                          const SurfaceFrame& frame) {
     std::vector<PlacedProblem> problems;
     const double metres = frame.scale[2] * frame.vertical_metres;
-    for (const RoofStep& step : steps) {
+    for (const surface::RoofStep& step : steps) {
         ProblemRecord record = between_buildings(step.contours, cluster);
         record.kind = "flow_step";
         record.before = static_cast<double>(step.before) * metres;
@@ -115,4 +120,4 @@ std::vector<PlacedProblem> step_problems(const SurfaceCluster& cluster, const st
     return problems;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -10,7 +10,7 @@
 #include "features/surface_cluster.hpp"
 #include "surface/level_roofs.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Problem without id, with its position in the output CRS.
 struct PlacedProblem {
@@ -35,18 +35,19 @@ class ProblemLayer {
 };
 
 /// Adds the buildings rejected by make_surfaces() to those lost before.
-void add_left_out(const DrawnCluster& drawn, const MadeSurfaces& made, std::vector<LostBuilding>& lost);
+void add_left_out(const DrawnCluster& drawn, const surface::MadeSurfaces& made,
+                  std::vector<LostBuilding>& lost);
 
 /// Returns the problems of a cluster's surfaces: resolved non-manifold vertices, and lost buildings with a
 /// known position. @param frame of the lattice
-[[nodiscard]] std::vector<PlacedProblem> surface_problems(const SurfaceCluster& cluster,
-                                                          const MadeSurfaces& made,
+[[nodiscard]] std::vector<PlacedProblem> surface_problems(const surface::SurfaceCluster& cluster,
+                                                          const surface::MadeSurfaces& made,
                                                           const std::vector<LostBuilding>& lost,
                                                           const SurfaceFrame& frame);
 
 /// Returns the roof steps lower than -min_wall and their resolution.
-[[nodiscard]] std::vector<PlacedProblem> step_problems(const SurfaceCluster& cluster,
-                                                       const std::vector<RoofStep>& steps,
+[[nodiscard]] std::vector<PlacedProblem> step_problems(const surface::SurfaceCluster& cluster,
+                                                       const std::vector<surface::RoofStep>& steps,
                                                        const SurfaceFrame& frame);
 
-}  // namespace d2b
+}  // namespace d2b::features

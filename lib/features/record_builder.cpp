@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -17,11 +17,11 @@ bool touches(const LatticeBox& box, const LatticeBox& frame) {
 
 }  // namespace
 
-RecordBuilder::RecordBuilder(const ContourList& contours, const AttributeContext& context)
+RecordBuilder::RecordBuilder(const contours::ContourList& contours, const AttributeContext& context)
     : contours_(contours), context_(context) {
     compute_part_heights();
     for (std::size_t i = 0; i < contours.size(); ++i) {
-        const ContourHead& head = contours.head(i);
+        const contours::ContourHead& head = contours.head(i);
         if (head.building < 0)
             continue;
         const auto building = static_cast<std::size_t>(head.building);
@@ -51,17 +51,18 @@ void RecordBuilder::find_divided_buildings() {
     std::vector<Whole> wholes(footprints.size());
     const auto for_buildings = [&](const auto& use) {
         for (std::size_t i = 0; i < contours_.size(); ++i)
-            if (const ContourHead& head = contours_.head(i); head.key.level == 1 && head.building >= 0)
+            if (const contours::ContourHead& head = contours_.head(i);
+                head.key.level == 1 && head.building >= 0)
                 if (const Label whole = footprints[head.label].whole; whole != 0)
                     use(head, wholes[whole]);
     };
-    for_buildings([&](const ContourHead& head, Whole& whole) {
+    for_buildings([&](const contours::ContourHead& head, Whole& whole) {
         const std::int64_t number = context_.first_id + head.building;
         whole.number = whole.label == 0 ? number : std::min(whole.number, number);
         whole.is_divided = whole.is_divided || (whole.label != 0 && whole.label != head.label);
         whole.label = head.label;
     });
-    for_buildings([&](const ContourHead& head, const Whole& whole) {
+    for_buildings([&](const contours::ContourHead& head, const Whole& whole) {
         if (whole.is_divided)
             stacks_[static_cast<std::size_t>(head.building)].whole = whole.number;
     });
@@ -78,12 +79,12 @@ void RecordBuilder::compute_part_heights() {
     parts_.assign(contours_.size(), {0, no_limit});
     // First pass: `top` is the lowest threshold of the contours on top of it.
     for (std::size_t i = 0; i < parts_.size(); ++i)
-        if (const ContourHead& head = contours_.head(i); head.parent >= 0) {
+        if (const contours::ContourHead& head = contours_.head(i); head.parent >= 0) {
             double& above = parts_[static_cast<std::size_t>(head.parent)].top;
             above = std::min(above, threshold(head));
         }
     for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const ContourHead& head = contours_.head(i);
+        const contours::ContourHead& head = contours_.head(i);
         auto& [base, top] = parts_[i];
         base = threshold(head);
         if (head.key.level == 1) {
@@ -99,8 +100,8 @@ void RecordBuilder::compute_part_heights() {
     }
 }
 
-ContourRecord RecordBuilder::contour(std::size_t i, const Contour& contour) const {
-    const ContourHead& head = contours_.head(i);
+ContourRecord RecordBuilder::contour(std::size_t i, const contours::Contour& contour) const {
+    const contours::ContourHead& head = contours_.head(i);
     PointStats total = contour.own;
     total.merge(contour.above);
     ContourRecord record;
@@ -123,9 +124,9 @@ ContourRecord RecordBuilder::contour(std::size_t i, const Contour& contour) cons
     return record;
 }
 
-BuildingRecord RecordBuilder::building(std::size_t i, const Contour& contour, const ContourRecord& record,
-                                       const RoofElevations& roof) const {
-    const ContourHead& head = contours_.head(i);
+BuildingRecord RecordBuilder::building(std::size_t i, const contours::Contour& contour,
+                                       const ContourRecord& record, const RoofElevations& roof) const {
+    const contours::ContourHead& head = contours_.head(i);
     const StackSummary& stack = stacks_[static_cast<std::size_t>(head.building)];
     BuildingRecord building;
     building.id = record.building_id;
@@ -174,4 +175,4 @@ std::string_view status_name(OutlineStatus status) {
     return "";
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

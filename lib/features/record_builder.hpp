@@ -11,7 +11,7 @@
 #include "dem2buildings/records.hpp"
 #include "outline/outline.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Results of detection for a label.
 struct Footprint {
@@ -23,7 +23,7 @@ struct Footprint {
 };
 
 struct AttributeContext {
-    const LevelPlan& plan;
+    const contours::LevelPlan& plan;
     const FixedPoint& fixed;
     /// by label; empty if nothing was detected: the ground is then the lowest point next to a building
     const std::vector<Footprint>& footprints;
@@ -41,16 +41,16 @@ struct AttributeContext {
 class RecordBuilder {
   public:
     /// @param contours must outlive this object, as must all that the context refers to
-    RecordBuilder(const ContourList& contours, const AttributeContext& context);
+    RecordBuilder(const contours::ContourList& contours, const AttributeContext& context);
 
     /// Base and top of the part of a contour, as in its record. @param i index of the contour in the list
     [[nodiscard]] double base(std::size_t i) const { return parts_[i].base; }
     [[nodiscard]] double top(std::size_t i) const { return parts_[i].top; }
     /// @param i index of the contour in the list
-    [[nodiscard]] ContourRecord contour(std::size_t i, const Contour& contour) const;
+    [[nodiscard]] ContourRecord contour(std::size_t i, const contours::Contour& contour) const;
     /// @param record of the same contour, which must be of level 1
-    [[nodiscard]] BuildingRecord building(std::size_t i, const Contour& contour, const ContourRecord& record,
-                                          const RoofElevations& roof) const;
+    [[nodiscard]] BuildingRecord building(std::size_t i, const contours::Contour& contour,
+                                          const ContourRecord& record, const RoofElevations& roof) const;
 
   private:
     struct Part {
@@ -65,13 +65,13 @@ class RecordBuilder {
         std::int64_t whole = 0;  ///< number of the building that it is part of; 0: not divided
     };
     [[nodiscard]] double ground_of(Label label, double lowest_outside) const;
-    [[nodiscard]] double threshold(const ContourHead& head) const {
+    [[nodiscard]] double threshold(const contours::ContourHead& head) const {
         return context_.plan.threshold(head.label, head.key.level);
     }
     void compute_part_heights();
     void find_divided_buildings();
 
-    const ContourList& contours_;
+    const contours::ContourList& contours_;
     AttributeContext context_;
     std::vector<Part> parts_;
     std::vector<StackSummary> stacks_;
@@ -93,4 +93,4 @@ class StackRmse {
 
 [[nodiscard]] std::string_view status_name(OutlineStatus status);
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -11,7 +11,7 @@
 
 #include "core/georeference.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr double max_bend = 0.1;  // distance of the midpoint from that of the image, relative to the length
@@ -272,4 +272,4 @@ InputError split_by_projection_error(const std::string& input, const std::string
                       "of the area, or use a part of the raster (-srcwin, -projwin or -te).");
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -14,7 +14,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "options/run_plan.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Result of projecting a ring.
 enum class RingProjection { whole, split, no_image };
@@ -92,4 +92,4 @@ Position require_projectable(const DemInfo& info, const RunPlan& plan, const Crs
 /// @param input name of the raster @param target display name of the output CRS
 [[nodiscard]] InputError split_by_projection_error(const std::string& input, const std::string& target);
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -9,7 +9,7 @@
 #include "dem2buildings/error.hpp"
 #include "geometry/box_tree.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr int finest = 17;  // digits, the precision of a double
@@ -222,4 +222,4 @@ void RoundedPolygons::finish() {
              : "; write another format, such as GeoPackage."));
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

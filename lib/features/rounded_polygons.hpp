@@ -9,7 +9,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "geometry/geos.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Rounds a coordinate the way a destination will write it. Idempotent.
 [[nodiscard]] double rounded(double coordinate, const CoordinateRounding& rounding);
@@ -67,4 +67,4 @@ class RoundedPolygons {
     bool any_moved_ = false;
 };
 
-}  // namespace d2b
+}  // namespace d2b::features

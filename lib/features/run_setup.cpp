@@ -11,7 +11,7 @@
 #include "options/option_table.hpp"
 #include "options/provenance_text.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std::string& vertical_unit,
                        const FeatureSink& sink) {
@@ -106,4 +106,4 @@ Provenance make_provenance(const RunSetup& setup, const RunReport& report) {
     return provenance;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -12,7 +12,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "options/run_plan.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Index of each layer in the list of layers; nullopt if it is not written.
 struct LayerIndices {
@@ -59,4 +59,4 @@ struct RunSetup {
 /// and version. Contains nothing that changes from run to run.
 [[nodiscard]] Provenance make_provenance(const RunSetup& setup, const RunReport& report);
 
-}  // namespace d2b
+}  // namespace d2b::features

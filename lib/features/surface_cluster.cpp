@@ -14,7 +14,7 @@
 #include "surface/partition.hpp"
 #include "surface/vertex_snapping.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 /// Absolute area in square steps.
@@ -59,7 +59,7 @@ class ClusterDrawer {
     [[nodiscard]] DrawnCluster draw(std::span<const std::uint32_t> contours);
 
   private:
-    [[nodiscard]] const ContourHead& head(std::uint32_t contour) const {
+    [[nodiscard]] const contours::ContourHead& head(std::uint32_t contour) const {
         return input_.features.contours.head(contour);
     }
     [[nodiscard]] bool is_wanted(std::uint32_t contour) const;
@@ -77,7 +77,7 @@ class ClusterDrawer {
 };
 
 bool ClusterDrawer::is_wanted(std::uint32_t contour) const {
-    const ContourHead& of = head(contour);
+    const contours::ContourHead& of = head(contour);
     return of.building >= 0 && !input_.features.is_low_confidence(contour) &&
            (of.key.level == 1 || input_.of == SurfaceOf::contours);
 }
@@ -117,8 +117,8 @@ void ClusterDrawer::add_contour(std::uint32_t contour) {
     const auto building = building_place_.find(head(contour).building);
     if (building == building_place_.end())
         return;
-    const Outliner& outliner = input_.features.outliner;
-    PartitionContour plan;
+    const outline::Outliner& outliner = input_.features.outliner;
+    surface::PartitionContour plan;
     plan.outline = input_.of == SurfaceOf::contours ? outliner.outline(contour) : outliner.footprint(contour);
     plan.building = building->second;
     plan.top = input_.lattice.height(top(contour, drawn_.buildings[static_cast<std::size_t>(plan.building)]));
@@ -131,14 +131,14 @@ void ClusterDrawer::add_contour(std::uint32_t contour) {
 
 /// Nodes the outlines before rounding: vertices that touch edges of other outlines become vertices of these.
 void ClusterDrawer::place() {
-    std::vector<PartitionContour>& contours = drawn_.cluster.contours;
+    std::vector<surface::PartitionContour>& contours = drawn_.cluster.contours;
     if (!input_.lattice.is_exact()) {
-        std::vector<FinePolygon> noded = noded_outlines(contours);
+        std::vector<FinePolygon> noded = surface::noded_outlines(contours);
         for (std::size_t i = 0; i < contours.size(); ++i)
             contours[i].outline = std::move(noded[i]);
     }
     std::vector<bool> is_lost(drawn_.buildings.size());
-    for (PartitionContour& contour : contours)
+    for (surface::PartitionContour& contour : contours)
         if (auto placed = input_.lattice.place(contour.outline, transform_))
             contour.outline = std::move(*placed);
         else
@@ -146,10 +146,10 @@ void ClusterDrawer::place() {
     if (std::ranges::find(is_lost, true) != is_lost.end())
         drop(is_lost);
     if (!input_.lattice.is_exact())
-        snap_round(drawn_.cluster.contours);
+        surface::snap_round(drawn_.cluster.contours);
     if (input_.of == SurfaceOf::contours)
         return;
-    for (PartitionContour& contour : contours) {
+    for (surface::PartitionContour& contour : contours) {
         const auto building = static_cast<std::size_t>(contour.building);
         contour.top =
             std::max(drawn_.cluster.buildings[building].base + 1,
@@ -172,7 +172,7 @@ void ClusterDrawer::drop(const std::vector<bool>& is_lost) {
     }
     std::vector<std::int32_t> place(drawn_.cluster.contours.size(), -1);
     for (std::size_t i = 0; i < place.size(); ++i) {
-        PartitionContour& contour = drawn_.cluster.contours[i];
+        surface::PartitionContour& contour = drawn_.cluster.contours[i];
         contour.building = building[static_cast<std::size_t>(contour.building)];
         if (contour.building < 0)
             continue;
@@ -206,11 +206,11 @@ std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof, const Fi
     return lattice.height(elevation);
 }
 
-bool preserve_volumes(const std::vector<double>& area, SurfaceCluster& cluster) {
+bool preserve_volumes(const std::vector<double>& area, surface::SurfaceCluster& cluster) {
     constexpr double least = 0.0003;  // below the resolution of heights (millimetres)
     constexpr double most = 0.01;     // above this, the shape itself has changed
     bool differs = false;
-    for (PartitionContour& contour : cluster.contours) {
+    for (surface::PartitionContour& contour : cluster.contours) {
         const auto building = static_cast<std::size_t>(contour.building);
         const double drawn = plan_steps(contour.outline);
         if (area[building] <= 0 || drawn <= 0)
@@ -235,7 +235,7 @@ namespace {
 Int128 twice_area(const FineRing& ring) {
     Int128 sum = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum += turn(ring[0], ring[i], ring[i + 1]);
+        sum += outline::turn(ring[0], ring[i], ring[i + 1]);
     return sum < 0 ? -sum : sum;
 }
 
@@ -274,7 +274,7 @@ class TierMerger {
     void drop_merged();
 
     DrawnCluster& drawn_;
-    std::vector<PartitionContour>& contours_;
+    std::vector<surface::PartitionContour>& contours_;
     std::vector<std::size_t> merged_into_;  ///< tier that each one has been merged into
     std::vector<bool> is_raised_;
 };
@@ -282,7 +282,7 @@ class TierMerger {
 /// Compares each tier with the outline that would remain, because otherwise small losses could accumulate.
 void TierMerger::merge_equal() {
     std::vector<Int128> areas;
-    for (const PartitionContour& contour : contours_)
+    for (const surface::PartitionContour& contour : contours_)
         areas.push_back(twice_area(contour.outline));
     for (std::size_t i = 0; i < contours_.size(); ++i) {
         if (contours_[i].parent < 0)
@@ -308,7 +308,7 @@ void TierMerger::merge_covered() {
 
 void TierMerger::drop_merged() {
     std::vector<std::int32_t> place(contours_.size());
-    std::vector<PartitionContour> stay;
+    std::vector<surface::PartitionContour> stay;
     std::vector<std::int32_t> levels;
     for (std::size_t i = 0; i < contours_.size(); ++i) {
         if (merged_into_[i] != i)
@@ -340,7 +340,7 @@ std::vector<SurfacePoint> roof_ring(const FineRing& ring, std::int64_t top) {
     return corners;
 }
 
-SurfaceTier tier_of(const PartitionContour& contour, std::int32_t level, std::int32_t parent) {
+SurfaceTier tier_of(const surface::PartitionContour& contour, std::int32_t level, std::int32_t parent) {
     SurfaceTier tier{level, parent, contour.top, {roof_ring(contour.outline.exterior, contour.top)}};
     for (const FineRing& interior : contour.outline.interiors)
         tier.rings.push_back(roof_ring(interior, contour.top));
@@ -360,7 +360,7 @@ std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof r
     }
     std::vector<std::int32_t> indices;  // index of each contour among its building's tiers
     for (std::size_t i = 0; i < drawn.cluster.contours.size(); ++i) {
-        const PartitionContour& contour = drawn.cluster.contours[i];
+        const surface::PartitionContour& contour = drawn.cluster.contours[i];
         const auto place = static_cast<std::size_t>(contour.building);
         SurfaceBuilding& building = parts[place].buildings.front();
         std::vector<SurfaceTier>& tiers = building.tiers;
@@ -375,4 +375,4 @@ std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof r
     return parts;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

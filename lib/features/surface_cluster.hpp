@@ -9,7 +9,7 @@
 #include "features/write_features.hpp"
 #include "surface/make_surfaces.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 class ProblemLayer;
 
@@ -33,7 +33,7 @@ struct LostBuilding {
 
 /// Cluster of contours prepared for a surface.
 struct DrawnCluster {
-    SurfaceCluster cluster;
+    surface::SurfaceCluster cluster;
     std::vector<BuildingRecord> buildings;  ///< records of the cluster's buildings
     std::vector<std::int32_t> levels;       ///< levels of its contours
     std::vector<LostBuilding> lost;         ///< buildings without ground, height or position in the CRS
@@ -50,7 +50,7 @@ struct DrawnCluster {
 /// Adjusts roof heights so that blocks keep their volumes after resolving non-manifold vertices has changed
 /// their areas. @param area of each building's roof in square steps; 0 if it was not made
 /// @return true if a block differed by more than a few hundredths of a percent
-[[nodiscard]] bool preserve_volumes(const std::vector<double>& area, SurfaceCluster& cluster);
+[[nodiscard]] bool preserve_volumes(const std::vector<double>& area, surface::SurfaceCluster& cluster);
 
 /// Collects the outlines and heights of the buildings in a group, on the surface lattice.
 /// @param contours ascending @param transform to the output CRS; one per thread
@@ -69,4 +69,4 @@ void merge_equal_tiers(DrawnCluster& drawn);
 [[nodiscard]] std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof roof,
                                                       const SurfaceLattice& lattice);
 
-}  // namespace d2b
+}  // namespace d2b::features

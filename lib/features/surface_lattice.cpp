@@ -10,7 +10,7 @@
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr double millimetre = 0.001;
@@ -50,14 +50,15 @@ std::optional<CellSize> cell_at(const Crs& crs, const SurfaceFrame& frame, const
 }
 
 /// Returns the largest gaps over the centre and corners of a box, because the length of a CRS unit varies.
-GapTolerances gaps_in(const Crs& crs, const SurfaceFrame& frame, const Position& low, const Position& high) {
-    GapTolerances gaps;
+surface::GapTolerances gaps_in(const Crs& crs, const SurfaceFrame& frame, const Position& low,
+                               const Position& high) {
+    surface::GapTolerances gaps;
     for (const Position& place : {Position{(low.x + high.x) / 2, (low.y + high.y) / 2}, low, high,
                                   Position{low.x, high.y}, Position{high.x, low.y}})
         if (const auto cell = cell_at(crs, frame, place)) {
-            const GapTolerances here = gap_tolerances(*cell);
-            gaps.pinch = componentwise_max(gaps.pinch, here.pinch);
-            gaps.corners = componentwise_max(gaps.corners, here.corners);
+            const surface::GapTolerances here = surface::gap_tolerances(*cell);
+            gaps.pinch = surface::componentwise_max(gaps.pinch, here.pinch);
+            gaps.corners = surface::componentwise_max(gaps.corners, here.corners);
             gaps.heights = here.heights;
         }
     return gaps;
@@ -187,4 +188,4 @@ void SurfaceLattice::require_single_precision(double lowest, double highest) con
                               number_text(reach) + " m of them with -surface_origin.");
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -11,7 +11,7 @@
 #include "features/reprojection.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Parameters of the surface lattice.
 struct SurfaceLatticeParameters {
@@ -44,7 +44,7 @@ class SurfaceLattice {
     [[nodiscard]] const std::array<Position, 4>& window_corners() const { return corners_; }
     /// Returns the minimum distances between vertices, large enough to hold on the ground everywhere in the
     /// window.
-    [[nodiscard]] const GapTolerances& gaps() const { return gaps_; }
+    [[nodiscard]] const surface::GapTolerances& gaps() const { return gaps_; }
     /// True if outlines need no rounding.
     [[nodiscard]] bool is_exact() const { return is_exact_; }
     /// Returns a height in millimetres. @param elevation in the vertical unit
@@ -70,7 +70,7 @@ class SurfaceLattice {
 
     SurfaceLatticeParameters terms_;
     SurfaceFrame frame_;
-    GapTolerances gaps_;
+    surface::GapTolerances gaps_;
     std::array<Position, 4> corners_{};
     bool is_exact_;
     bool east_;         ///< columns run eastwards
@@ -79,4 +79,4 @@ class SurfaceLattice {
     double reach_ = 0;  ///< largest local coordinate of the window, metres
 };
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -9,7 +9,7 @@
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 /// Converts a value to the form of -snodata: before scale and offset.
@@ -201,4 +201,4 @@ std::vector<std::string> ImplausibleHeights::warnings() const {
     return sentences;
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -11,7 +11,7 @@
 #include "elevations/filter_invalid.hpp"
 #include "features/record_builder.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Counts invalid values in the report, and warns of these and of suspicious ones: the value, the number of
 /// cells, and the option that helps.
@@ -45,4 +45,4 @@ class ImplausibleHeights {
     Extreme low_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::features

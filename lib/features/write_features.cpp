@@ -11,7 +11,7 @@
 #include "features/attribute_table.hpp"
 #include "features/feature_writer.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 void BuildingRecords::put(std::int64_t building, const BuildingRecord& record) {
     const auto index = static_cast<std::size_t>(building);
@@ -117,4 +117,4 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

@@ -18,7 +18,7 @@
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Records of buildings with final outlines, kept in a spool.
 class BuildingRecords {
@@ -38,8 +38,8 @@ class BuildingRecords {
 /// Contours of a run with their outlines, and what is needed to draw and write their features.
 struct FeatureInput {
     const RunSetup& setup;
-    const StoredContours& contours;
-    const Outliner& outliner;
+    const contours::StoredContours& contours;
+    const outline::Outliner& outliner;
     Label buildings;  ///< labels above are low-confidence candidates
     FixedPoint fixed;
     ParcelSource* parcels = nullptr;  ///< gives the names of parcels
@@ -68,4 +68,4 @@ std::optional<DrawnStack> write_features(const FeatureInput& input, const Record
 /// @param vertical_metres metres per vertical unit of the DEM
 void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, double vertical_metres);
 
-}  // namespace d2b
+}  // namespace d2b::features

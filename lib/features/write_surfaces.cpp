@@ -18,7 +18,7 @@
 #include "options/provenance_text.hpp"
 #include "surface/level_roofs.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 constexpr std::int64_t max_lost_named = 10;
@@ -32,7 +32,7 @@ struct SurfaceWorker {
 
 /// Result for one group.
 struct GroupSurfaces {
-    MadeSurfaces made;
+    surface::MadeSurfaces made;
     std::vector<SurfacePart> tiers;
     std::vector<LostBuilding> lost;
     std::vector<PlacedProblem> problems;  // if asked for
@@ -65,7 +65,7 @@ double twice_signed_area(const std::vector<SurfacePoint>& points, std::span<cons
 }
 
 /// Roof area per building of a cluster, in square steps.
-std::vector<double> roof_areas(const SurfaceCluster& cluster, const MadeSurfaces& made) {
+std::vector<double> roof_areas(const surface::SurfaceCluster& cluster, const surface::MadeSurfaces& made) {
     std::vector<double> areas(cluster.buildings.size());
     for (const SurfacePart& part : made.shell.empty() ? made.solids : made.shell)
         for (const SurfaceBuilding& building : part.buildings) {
@@ -80,7 +80,7 @@ std::vector<double> roof_areas(const SurfaceCluster& cluster, const MadeSurfaces
                         twice += twice_signed_area(part.points, interior);
                 }
             const auto place =
-                std::ranges::lower_bound(cluster.buildings, building.id, {}, &ClusterBuilding::id);
+                std::ranges::lower_bound(cluster.buildings, building.id, {}, &surface::ClusterBuilding::id);
             areas[static_cast<std::size_t>(place - cluster.buildings.begin())] = twice / 2;
         }
     return areas;
@@ -107,13 +107,13 @@ class SurfaceWriter {
     }
     [[nodiscard]] bool has_closed() const { return forms_.solids || forms_.shell; }
     [[nodiscard]] const char* whole() const { return has_closed() ? "surface" : "page"; }
-    void count(const MadeSurfaces& made);
+    void count(const surface::MadeSurfaces& made);
     void warn_of_lost(const std::vector<LostBuilding>& lost);
 
     const SurfaceInput& input_;
     std::span<SurfaceSink* const> sinks_;
     Context& context_;
-    SurfaceForms forms_;
+    surface::SurfaceForms forms_;
     std::int64_t min_step_ = 0;  // minimum roof step in units of height; 0: any
     bool has_tiers_ = false;
     std::vector<SurfaceWorker> workers_;
@@ -147,8 +147,8 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWor
     DrawnCluster drawn = draw_cluster(input_, group, worker.transform);
     if (input_.of == SurfaceOf::contours)
         merge_equal_tiers(drawn);
-    const auto made_of = [&](const SurfaceCluster& cluster) {
-        return make_surfaces(
+    const auto made_of = [&](const surface::SurfaceCluster& cluster) {
+        return surface::make_surfaces(
             cluster, forms_, [&](const FinePolygon& polygon) { return worker.geos.triangles(polygon); },
             context_.threads->stop());
     };
@@ -156,8 +156,9 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWor
     const bool moved = fits_volumes() && !result.made.repairs.empty() &&
                        preserve_volumes(roof_areas(drawn.cluster, result.made), drawn.cluster);
     // Levelled last, because other steps would separate equal roofs again.
-    const std::vector<RoofStep> steps = level_roofs(drawn.cluster, min_step_);
-    result.steps_left = std::ranges::count_if(steps, [](const RoofStep& step) { return step.after > 0; });
+    const std::vector<surface::RoofStep> steps = surface::level_roofs(drawn.cluster, min_step_);
+    result.steps_left =
+        std::ranges::count_if(steps, [](const surface::RoofStep& step) { return step.after > 0; });
     result.steps_changed = std::ssize(steps) - result.steps_left;
     if (moved || result.steps_changed > 0)
         result.made = made_of(drawn.cluster);
@@ -198,8 +199,8 @@ GroupSurfaces SurfaceWriter::make(std::span<const std::uint32_t> group, std::siz
     return result;
 }
 
-void SurfaceWriter::count(const MadeSurfaces& made) {
-    for (const VertexRepair& mend : made.repairs)
+void SurfaceWriter::count(const surface::MadeSurfaces& made) {
+    for (const surface::VertexRepair& mend : made.repairs)
         context_.report.count(mend.filled ? Reason::surface_notch_filled : Reason::surface_corner_cut);
     for (const SurfacePart& part : made.shell) {
         ++report_.blocks;
@@ -292,4 +293,4 @@ void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<Surfa
     writer.finish();
 }
 
-}  // namespace d2b
+}  // namespace d2b::features

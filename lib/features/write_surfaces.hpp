@@ -6,7 +6,7 @@
 #include "dem2buildings/surfaces.hpp"
 #include "features/surface_cluster.hpp"
 
-namespace d2b {
+namespace d2b::features {
 
 /// Metadata of the surfaces. Fields are those of the buildings layer.
 [[nodiscard]] SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, const Crs& written,
@@ -18,4 +18,4 @@ namespace d2b {
 void write_surfaces(const SurfaceInput& input, SurfaceMeta meta, std::span<SurfaceSink* const> sinks,
                     Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::features

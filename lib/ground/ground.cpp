@@ -278,10 +278,6 @@ Terrain refine(const MetreGrid& surface, const GridOrigin& place, AlignedGrid wo
     return terrain;
 }
 
-}  // namespace d2b::ground
-
-namespace d2b {
-namespace ground {
 namespace {
 
 AlignedGrid shape_at(const MetreGrid& surface, const CellSize& cell, const GridOrigin& place) {
@@ -357,16 +353,13 @@ double halo(const CellSize& cell, double width, const Rules& rules) {
            (1 + rules.rounds) * (fill_halo(width, work, rules.relaxations) + 2 * work);
 }
 
-}  // namespace ground
-
 double ground_halo(const CellSize& cell, const GroundOptions& options) {
-    return ground::halo(cell, options.max_building_width, ground::rules_for(cell));
+    return halo(cell, options.max_building_width, rules_for(cell));
 }
 
 Terrain estimate_ground(MetreGrid& surface, const CellSize& cell, const GroundOptions& options,
                         Context& context, const GridOrigin& place) {
-    return ground::estimate(surface, cell, options.max_building_width, context, place,
-                            ground::rules_for(cell));
+    return estimate(surface, cell, options.max_building_width, context, place, rules_for(cell));
 }
 
-}  // namespace d2b
+}  // namespace d2b::ground

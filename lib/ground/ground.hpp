@@ -7,7 +7,7 @@
 #include "dem2buildings/options.hpp"
 #include "ground/rules.hpp"
 
-namespace d2b {
+namespace d2b::ground {
 
 /// Bits of Terrain::flags.
 inline constexpr std::uint8_t low_outlier = 1;  ///< far below the ground around it; its height is invalid
@@ -41,10 +41,6 @@ struct GridOrigin {
 /// Distance in metres from a cut through a raster beyond which the cut does not change the terrain, provided
 /// there is ground within `max_building_width` of each cell.
 [[nodiscard]] double ground_halo(const CellSize& cell, const GroundOptions& options);
-
-}  // namespace d2b
-
-namespace d2b::ground {
 
 /// Same as estimate_ground() with given rules. @param width of the widest building, metres
 [[nodiscard]] Terrain estimate(MetreGrid& surface, const CellSize& cell, double width, const Context& context,

@@ -12,7 +12,7 @@
 #include "core/lattice.hpp"
 #include "core/stop_token.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Noded rings of contours: every corner of another ring on an edge of a ring becomes a vertex of it.
 class NodedRings {
@@ -22,7 +22,7 @@ class NodedRings {
     enum class Direction : std::uint8_t { east, south, west, north };
 
     /// @throws Cancelled
-    NodedRings(std::span<const Contour* const> contours, const StopToken& stop);
+    NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop);
 
     [[nodiscard]] std::size_t size() const { return points_.size(); }
     /// Vertices are sorted by row, then column.
@@ -63,26 +63,26 @@ void sort_unique(std::vector<LatticePoint>& points) {
 
 }  // namespace
 
-LatticePolygon traced_polygon(const Contour& contour) {
+LatticePolygon traced_polygon(const contours::Contour& contour) {
     LatticePolygon polygon{contour.exterior.corners(), {}};
     for (const PackedRing& ring : contour.interiors)
         polygon.interiors.push_back(ring.corners());
     return polygon;
 }
 
-CornerIndex::CornerIndex(const std::vector<Contour>& contours) {
-    for (const Contour& contour : contours)
+CornerIndex::CornerIndex(const std::vector<contours::Contour>& contours) {
+    for (const contours::Contour& contour : contours)
         add(contour);
     sort();
 }
 
-CornerIndex::CornerIndex(std::span<const Contour* const> contours) {
-    for (const Contour* contour : contours)
+CornerIndex::CornerIndex(std::span<const contours::Contour* const> contours) {
+    for (const contours::Contour* contour : contours)
         add(*contour);
     sort();
 }
 
-void CornerIndex::add(const Contour& contour) {
+void CornerIndex::add(const contours::Contour& contour) {
     const auto add_ring = [&](const PackedRing& packed) {
         const LatticeRing ring = packed.corners();
         by_row_.insert(by_row_.end(), ring.begin(), ring.end());
@@ -142,11 +142,11 @@ std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
 
 }  // namespace
 
-NodedRings::NodedRings(std::span<const Contour* const> contours, const StopToken& stop) {
+NodedRings::NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop) {
     std::vector<LatticePoint> corners;
     std::vector<std::size_t> ends;
     std::size_t count = 0;
-    for (const Contour* contour : contours) {
+    for (const contours::Contour* contour : contours) {
         count += contour->exterior.corner_count();
         for (const PackedRing& ring : contour->interiors)
             count += ring.corner_count();
@@ -158,7 +158,7 @@ NodedRings::NodedRings(std::span<const Contour* const> contours, const StopToken
         corners.insert(corners.end(), ring.begin(), ring.end());
         ends.push_back(corners.size());
     };
-    for (const Contour* contour : contours) {
+    for (const contours::Contour* contour : contours) {
         add(contour->exterior);
         for (const PackedRing& ring : contour->interiors)
             add(ring);
@@ -310,13 +310,13 @@ LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& ar
 
 }  // namespace
 
-ArcGraph build_arc_graph(std::span<const Contour* const> contours, const StopToken& stop) {
+ArcGraph build_arc_graph(std::span<const contours::Contour* const> contours, const StopToken& stop) {
     const NodedRings net(contours, stop);
     ArcGraph graph;
     ArcCutter cutter(net, graph.arcs);
     graph.outlines.reserve(contours.size());
     std::size_t ring = 0;
-    for (const Contour* contour : contours) {
+    for (const contours::Contour* contour : contours) {
         stop.check();
         ArcGraph::Outline& outline = graph.outlines.emplace_back();
         outline.exterior = cutter.cut(net.ring(ring++));
@@ -329,10 +329,10 @@ ArcGraph build_arc_graph(std::span<const Contour* const> contours, const StopTok
     return graph;
 }
 
-ArcGraph build_arc_graph(const std::vector<Contour>& contours, const StopToken& stop) {
-    std::vector<const Contour*> all;
+ArcGraph build_arc_graph(const std::vector<contours::Contour>& contours, const StopToken& stop) {
+    std::vector<const contours::Contour*> all;
     all.reserve(contours.size());
-    for (const Contour& contour : contours)
+    for (const contours::Contour& contour : contours)
         all.push_back(&contour);
     return build_arc_graph(all, stop);
 }
@@ -345,4 +345,4 @@ LatticePolygon ArcGraph::polygon(std::size_t contour) const {
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

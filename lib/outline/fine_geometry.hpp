@@ -6,7 +6,7 @@
 #include "core/int128.hpp"
 #include "core/lattice.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Twice the signed area of a triangle, positive if a, b, c are counter-clockwise with y up. Exact.
 [[nodiscard]] inline Int128 turn(FinePoint a, FinePoint b, FinePoint c) {
@@ -75,4 +75,4 @@ struct FineSegment {
     return half(to) != half(than) ? half(to) < half(than) : side(from, to, than) > 0;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -21,7 +21,7 @@
 #include "outline/walls/fit_walls.hpp"
 #include "outline/walls/trace_sums.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Outlines that replace those derived from traces, spooled at a few bytes per vertex.
 class ReplacedOutlines {
@@ -186,7 +186,7 @@ OutlineMethod choose_outline_method(const OutlineRules& rules, const Georeferenc
     return georeference.axis_parallel() && !rules.reprojected ? OutlineMethod::traced : OutlineMethod::noded;
 }
 
-OutlineDependencies outline_dependencies(const ContourList& contours, const OutlineRules& rules,
+OutlineDependencies outline_dependencies(const contours::ContourList& contours, const OutlineRules& rules,
                                          const Georeference& georeference, double x_stretch,
                                          const StopToken& stop) {
     // Without walls, outlines affect each other only through shared corners.
@@ -200,7 +200,7 @@ OutlineDependencies outline_dependencies(const ContourList& contours, const Outl
 }
 
 struct Outliner::Impl {
-    const ContourList& contours;
+    const contours::ContourList& contours;
     std::optional<CornerIndex> corners;
     std::optional<ArcGraph> arcs;
     std::optional<RegularizedOutlines> walls;
@@ -237,15 +237,15 @@ OutlineQuality quality_of(const WallQuality& quality) {
 
 }  // namespace
 
-Outliner::Outliner(const ContourList& contours, OutlineMethod method, const OutlineRules& rules,
+Outliner::Outliner(const contours::ContourList& contours, OutlineMethod method, const OutlineRules& rules,
                    const Georeference& georeference, double x_stretch, Context& context)
     : impl_(std::make_unique<Impl>(
           Impl{contours, {}, {}, {}, {}, context.make_spool(), cell_shape(georeference, x_stretch)})) {
     if (method == OutlineMethod::noded || method == OutlineMethod::simplified)
-        impl_->corners.emplace(fetch_all(contours));
+        impl_->corners.emplace(contours::fetch_all(contours));
     context.check_stop();
     if (method == OutlineMethod::simplified) {
-        impl_->arcs = build_arc_graph(fetch_all(contours), context.threads->stop());
+        impl_->arcs = build_arc_graph(contours::fetch_all(contours), context.threads->stop());
         simplify(impl_->arcs->arcs, rules.simplify, georeference, context.threads->stop());
     }
     if (method == OutlineMethod::regularized) {
@@ -333,4 +333,4 @@ FinePolygon Outliner::traced(std::size_t contour) const {
     return fine(impl_->corners ? impl_->corners->noded(polygon) : polygon);
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -13,7 +13,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/records.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Options for drawing outlines.
 struct OutlineRules {
@@ -63,7 +63,7 @@ class Outliner {
     /// @param contours must outlive this
     /// @param x_stretch ratio of the ground lengths of one unit of x and one of y; needed for right angles
     /// @param context provides threads for fitting walls and a spool for the results
-    Outliner(const ContourList& contours, OutlineMethod method, const OutlineRules& rules,
+    Outliner(const contours::ContourList& contours, OutlineMethod method, const OutlineRules& rules,
              const Georeference& georeference, double x_stretch, Context& context);
     Outliner(Outliner&&) noexcept;
     Outliner& operator=(Outliner&&) noexcept;
@@ -106,7 +106,8 @@ struct OutlineDependencies {
 /// Finds groups of contours whose outlines depend only on the contours of the group. Not valid for simplified
 /// outlines.
 /// @param x_stretch as for Outliner
-[[nodiscard]] OutlineDependencies outline_dependencies(const ContourList& contours, const OutlineRules& rules,
+[[nodiscard]] OutlineDependencies outline_dependencies(const contours::ContourList& contours,
+                                                       const OutlineRules& rules,
                                                        const Georeference& georeference, double x_stretch,
                                                        const StopToken& stop);
 
@@ -115,4 +116,4 @@ struct OutlineDependencies {
 [[nodiscard]] OutlineMethod choose_outline_method(const OutlineRules& rules,
                                                   const Georeference& georeference);
 
-}  // namespace d2b
+}  // namespace d2b::outline

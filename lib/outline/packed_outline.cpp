@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 /// Writes variable-length integers: zigzag encoding in groups of seven bits (as in Protocol Buffers).
@@ -86,4 +86,4 @@ FinePolygon load_outline(const Spool& spool, SpoolEntry entry) {
     return polygon;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

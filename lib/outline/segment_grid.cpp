@@ -1,6 +1,6 @@
 #include "outline/segment_grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 SegmentGrid::SegmentGrid(const Arcs& arcs, const LatticeBox& box, std::size_t edges)
     : arcs_(&arcs), low_(fine(box.low)), versions_(arcs.size(), 0) {
@@ -29,4 +29,4 @@ void SegmentGrid::update(std::uint32_t arc) {
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -8,7 +8,7 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Uniform grid of the edges of drawn arcs for finding nearby edges. Arcs can be inserted and changed.
 class SegmentGrid {
@@ -131,4 +131,4 @@ void SegmentGrid::for_buckets(const FineSegment& segment, const Visit& visit) co
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -13,7 +13,7 @@
 
 #include "core/lattice.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Uniform grid of points with buckets of 16 x 16, for finding points in triangles.
 class VertexGrid {
@@ -38,7 +38,7 @@ class VertexGrid {
 namespace {
 
 /// Twice the signed area of a triangle; exact because rows and columns differ by less than 2^31.
-std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
+std::int64_t lattice_turn(LatticePoint a, LatticePoint b, LatticePoint c) {
     const auto rows_b = static_cast<std::int64_t>(b.row) - a.row;
     const auto cols_b = static_cast<std::int64_t>(b.col) - a.col;
     const auto rows_c = static_cast<std::int64_t>(c.row) - a.row;
@@ -48,9 +48,9 @@ std::int64_t turn(LatticePoint a, LatticePoint b, LatticePoint c) {
 
 /// Returns true for points in the closed triangle; a degenerate one is its longest side.
 bool inside(LatticePoint p, LatticePoint a, LatticePoint b, LatticePoint c) {
-    const std::int64_t ab = turn(a, b, p);
-    const std::int64_t bc = turn(b, c, p);
-    const std::int64_t ca = turn(c, a, p);
+    const std::int64_t ab = lattice_turn(a, b, p);
+    const std::int64_t bc = lattice_turn(b, c, p);
+    const std::int64_t ca = lattice_turn(c, a, p);
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
@@ -236,4 +236,4 @@ void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& geor
         arcs[i] = simplifier.result(i);
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

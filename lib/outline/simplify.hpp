@@ -5,7 +5,7 @@
 #include "core/georeference.hpp"
 #include "outline/arc_graph.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Simplifies the arcs of a planar graph, keeping all outlines that share them nested, disjoint and valid.
 ///
@@ -20,4 +20,4 @@ namespace d2b {
 void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
               const StopToken& stop = {});
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -24,7 +24,7 @@
 #include "write/raster/geotiff.hpp"
 #include "write/surface/surface_sink.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 DemInfo with_given_crs(DemInfo dem, const Options& options) {
     if (!options.read.crs.empty())
@@ -38,13 +38,13 @@ AuxiliarySinks open_scene_rasters(const Options& options, const DemInfo& dem, co
     const auto open = [&](const std::string& destination, const char* what, bool elevations) {
         if (destination.empty())
             return std::unique_ptr<RasterSink>();
-        RasterMetadata meta;
+        writing::RasterMetadata meta;
         meta.description = what;
         meta.elevations = elevations;
         meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", utf8_text(grid.name)}};
         if (const std::string words = reproducing_arguments(options); !words.empty())
             meta.metadata.emplace("D2B_OPTIONS", utf8_text(words));
-        auto sink = open_geotiff_sink({destination, overwrite, in_use}, grid, meta);
+        auto sink = writing::open_geotiff_sink({destination, overwrite, in_use}, grid, meta);
         in_use.push_back(destination);
         return sink;
     };
@@ -62,8 +62,8 @@ std::string shape_text(std::int32_t rows, std::int32_t cols) {
 }
 
 /// @param option name of the option that gives the raster
-AuxiliaryRaster side_raster(const std::string& option, const std::string& name,
-                            const std::optional<ElevationArray>& array, const DemInfo& dem) {
+reading::AuxiliaryRaster side_raster(const std::string& option, const std::string& name,
+                                     const std::optional<ElevationArray>& array, const DemInfo& dem) {
     if (!array)
         return {name};
     if (array->rows != dem.rows || array->cols != dem.cols)
@@ -74,29 +74,33 @@ AuxiliaryRaster side_raster(const std::string& option, const std::string& name,
 }
 
 }  // namespace
+}  // namespace d2b::pipeline
+
+namespace d2b {
 
 AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& dem,
                                         const Callbacks& callbacks, const AuxiliaryArrays& arrays) {
-    register_formats();
-    const DemInfo grid = with_given_crs(dem, options);
+    reading::register_formats();
+    const DemInfo grid = pipeline::with_given_crs(dem, options);
     AuxiliarySources sources;
     if (options.ground.mode == GroundMode::given) {
         const UnitReport units = resolve_units(grid, Crs(grid.crs_wkt), options.read.vertical_unit);
-        sources.terrain =
-            open_terrain(side_raster("ground", options.ground.terrain, arrays.terrain, grid), grid,
-                         units.vertical_metres, elevation_limits(options.read, units.vertical_metres),
-                         callbacks, {.keeps_undeclared = options.read.ignore_nodata});
+        sources.terrain = reading::open_terrain(
+            pipeline::side_raster("ground", options.ground.terrain, arrays.terrain, grid), grid,
+            units.vertical_metres, elevation_limits(options.read, units.vertical_metres), callbacks,
+            {.keeps_undeclared = options.read.ignore_nodata});
     }
     if (!options.detect.mask.empty())
-        sources.mask = open_mask(side_raster("mask", options.detect.mask, arrays.mask, grid),
-                                 options.detect.mask_layer, grid, callbacks);
+        sources.mask =
+            reading::open_mask(pipeline::side_raster("mask", options.detect.mask, arrays.mask, grid),
+                               options.detect.mask_layer, grid, callbacks);
     if (!options.detect.ndvi.empty())
-        sources.ndvi =
-            open_ndvi(side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
+        sources.ndvi = reading::open_ndvi(
+            pipeline::side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
     const DetectOptions& detect = options.detect;
     if (!detect.split_by.empty())
         sources.parcels =
-            open_parcels({detect.split_by, detect.split_layer, detect.split_field}, grid, callbacks);
+            reading::open_parcels({detect.split_by, detect.split_layer, detect.split_field}, grid, callbacks);
     return sources;
 }
 
@@ -107,19 +111,20 @@ AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) 
          {options.ground.terrain, options.detect.mask, options.detect.ndvi, options.detect.split_by})
         if (!name.empty())
             in_use.push_back(name);
-    AuxiliarySinks sinks =
-        open_scene_rasters(options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
+    AuxiliarySinks sinks = pipeline::open_scene_rasters(
+        options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
     for (const std::string& destination : write.surfaces) {
-        SurfaceDestination place =
-            resolve_surface_target({destination, write.overwrite, in_use, FileKind::surface});
+        writing::SurfaceDestination place = writing::resolve_surface_target(
+            {destination, write.overwrite, in_use, writing::FileKind::surface});
         in_use.push_back(destination);
         if (place.materials)
             in_use.push_back(place.materials->name);
-        sinks.surfaces.push_back(open_surface_sink(std::move(place), write.surface_solids));
+        sinks.surfaces.push_back(writing::open_surface_sink(std::move(place), write.surface_solids));
     }
     if (!write.page.empty()) {
-        Page page = open_page(resolve_file_target({write.page, write.overwrite, in_use, FileKind::page}),
-                              {.dem = dem, .terrain = detects_buildings(options)});
+        view::Page page = view::open_page(
+            writing::resolve_file_target({write.page, write.overwrite, in_use, writing::FileKind::page}),
+            {.dem = dem, .terrain = detects_buildings(options)});
         sinks.surfaces.push_back(std::move(page.surface));
         sinks.page_relief = std::move(page.relief);
     }

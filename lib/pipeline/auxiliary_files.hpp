@@ -7,7 +7,7 @@
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/options.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// File names of the rasters that a search writes; "" for those not asked for.
 struct SceneRasterNames {
@@ -26,4 +26,4 @@ struct SceneRasterNames {
                                                 const SceneRasterNames& names, bool overwrite,
                                                 std::vector<std::string>& in_use);
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -13,7 +13,7 @@
 #include "pipeline/report_run.hpp"
 #include "view/preview.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Forwards a raster to two sinks, either of which may be nullptr.
 class RasterTee final : public RasterSink {
@@ -59,6 +59,9 @@ std::vector<SurfaceSink*> pointers(const std::vector<std::unique_ptr<SurfaceSink
 }
 
 }  // namespace
+}  // namespace d2b::pipeline
+
+namespace d2b {
 
 Inputs open_inputs(const Options& options, const Callbacks& callbacks, const AuxiliaryArrays& arrays) {
     Inputs inputs;
@@ -86,14 +89,14 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks,
     const Inputs inputs = open_inputs(options, recorded, arrays);
     const auto sink = open_sink(options.write, recorded);
     const AuxiliarySinks side = open_auxiliary_sinks(options, inputs.dem->info());
-    Preview preview(options, *sink, inputs.dem->info());
+    view::Preview preview(options, *sink, inputs.dem->info());
     // The page shows buildings on the terrain, or on the lowest elevations if there is no terrain because the
     // run does not detect buildings.
     const bool has_terrain = detects_buildings(options);
-    RasterTee ground(side.ground.get(), has_terrain ? side.page_relief.get() : nullptr);
-    RasterTee elevations(preview.elevations(), has_terrain ? nullptr : side.page_relief.get());
+    pipeline::RasterTee ground(side.ground.get(), has_terrain ? side.page_relief.get() : nullptr);
+    pipeline::RasterTee elevations(preview.elevations(), has_terrain ? nullptr : side.page_relief.get());
     const Sinks sinks{preview.features(), ground.sink(),     side.height.get(),
-                      side.canopy.get(),  elevations.sink(), pointers(side.surfaces)};
+                      side.canopy.get(),  elevations.sink(), pipeline::pointers(side.surfaces)};
     CommitList commit;
     RunReport report = prepare_run(options, inputs.sources(), sinks, commit, recorded);
     preview.prepare(commit);
@@ -101,7 +104,7 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks,
     if (reader.prepare)
         reader.prepare(report);
     commit.publish([&] {
-        std::ranges::for_each(take_warnings(sinks), recorded.on_warning);
+        std::ranges::for_each(pipeline::take_warnings(sinks), recorded.on_warning);
         std::ranges::for_each(preview.take_warnings(), recorded.on_warning);
         report.warnings = warnings;
         if (reader.show)

@@ -18,13 +18,13 @@
 #include "detect/units.hpp"
 #include "ground/ground.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Writes the requested rasters of a unit: terrain, heights above it, and canopy heights. Canopy is
 /// everything higher than `min_height` metres that is not a building. Rows are computed while writing.
 /// @param unit its own cells are written @param scene covers the unit's extent @throws OutputError
-void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
-                         double min_height, const Unit& unit);
+void write_scene_rasters(const Sinks& sinks, const detect::Scene& scene, const detect::Detection& detection,
+                         double min_height, const detect::Unit& unit);
 
 namespace {
 
@@ -75,7 +75,7 @@ constexpr std::int32_t rows_per_write = 256;
 
 /// Writes value(i) for each of the unit's own cells, i being the index in a grid of the unit's extent.
 template <typename Value>
-void write_values(RasterSink& sink, const Unit& unit, const Value& value) {
+void write_values(RasterSink& sink, const detect::Unit& unit, const Value& value) {
     std::vector<float> values;
     for (std::int32_t row = unit.own.row; row < unit.own.end_row(); row += rows_per_write) {
         const Window part{row, unit.own.col, std::min(rows_per_write, unit.own.end_row() - row),
@@ -94,7 +94,7 @@ void write_values(RasterSink& sink, const Unit& unit, const Value& value) {
 /// Heights above the ground. The canopy height of a cell without vegetation is 0.
 class Heights {
   public:
-    Heights(const Scene& scene, const Detection& detection, double min_height)
+    Heights(const detect::Scene& scene, const detect::Detection& detection, double min_height)
         : scene_(scene), detection_(detection), least_(static_cast<float>(min_height)) {}
 
     [[nodiscard]] float height(std::size_t i) const { return scene_.height(i); }
@@ -105,15 +105,15 @@ class Heights {
     }
 
   private:
-    const Scene& scene_;
-    const Detection& detection_;
+    const detect::Scene& scene_;
+    const detect::Detection& detection_;
     float least_;
 };
 
 }  // namespace
 
-void write_scene_rasters(const Sinks& sinks, const Scene& scene, const Detection& detection,
-                         double min_height, const Unit& unit) {
+void write_scene_rasters(const Sinks& sinks, const detect::Scene& scene, const detect::Detection& detection,
+                         double min_height, const detect::Unit& unit) {
     const Heights heights(scene, detection, min_height);
     if (sinks.ground != nullptr)
         write_values(*sinks.ground, unit, [&](std::size_t i) { return scene.terrain.values[i]; });
@@ -136,12 +136,12 @@ MetreGrid terrain_of(const UnitSearch& search, const Window& seen, UnitSurface& 
     if (search.plan.ground == GroundMode::none)
         return MetreGrid(surface.rows, surface.cols, 0);
     if (search.plan.ground == GroundMode::given)
-        return read_grid(*search.sources.terrain, seen, search.frame.metres, search.context);
+        return detect::read_grid(*search.sources.terrain, seen, search.frame.metres, search.context);
     const StageClock clock(search.context.report, Stage::ground);
-    Terrain terrain = estimate_ground(surface, search.frame.cell, search.plan.asked.ground, search.context,
-                                      {seen.row, seen.col});
+    ground::Terrain terrain = ground::estimate_ground(surface, search.frame.cell, search.plan.asked.ground,
+                                                      search.context, {seen.row, seen.col});
     // Cells far below the ground are measurement errors, neither building nor ground.
-    unit_surface.mask_flagged(terrain.flags, low_outlier, threads_of(search));
+    unit_surface.mask_flagged(terrain.flags, ground::low_outlier, threads_of(search));
     return std::move(terrain.elevation);
 }
 
@@ -157,13 +157,14 @@ void keep_below(const UnitSearch& search, const MetreGrid& surface, MetreGrid& t
 }
 
 /// Returns the window of a unit's own cells within its extent.
-Window core_in_extent(const Unit& unit) {
+Window core_in_extent(const detect::Unit& unit) {
     return {unit.own.row - unit.seen.row, unit.own.col - unit.seen.col, unit.own.rows, unit.own.cols};
 }
 
-std::vector<SeenObject> seen_objects(const Detection& detection, const std::vector<double>& ground,
-                                     const Window& own, Executor& threads) {
-    std::vector<SeenObject> seen;
+std::vector<detect::SeenObject> seen_objects(const detect::Detection& detection,
+                                             const std::vector<double>& ground, const Window& own,
+                                             Executor& threads) {
+    std::vector<detect::SeenObject> seen;
     for (std::size_t i = 0; i < detection.objects.size(); ++i)
         seen.push_back({detection.objects[i], i < detection.buildings, ground[i + 1], 0});
     for_row_bands(threads, own.rows, detection.labels.cols, [&](RowBand band) {
@@ -179,15 +180,15 @@ std::vector<SeenObject> seen_objects(const Detection& detection, const std::vect
 }
 
 /// Counts rejected or cut-off objects whose first cell belongs to the unit, so that each is counted once.
-void count_rejected(const RejectedObjects& rejected, const Window& own, RunReport& report) {
-    const auto is_own = [&](const FirstCell& cell) {
+void count_rejected(const detect::RejectedObjects& rejected, const Window& own, RunReport& report) {
+    const auto is_own = [&](const detect::FirstCell& cell) {
         return cell.row >= own.row && cell.row < own.end_row() && cell.col >= own.col &&
                cell.col < own.end_col();
     };
     report.count(Reason::building_small, std::ranges::count_if(rejected.small, is_own));
     report.count(Reason::building_low, std::ranges::count_if(rejected.low, is_own));
     report.count(Reason::part_merged, std::ranges::count_if(rejected.parts, is_own));
-    for (const CutCrown& crown : rejected.crowns)
+    for (const detect::CutCrown& crown : rejected.crowns)
         if (is_own(crown.first)) {
             report.count(Reason::crown_cut);
             report.count(Reason::crown_cells, crown.cells);
@@ -196,51 +197,51 @@ void count_rejected(const RejectedObjects& rejected, const Window& own, RunRepor
 
 }  // namespace
 
-FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
+FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit) {
     const Options& options = search.plan.asked;
     const Sources& sources = search.sources;
     const UnitFrame& frame = search.frame;
     Context& context = search.context;
     Executor& threads = threads_of(search);
     const Window own = core_in_extent(unit);
-    FoundInUnit found{{}, {}, SceneStatistics(options.detect.min_height)};
-    SceneStatistics& statistics = found.scene;
+    FoundInUnit found{{}, {}, detect::SceneStatistics(options.detect.min_height)};
+    detect::SceneStatistics& statistics = found.scene;
     UnitSurface unit_surface(search.reader, unit.seen, frame.metres, threads);
     const MetreGrid& surface = unit_surface.elevations();
     if (search.plan.ground != GroundMode::given)
-        add_islands(surface, frame.cell, own, search.plan.building_m2, options.ground.max_building_width,
-                    statistics.islands, threads);
+        detect::add_islands(surface, frame.cell, own, search.plan.building_m2,
+                            options.ground.max_building_width, statistics.islands, threads);
     MetreGrid terrain = terrain_of(search, unit.seen, unit_surface);
     statistics.add_ground(surface, terrain, frame.cell, unit.seen.row - frame.window.row, own, threads);
     statistics.sides.terrain = search.plan.ground != GroundMode::given || statistics.fit.cells() > 0;
     keep_below(search, surface, terrain);
     Mask allowed;
     MetreGrid ndvi;
-    Scene scene{surface, terrain, frame.cell};
+    detect::Scene scene{surface, terrain, frame.cell};
     if (sources.mask != nullptr) {
-        allowed = read_mask(*sources.mask, unit.seen, context);
+        allowed = detect::read_mask(*sources.mask, unit.seen, context);
         scene.allowed = &allowed;
     }
     if (sources.ndvi != nullptr) {
-        ndvi = read_grid(*sources.ndvi, unit.seen, 1, context);
+        ndvi = detect::read_grid(*sources.ndvi, unit.seen, 1, context);
         scene.greenness = &ndvi;
     }
-    ParcelGrid parcels;
+    detect::ParcelGrid parcels;
     if (sources.parcels != nullptr) {
-        parcels = ParcelGrid(surface.rows, surface.cols);
+        parcels = detect::ParcelGrid(surface.rows, surface.cols);
         sources.parcels->read(unit.seen, parcels.values);
         scene.parcels = &parcels;
     }
-    Detection detection = [&] {
+    detect::Detection detection = [&] {
         const StageClock clock(context.report, Stage::detect);
-        return detect_buildings(scene, options.detect, search.plan.building_m2, context);
+        return detect::detect_buildings(scene, options.detect, search.plan.building_m2, context);
     }();
     statistics.add_buildings(scene, detection, own, threads);
     count_rejected(detection.rejected, own, context.report);
     write_scene_rasters(search.sinks, scene, detection, options.detect.min_height, unit);
     const StageClock clock(context.report, Stage::attributes);
-    const std::vector<double> ground =
-        ground_levels(terrain, detection.labels, static_cast<Label>(detection.objects.size()), threads);
+    const std::vector<double> ground = detect::ground_levels(
+        terrain, detection.labels, static_cast<Label>(detection.objects.size()), threads);
     found.objects = seen_objects(detection, ground, own, threads);
     found.labels = std::move(detection.labels);
     return found;
@@ -248,9 +249,9 @@ FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit) {
 
 namespace {
 
-void store_merged(FoundBuildings& found, UnitMerger::Merged&& merged, double metres) {
+void store_merged(FoundBuildings& found, detect::UnitMerger::Merged&& merged, double metres) {
     found.buildings = merged.buildings;
-    for (const SeenObject& seen : merged.objects)
+    for (const detect::SeenObject& seen : merged.objects)
         found.add(seen.ground / metres, seen.object);
     found.labels.renumber(std::move(merged.number));
 }
@@ -262,17 +263,17 @@ class UnitCollector {
         : search_(search), found_(found), seams_(unit_cols) {}
 
     /// @param col column of the unit in its row
-    void add(const Unit& unit, std::int32_t col, FoundInUnit&& here) {
+    void add(const detect::Unit& unit, std::int32_t col, FoundInUnit&& here) {
         const StageClock clock(search_.context.report, Stage::detect);
         Executor& threads = *search_.context.threads;
         found_.scene.merge(here.scene);
         const Label more = merger_.add(here.objects);
-        UnitEdges edges = edges_of(unit, here.labels);
+        detect::UnitEdges edges = detect::edges_of(unit, here.labels);
         edges.add(more);
         seams_.add(col, std::move(edges), merger_);
         found_.labels.append(unit, here.labels, threads, more);
     }
-    void finish(const UnitGrid& units) {
+    void finish(const detect::UnitGrid& units) {
         store_merged(
             found_,
             merge_found_units(merger_, search_.plan, units, search_.frame.cell, search_.context.report),
@@ -282,13 +283,14 @@ class UnitCollector {
   private:
     const UnitSearch& search_;
     FoundBuildings& found_;
-    UnitMerger merger_;
-    UnitSeams seams_;
+    detect::UnitMerger merger_;
+    detect::UnitSeams seams_;
 };
 
 }  // namespace
 
-UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell, const UnitSize& size) {
+detect::UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell,
+                           const detect::UnitSize& size) {
     return {window, cell, halo_widths * plan.asked.ground.max_building_width, size};
 }
 
@@ -297,19 +299,20 @@ FoundBuildings::FoundBuildings() {
     footprints.back() = {};
 }
 
-void FoundBuildings::add(double elevation, const DetectedObject& object) {
+void FoundBuildings::add(double elevation, const detect::DetectedObject& object) {
     ground.push_back(elevation);
-    footprints.push_back(
-        {elevation, object.confidence, counter_evidence_name(object.doubt), object.parcel, object.whole});
+    footprints.push_back({elevation, object.confidence, detect::counter_evidence_name(object.doubt),
+                          object.parcel, object.whole});
 }
 
-std::int64_t min_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell) {
-    return units.count() > 1 ? cells_covering(plan.building_m2, cell) : 1;
+std::int64_t min_cells(const RunPlan& plan, const detect::UnitGrid& units, const CellSize& cell) {
+    return units.count() > 1 ? detect::cells_covering(plan.building_m2, cell) : 1;
 }
 
-UnitMerger::Merged merge_found_units(UnitMerger& merger, const RunPlan& plan, const UnitGrid& units,
-                                     const CellSize& cell, RunReport& report) {
-    UnitMerger::Merged merged = merger.finish(min_cells(plan, units, cell));
+detect::UnitMerger::Merged merge_found_units(detect::UnitMerger& merger, const RunPlan& plan,
+                                             const detect::UnitGrid& units, const CellSize& cell,
+                                             RunReport& report) {
+    detect::UnitMerger::Merged merged = merger.finish(min_cells(plan, units, cell));
     report.count(Reason::building_doubtful,
                  static_cast<std::int64_t>(merged.objects.size()) - merged.buildings);
     if (plan.asked.write.doubtful)
@@ -320,20 +323,20 @@ UnitMerger::Merged merge_found_units(UnitMerger& merger, const RunPlan& plan, co
     return merged;
 }
 
-FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size) {
+FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size) {
     const RunPlan& plan = search.plan;
     const UnitFrame& frame = search.frame;
     Context& context = search.context;
-    const UnitGrid units = unit_grid(plan, frame.window, frame.cell, size);
+    const detect::UnitGrid units = unit_grid(plan, frame.window, frame.cell, size);
     FoundBuildings found;
-    found.labels = LabelRows(context.make_spool(), frame.window);
-    found.scene = SceneStatistics(plan.asked.detect.min_height);
+    found.labels = detect::LabelRows(context.make_spool(), frame.window);
+    found.scene = detect::SceneStatistics(plan.asked.detect.min_height);
     UnitCollector sum(search, units.cols(), found);
     const auto all = static_cast<double>(frame.window.points());
     double done = 0;  // points
     for (std::int32_t row = 0; row < units.rows(); ++row)
         for (std::int32_t col = 0; col < units.cols(); ++col) {
-            const Unit unit = units.unit(row, col);
+            const detect::Unit unit = units.unit(row, col);
             const double before = std::exchange(done, done + static_cast<double>(unit.own.points()));
             const ProgressSpan span(context, before / all, done / all);
             sum.add(unit, col, find_in_unit(search, unit));
@@ -345,4 +348,4 @@ FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size) {
     return found;
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -14,7 +14,7 @@
 #include "features/record_builder.hpp"
 #include "options/run_plan.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Elevations of a part of the window in metres; NaN if there is none.
 /// Borrows the reader's grid if that holds all elevations in this form, because this saves a copy and a pass
@@ -64,27 +64,28 @@ struct UnitSearch {
 
 /// Detection result of one unit.
 struct FoundInUnit {
-    Grid<Label> labels;               ///< labels of the unit's extent
-    std::vector<SeenObject> objects;  ///< by label - 1
-    SceneStatistics scene;            ///< of the unit's own cells
+    Grid<Label> labels;                       ///< labels of the unit's extent
+    std::vector<detect::SeenObject> objects;  ///< by label - 1
+    detect::SceneStatistics scene;            ///< of the unit's own cells
 };
 
 /// Estimates or reads the terrain, detects buildings above it, and writes the requested rasters. The result
 /// is a pure function of the cells in the unit's extent and of the plan and frame of the search.
 /// @throws InputError, OutputError, Cancelled
-[[nodiscard]] FoundInUnit find_in_unit(const UnitSearch& search, const Unit& unit);
+[[nodiscard]] FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit);
 
 /// Result of ground estimation and building detection over a DEM.
 struct FoundBuildings {
     FoundBuildings();
     /// Appends the object with the next label. @param elevation of its ground, in the vertical unit
-    void add(double elevation, const DetectedObject& object);
+    void add(double elevation, const detect::DetectedObject& object);
 
-    LabelRows labels;     ///< labels of the window; low-confidence candidates only if they are to be written
+    detect::LabelRows
+        labels;           ///< labels of the window; low-confidence candidates only if they are to be written
     Label buildings = 0;  ///< labels above are low-confidence candidates
-    std::vector<Footprint> footprints;  ///< by label; [0] is not used
-    std::vector<double> ground;         ///< ground elevations in the vertical unit, by label
-    SceneStatistics scene;
+    std::vector<features::Footprint> footprints;  ///< by label; [0] is not used
+    std::vector<double> ground;                   ///< ground elevations in the vertical unit, by label
+    detect::SceneStatistics scene;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// Returns the labels of a band of the window. Thread-safe.
@@ -95,21 +96,22 @@ struct FoundBuildings {
 /// together with the ground around it.
 inline constexpr double halo_widths = 5;
 /// Divides a window into units.
-[[nodiscard]] UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell,
-                                 const UnitSize& size = {});
+[[nodiscard]] detect::UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell,
+                                         const detect::UnitSize& size = {});
 
 /// Returns the minimum number of own cells of an object. Smaller ones are slivers on the far side of a seam.
-[[nodiscard]] std::int64_t min_cells(const RunPlan& plan, const UnitGrid& units, const CellSize& cell);
+[[nodiscard]] std::int64_t min_cells(const RunPlan& plan, const detect::UnitGrid& units,
+                                     const CellSize& cell);
 
 /// Finishes merging once all units have been added. Low-confidence candidates are counted, and removed unless
 /// they are to be written.
-[[nodiscard]] UnitMerger::Merged merge_found_units(UnitMerger& merger, const RunPlan& plan,
-                                                   const UnitGrid& units, const CellSize& cell,
-                                                   RunReport& report);
+[[nodiscard]] detect::UnitMerger::Merged merge_found_units(detect::UnitMerger& merger, const RunPlan& plan,
+                                                           const detect::UnitGrid& units,
+                                                           const CellSize& cell, RunReport& report);
 
 /// Detects buildings in a window and merges objects that cross seams. Units are processed one after the other
 /// because that bounds memory.
 /// @throws InputError, OutputError, Cancelled
-[[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const UnitSize& size = {});
+[[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size = {});
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -10,32 +10,33 @@
 #include "diagnose/search_warnings.hpp"
 #include "diagnose/warnings.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
-StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader) {
-    StackError error;
+features::StackError measure_stack(const features::DrawnStack& stack, const FixedPoint& fixed,
+                                   ElevationReader& reader) {
+    features::StackError error;
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::attributes);
             return stack.error(band, fixed);
         },
-        [&](const ElevationBand&, const StackError& of_band) { error.merge(of_band); });
+        [&](const ElevationBand&, const features::StackError& of_band) { error.merge(of_band); });
     return error;
 }
 
-void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
+void report_stack_errors(const features::DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
                          RunReport& report) {
     const double metres = report.units.vertical_metres;
     report.stack_rmse_m = measure_stack(stack, fixed, reader).rms(fixed) * metres;
     if (report.cuts.empty())
         return;
-    std::vector<StackError> errors(report.cuts.size());
+    std::vector<features::StackError> errors(report.cuts.size());
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::attributes);
             return stack.errors_by_level(band, fixed, static_cast<std::int32_t>(errors.size()));
         },
-        [&](const ElevationBand&, const std::vector<StackError>& of_band) {
+        [&](const ElevationBand&, const std::vector<features::StackError>& of_band) {
             for (std::size_t i = 0; i < errors.size(); ++i)
                 errors[i].merge(of_band[i]);
         });
@@ -81,13 +82,13 @@ void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context)
         context.warn(text);
 }
 
-void report_levels(const LevelPlan& plan, int levels, RunReport& report) {
+void report_levels(const contours::LevelPlan& plan, int levels, RunReport& report) {
     for (int level = 0; level < levels; ++level)
         report.levels.push_back(
             {level, plan.footprints && level > 0 ? no_threshold : plan.threshold(1, level), 0, 0});
 }
 
-std::size_t buildings_up_to(Label last, const ContourList& contours) {
+std::size_t buildings_up_to(Label last, const contours::ContourList& contours) {
     std::size_t buildings = 0;
     for (std::size_t i = 0; i < contours.size(); ++i)
         if (contours.head(i).key.level == 1 && contours.head(i).label <= last)
@@ -95,18 +96,19 @@ std::size_t buildings_up_to(Label last, const ContourList& contours) {
     return buildings;
 }
 
-void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
-                    const SceneStatistics* scene, const DemSource* terrain, Context& context) {
+void warn_of_result(const features::RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
+                    const detect::SceneStatistics* scene, const DemSource* terrain, Context& context) {
     RunReport& report = context.report;
-    warn_unless_empty(explain_empty_result(plan, buildings, setup.dem, report), context);
+    diagnose::warn_unless_empty(diagnose::explain_empty_result(plan, buildings, setup.dem, report), context);
     if (scene == nullptr)
         return;
     if (setup.plan.asked.detect.is_split_by())
-        report.parcels = parcel_report(scene->parcels, setup.cell);
-    report.sampling = sampling_report(scene->sampling, report.units.vertical_metres);
-    warn_about_search({setup.dem, setup.plan, report, *scene, setup.cell, setup.crs.kind() != Crs::Kind::none,
-                       terrain != nullptr ? terrain->share_outside() : 0},
-                      buildings > 0, context);
+        report.parcels = detect::parcel_report(scene->parcels, setup.cell);
+    report.sampling = detect::sampling_report(scene->sampling, report.units.vertical_metres);
+    diagnose::warn_about_search(
+        {setup.dem, setup.plan, report, *scene, setup.cell, setup.crs.kind() != Crs::Kind::none,
+         terrain != nullptr ? terrain->share_outside() : 0},
+        buildings > 0, context);
 }
 
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {
@@ -123,4 +125,4 @@ void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {
     context.check_stop();  // the run can no longer be cancelled
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

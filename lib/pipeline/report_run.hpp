@@ -15,14 +15,14 @@
 #include "features/drawn_stack.hpp"
 #include "pipeline/run_setup.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Measures the error of the stack against the elevations. @param stack as drawn, in the reader's window
-[[nodiscard]] StackError measure_stack(const DrawnStack& stack, const FixedPoint& fixed,
-                                       ElevationReader& reader);
+[[nodiscard]] features::StackError measure_stack(const features::DrawnStack& stack, const FixedPoint& fixed,
+                                                 ElevationReader& reader);
 
 /// Measures the errors of the stack as drawn, which replace those of the contours as traced in the report.
-void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
+void report_stack_errors(const features::DrawnStack& stack, const FixedPoint& fixed, ElevationReader& reader,
                          RunReport& report);
 
 /// Returns the warnings of all sources, or sinks, since the last call.
@@ -33,17 +33,17 @@ void report_stack_errors(const DrawnStack& stack, const FixedPoint& fixed, Eleva
 void pass_warnings(const Sources& sources, const Sinks& sinks, Context& context);
 
 /// @param levels of the label with the most levels, including the root
-void report_levels(const LevelPlan& plan, int levels, RunReport& report);
+void report_levels(const contours::LevelPlan& plan, int levels, RunReport& report);
 
 /// Counts buildings with labels up to `last`; labels above are low-confidence candidates.
-[[nodiscard]] std::size_t buildings_up_to(Label last, const ContourList& contours);
+[[nodiscard]] std::size_t buildings_up_to(Label last, const contours::ContourList& contours);
 
 /// Warns if nothing was found, and of conditions that make the result unreliable.
 /// @param scene null if there was no search @param terrain given terrain model or null
-void warn_of_result(const RunSetup& setup, const LevelPlan& plan, std::size_t buildings,
-                    const SceneStatistics* scene, const DemSource* terrain, Context& context);
+void warn_of_result(const features::RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
+                    const detect::SceneStatistics* scene, const DemSource* terrain, Context& context);
 
 /// Completes the results of all sinks. @param commit publishes them @throws OutputError, Cancelled
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

@@ -25,13 +25,7 @@
 #include "pipeline/trace_contours.hpp"
 #include "read/gdal_setup.hpp"
 
-namespace d2b {
-
-std::string library_versions() {
-    return "GDAL " + gdal_version() + ", GEOS " + geos_version() + ", PROJ " + proj_version() +
-           ", GeographicLib " + geographiclib_version();
-}
-
+namespace d2b::pipeline {
 namespace {
 
 /// Progress of a run at the end of each of its parts, as a share of 1.
@@ -55,8 +49,8 @@ auto with_progress(Context& context, double begin, double end, const Work& work)
 }
 
 /// Decides which values are valid elevations and collects their statistics.
-ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& setup, DemSource& source,
-                                       Context& context) {
+ElevationStatistics collect_statistics(ElevationReader& reader, const features::RunSetup& setup,
+                                       DemSource& source, Context& context) {
     const Options& options = setup.plan.asked;
     const DemInfo& info = setup.dem;
     // The thesis preset does not filter elevations.
@@ -75,8 +69,8 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const RunSetup& 
         rules.undeclared = undeclared.values();
         survey = survey_all();
     }
-    report_suspicious_values(survey.suspicious, survey.statistics.moments.n, undeclared, info, options.read,
-                             context);
+    features::report_suspicious_values(survey.suspicious, survey.statistics.moments.n, undeclared, info,
+                                       options.read, context);
     return survey.statistics;
 }
 
@@ -94,7 +88,7 @@ void write_elevations(ElevationReader& reader, std::int32_t first_col, RasterSin
 /// Sizes of the pieces into which a run divides its window.
 struct PieceSizes {
     const BandSize& bands;
-    const UnitSize& units;
+    const detect::UnitSize& units;
 };
 
 /// Results of the stages before tracing.
@@ -106,9 +100,9 @@ struct SearchResult {
 
 /// Runs all stages from the elevations to the levels of buildings. @param lattice null if no surface is asked
 /// for
-SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const Sources& sources,
-                           const Sinks& sinks, const UnitSize& size, SurfaceLattice* lattice,
-                           Context& context) {
+SearchResult search_levels(ElevationReader& reader, const features::RunSetup& setup, const Sources& sources,
+                           const Sinks& sinks, const detect::UnitSize& size,
+                           features::SurfaceLattice* lattice, Context& context) {
     const RunPlan& decided = setup.plan;
     const Window& window = setup.dem.window;
     const Milestones& at = milestones(decided);
@@ -121,7 +115,8 @@ SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const
         set_heights(*lattice, result.statistics.range(), sinks);
     if (sinks.elevations != nullptr)
         write_elevations(reader, window.col, *sinks.elevations, metres);
-    result.tiers.plan = plan_global_levels(result.statistics, decided.asked.levels, decided.levels, context);
+    result.tiers.plan =
+        contours::plan_global_levels(result.statistics, decided.asked.levels, decided.levels, context);
     if (!decided.detects_buildings())
         return result;
     result.found = with_progress(context, at.read, at.found, [&] {
@@ -133,46 +128,51 @@ SearchResult search_levels(ElevationReader& reader, const RunSetup& setup, const
 }
 
 /// Adjusts outlines to be flow-ready if asked for. @return the changes and remaining problems
-std::vector<FlowProblem> make_flow_ready(const StoredContours& contours, Outliner& outliner,
-                                         const RunSetup& setup, Context& context) {
+std::vector<surface::FlowProblem> make_flow_ready(const contours::StoredContours& contours,
+                                                  outline::Outliner& outliner,
+                                                  const features::RunSetup& setup, Context& context) {
     const OutlineOptions& asked = setup.plan.asked.outline;
     if (!asked.is_flow_ready())
         return {};
-    return make_outlines_flow_ready(
+    return features::make_outlines_flow_ready(
         contours, outliner,
-        {asked.narrowest_gap(), asked.shortest_wall(), FlowLimits::least_angle, FlowLimits::most_share,
-         flow_metric(setup.georeference, x_stretch(setup.georeference, setup.crs, setup.dem.window),
-                     setup.cell_m())},
+        {asked.narrowest_gap(), asked.shortest_wall(), surface::FlowLimits::least_angle,
+         surface::FlowLimits::most_share,
+         features::flow_metric(setup.georeference, x_stretch(setup.georeference, setup.crs, setup.dem.window),
+                               setup.cell_m())},
         context);
 }
 
 /// Inputs of the outputs other than features.
 struct FurtherOutputs {
-    const std::vector<FlowProblem>& flow;
-    const SurfaceLattice* lattice;  ///< null if no surface is asked for
+    const std::vector<surface::FlowProblem>& flow;
+    const features::SurfaceLattice* lattice;  ///< null if no surface is asked for
 };
 
 /// Draws the contours and writes them to the sinks.
-void write_result(const FeatureInput& input, const RecordBuilder& records, ElevationReader& reader,
-                  const Sinks& sinks, const FurtherOutputs& further, Context& context) {
-    const RunSetup& setup = input.setup;
+void write_result(const features::FeatureInput& input, const features::RecordBuilder& records,
+                  ElevationReader& reader, const Sinks& sinks, const FurtherOutputs& further,
+                  Context& context) {
+    const features::RunSetup& setup = input.setup;
     const Milestones& at = milestones(setup.plan);
-    const SurfaceLattice* const lattice = further.lattice;
+    const features::SurfaceLattice* const lattice = further.lattice;
     const double written = lattice != nullptr ? (at.traced + 3 * at.drawn) / 4 : at.drawn;
-    const std::optional<DrawnStack> stack = with_progress(
-        context, at.traced, written, [&] { return write_features(input, records, sinks.features, context); });
+    const std::optional<features::DrawnStack> stack = with_progress(context, at.traced, written, [&] {
+        return features::write_features(input, records, sinks.features, context);
+    });
     if (stack)
         report_stack_errors(*stack, input.fixed, reader, context.report);
-    ProblemLayer problems(setup.layers.indices.problems);
+    features::ProblemLayer problems(setup.layers.indices.problems);
     const WriteOptions& write = setup.plan.asked.write;
     if (write.problems)
-        problems.note(placed_problems(further.flow, input, sinks.features.first_id()));
+        problems.note(features::placed_problems(further.flow, input, sinks.features.first_id()));
     if (lattice != nullptr)
         with_progress(context, written, at.drawn, [&] {
-            write_surfaces({input, records, *input.building_records, *lattice, setup.plan.surface_of,
-                            write.surface_roof, write.problems ? &problems : nullptr},
-                           surface_meta(setup.plan, *lattice, setup.written(), context.report.units),
-                           sinks.surfaces, context);
+            features::write_surfaces(
+                {input, records, *input.building_records, *lattice, setup.plan.surface_of, write.surface_roof,
+                 write.problems ? &problems : nullptr},
+                features::surface_meta(setup.plan, *lattice, setup.written(), context.report.units),
+                sinks.surfaces, context);
         });
     problems.write(sinks.features, context);
     context.progress(at.drawn);
@@ -187,45 +187,45 @@ void write_result(const FeatureInput& input, const RecordBuilder& records, Eleva
 void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const PieceSizes& size,
                 CommitList& commit, Context& context) {
     const DemInfo& info = sources.dem.info();
-    const RunSetup setup = set_up_run(asked, info, sinks.features, context);
+    const features::RunSetup setup = set_up_run(asked, info, sinks.features, context);
     const RunPlan& decided = setup.plan;
     RunReport& report = context.report;
     const double metres = report.units.vertical_metres;
 
-    std::optional<SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
+    std::optional<features::SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
     ElevationReader reader(sources.dem, context, size.bands);
     SearchResult search =
         search_levels(reader, setup, sources, sinks, size.units, lattice ? &*lattice : nullptr, context);
-    const LevelPlan& plan = search.tiers.plan;
+    const contours::LevelPlan& plan = search.tiers.plan;
     FoundBuildings* const found = search.found ? &*search.found : nullptr;
-    const TraceFrame frame{info.window, plan.level_count(), search.statistics.fixed_point(),
-                           search.statistics.range()};
+    const contours::TraceFrame frame{info.window, plan.level_count(), search.statistics.fixed_point(),
+                                     search.statistics.range()};
     const auto contours = with_progress(context, milestones(decided).found, milestones(decided).traced, [&] {
         return trace_contours(reader, frame, search.tiers, found, setup, context);
     });
 
     pass_warnings(sources, sinks, context);
-    const std::vector<Footprint> footprints =
-        found != nullptr ? std::move(found->footprints) : std::vector<Footprint>();
-    const RecordBuilder records(
-        *contours, {plan, frame.fixed, footprints, metres, lattice_frame(info.window, decided.trace)});
+    const std::vector<features::Footprint> footprints =
+        found != nullptr ? std::move(found->footprints) : std::vector<features::Footprint>();
+    const features::RecordBuilder records(*contours, {plan, frame.fixed, footprints, metres,
+                                                      features::lattice_frame(info.window, decided.trace)});
     report_levels(plan, plan.level_count(), report);
     const Label last_building = found != nullptr ? found->buildings : std::numeric_limits<Label>::max();
     warn_of_result(setup, plan, buildings_up_to(last_building, *contours),
                    found != nullptr ? &found->scene : nullptr, sources.terrain, context);
-    Outliner outliner = draw_outlines(*contours, setup, context);
-    const std::vector<FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
-    std::optional<BuildingRecords> building_records;
+    outline::Outliner outliner = features::draw_outlines(*contours, setup, context);
+    const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
+    std::optional<features::BuildingRecords> building_records;
     if (lattice)
         building_records.emplace(context.make_spool());
-    const FeatureInput input{setup,
-                             *contours,
-                             outliner,
-                             last_building,
-                             frame.fixed,
-                             sources.parcels,
-                             building_records ? &*building_records : nullptr,
-                             has_tiers(sinks)};
+    const features::FeatureInput input{setup,
+                                       *contours,
+                                       outliner,
+                                       last_building,
+                                       frame.fixed,
+                                       sources.parcels,
+                                       building_records ? &*building_records : nullptr,
+                                       has_tiers(sinks)};
     write_result(input, records, reader, sinks, {flow, lattice ? &*lattice : nullptr}, context);
     prepare_sinks(sinks, commit, context);
 }
@@ -245,7 +245,7 @@ void run_to_commit(const Options& asked, const Sources& sources, const Sinks& si
 }  // namespace
 
 RunReport run_in_units(const Options& options, const Sources& sources, const Sinks& sinks,
-                       const Callbacks& callbacks, const UnitSize& units, const BandSize& bands) {
+                       const Callbacks& callbacks, const detect::UnitSize& units, const BandSize& bands) {
     Context context(callbacks);
     CommitList commit;
     run_to_commit(options, sources, sinks, {bands, units}, commit, context);
@@ -255,16 +255,25 @@ RunReport run_in_units(const Options& options, const Sources& sources, const Sin
     return std::move(context.report);
 }
 
+}  // namespace d2b::pipeline
+
+namespace d2b {
+
+std::string library_versions() {
+    return "GDAL " + reading::gdal_version() + ", GEOS " + geos_version() + ", PROJ " + proj_version() +
+           ", GeographicLib " + geographiclib_version();
+}
+
 RunReport prepare_run(const Options& options, const Sources& sources, const Sinks& sinks, CommitList& commit,
                       const Callbacks& callbacks, const BandSize& size) {
     Context context(callbacks);
-    run_to_commit(options, sources, sinks, {size, {}}, commit, context);
+    pipeline::run_to_commit(options, sources, sinks, {size, {}}, commit, context);
     return std::move(context.report);
 }
 
 RunReport run(const Options& options, const Sources& sources, const Sinks& sinks, const Callbacks& callbacks,
               const BandSize& size) {
-    return run_in_units(options, sources, sinks, callbacks, {}, size);
+    return pipeline::run_in_units(options, sources, sinks, callbacks, {}, size);
 }
 
 }  // namespace d2b

@@ -22,7 +22,7 @@
 #include "options/run_plan.hpp"
 #include "pipeline/find_buildings.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 namespace {
 
@@ -60,7 +60,7 @@ void require_crs(const Options& options, const Crs& crs, const Crs& target, cons
     const bool moved = target.kind() != Crs::Kind::none;
     const Crs& written = moved ? target : crs;
     const std::string& given = moved ? options.outline.target_crs : options.read.crs;
-    sink.require_crs(written.wkt(), display_name(written, given), place);
+    sink.require_crs(written.wkt(), features::display_name(written, given), place);
 }
 
 void describe(const DemInfo& dem, const RunPlan& plan, const Crs& crs, const Crs& target, RunReport& report) {
@@ -78,30 +78,31 @@ void describe(const DemInfo& dem, const RunPlan& plan, const Crs& crs, const Crs
 
 /// Checks that one unit of the window fits in memory. Windows of a single unit are exempt.
 void require_memory(const RunPlan& plan, const Window& window, const CellSize& cell, Context& context) {
-    const UnitGrid units = unit_grid(plan, window, cell);
+    const detect::UnitGrid units = unit_grid(plan, window, cell);
     if (units.count() == 1)
         return;
     const double width = plan.asked.ground.max_building_width;
-    SeenPoints seen{units.most_seen(), halo_widths * width, {}};
+    diagnose::SeenPoints seen{units.most_seen(), halo_widths * width, {}};
     if (plan.ground == GroundMode::automatic)
         seen.max_building_width = width;
-    if (const std::string text = unit_memory_refusal(seen); !text.empty())
+    if (const std::string text = diagnose::unit_memory_refusal(seen); !text.empty())
         throw OptionError(text);
-    warn_unless_empty(unit_memory_notice(seen), context);
+    diagnose::warn_unless_empty(diagnose::unit_memory_notice(seen), context);
 }
 
-void warn_of_scale(const RunSetup& setup, Context& context) {
+void warn_of_scale(const features::RunSetup& setup, Context& context) {
     const bool on_ground = setup.crs.horizontal_unit() || setup.crs.on_ellipsoid();
     if (on_ground)
-        warn_unless_empty(coarse_cells_warning(cell_size_m(setup.dem.window, setup.area)), context);
-    warn_unless_empty(
-        tolerance_warning(setup.plan.asked.outline.simplify, std::sqrt(setup.georeference.cell_area())),
-        context);
+        diagnose::warn_unless_empty(diagnose::coarse_cells_warning(cell_size_m(setup.dem.window, setup.area)),
+                                    context);
+    diagnose::warn_unless_empty(diagnose::tolerance_warning(setup.plan.asked.outline.simplify,
+                                                            std::sqrt(setup.georeference.cell_area())),
+                                context);
 }
 
 }  // namespace
 
-RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink, Context& context) {
+features::RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink, Context& context) {
     check_options({asked, {}});
     const RunPlan plan = make_run_plan(asked, sink.layers(asked.write.layers));
     const Options& options = plan.asked;
@@ -110,13 +111,13 @@ RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
     const Crs target = target_crs(options, crs);
     RunReport& report = context.report;
     describe(dem, plan, crs, target, report);
-    RunSetup setup{plan, dem, crs, target, Georeference(dem.transform, plan.trace), {}, {}, {}};
-    const Position middle = require_projectable(dem, plan, crs, target);
-    setup.layers = layer_specs(plan, report.input, report.units.vertical, sink);
+    features::RunSetup setup{plan, dem, crs, target, Georeference(dem.transform, plan.trace), {}, {}, {}};
+    const Position middle = features::require_projectable(dem, plan, crs, target);
+    setup.layers = features::layer_specs(plan, report.input, report.units.vertical, sink);
     require_crs(options, crs, target, middle, sink);
-    sink.preflight(setup.layers.layers, make_provenance(setup, report), middle);
-    setup.area =
-        make_square_area(setup.georeference, crs, lattice_frame({0, 0, dem.rows, dem.cols}, plan.trace));
+    sink.preflight(setup.layers.layers, features::make_provenance(setup, report), middle);
+    setup.area = make_square_area(setup.georeference, crs,
+                                  features::lattice_frame({0, 0, dem.rows, dem.cols}, plan.trace));
     if (plan.detects_buildings()) {
         setup.cell = cell_steps(dem.window, setup.georeference, crs);
         require_memory(plan, dem.window, setup.cell, context);
@@ -146,25 +147,26 @@ bool has_tiers(const Sinks& sinks) {
                                [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::tiers; });
 }
 
-std::optional<SurfaceLattice> set_up_surfaces(const RunSetup& setup, const Sinks& sinks,
-                                              const UnitReport& units) {
+std::optional<features::SurfaceLattice> set_up_surfaces(const features::RunSetup& setup, const Sinks& sinks,
+                                                        const UnitReport& units) {
     if (sinks.surfaces.empty())
         return std::nullopt;
-    SurfaceLattice lattice({setup.georeference, setup.crs, setup.target, setup.dem.window,
-                            lattice_frame(setup.dem.window, setup.plan.trace),
-                            cell_size_m(setup.dem.window, setup.area), units.vertical_metres,
-                            setup.plan.asked.write.surface_origin, is_page(sinks) ? "-page" : "-surface"});
+    features::SurfaceLattice lattice({setup.georeference, setup.crs, setup.target, setup.dem.window,
+                                      features::lattice_frame(setup.dem.window, setup.plan.trace),
+                                      cell_size_m(setup.dem.window, setup.area), units.vertical_metres,
+                                      setup.plan.asked.write.surface_origin,
+                                      is_page(sinks) ? "-page" : "-surface"});
     if (has_shells(sinks))
         lattice.require_single_precision();
     for (SurfaceSink* sink : sinks.surfaces)
-        sink->preflight(surface_meta(setup.plan, lattice, setup.written(), units));
+        sink->preflight(features::surface_meta(setup.plan, lattice, setup.written(), units));
     return lattice;
 }
 
-void set_heights(SurfaceLattice& lattice, const ElevationRange& range, const Sinks& sinks) {
+void set_heights(features::SurfaceLattice& lattice, const ElevationRange& range, const Sinks& sinks) {
     lattice.set_lowest(range.minimum);
     if (has_shells(sinks))
         lattice.require_single_precision(range.minimum, range.maximum);
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

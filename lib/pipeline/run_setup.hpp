@@ -9,25 +9,26 @@
 #include "features/run_setup.hpp"
 #include "features/surface_lattice.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Validates the options, decides the open ones, starts the threads, and asks the destination whether it can
 /// hold the result, because an impossible request should fail before the work, not after it.
 /// @throws OptionError, InputError, OutputError
-[[nodiscard]] RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
-                                  Context& context);
+[[nodiscard]] features::RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
+                                            Context& context);
 
 /// Creates the lattice of the run's surfaces and asks the sinks whether they can hold it. @return nullopt if
 /// there are none
 /// @throws OptionError, OutputError
-[[nodiscard]] std::optional<SurfaceLattice> set_up_surfaces(const RunSetup& setup, const Sinks& sinks,
-                                                            const UnitReport& units);
+[[nodiscard]] std::optional<features::SurfaceLattice> set_up_surfaces(const features::RunSetup& setup,
+                                                                      const Sinks& sinks,
+                                                                      const UnitReport& units);
 
 /// True if a sink takes the tiers of stacks.
 [[nodiscard]] bool has_tiers(const Sinks& sinks);
 
 /// Passes on the elevation range as soon as it is known. @param range in the vertical unit @throws
 /// OptionError
-void set_heights(SurfaceLattice& lattice, const ElevationRange& range, const Sinks& sinks);
+void set_heights(features::SurfaceLattice& lattice, const ElevationRange& range, const Sinks& sinks);
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

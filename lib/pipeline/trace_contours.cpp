@@ -13,18 +13,18 @@
 #include "core/context.hpp"
 #include "detect/detection.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 namespace {
 
 /// Collects the elevation statistics from which each building's thresholds are derived.
-void add_statistics(ElevationReader& reader, const FoundBuildings& found, BuildingStatistics& buildings,
-                    Context& context) {
+void add_statistics(ElevationReader& reader, const FoundBuildings& found,
+                    contours::BuildingStatistics& buildings, Context& context) {
     reader.for_each(
         [&](const ElevationBand& band, Tally& tally) {
             const StageClock clock(tally, Stage::levels);
-            return constant_runs(band, found.band(band.shape));
+            return contours::constant_runs(band, found.band(band.shape));
         },
-        [&](const ElevationBand&, const std::vector<ConstantRun>& cells) {
+        [&](const ElevationBand&, const std::vector<contours::ConstantRun>& cells) {
             const StageClock clock(context.report, Stage::levels);
             buildings.add(cells);
         });
@@ -33,28 +33,32 @@ void add_statistics(ElevationReader& reader, const FoundBuildings& found, Buildi
 }  // namespace
 
 Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Window& window,
-                 const RunSetup& setup, const FixedPoint& fixed, const LevelPlan& global, Context& context) {
+                 const features::RunSetup& setup, const FixedPoint& fixed, const contours::LevelPlan& global,
+                 Context& context) {
     const RunPlan& decided = setup.plan;
     const double metres = context.report.units.vertical_metres;
-    const RegionOptions regions = region_options(decided.detail, setup.cell, metres);
+    const contours::RegionOptions regions = contours::region_options(decided.detail, setup.cell, metres);
     Tiers tiers;
-    BuildingStatistics statistics(found.count(), fixed, decided.levels == LevelSource::natural ? metres : 0);
+    contours::BuildingStatistics statistics(found.count(), fixed,
+                                            decided.levels == LevelSource::natural ? metres : 0);
     if (decided.detail > 0)
-        tiers.clean.emplace(clean_tiers(
+        tiers.clean.emplace(contours::clean_tiers(
             reader, found.labels, found.count(), regions, window,
-            [&](Label label, const BuildingCells& cells) { statistics.add(constant_runs(cells, label)); },
+            [&](Label label, const contours::BuildingCells& cells) {
+                statistics.add(contours::constant_runs(cells, label));
+            },
             context));
     else
         add_statistics(reader, found, statistics, context);
-    tiers.plan = plan_building_levels(statistics, found.ground, global, decided.asked.levels, decided.levels,
-                                      metres, regions.price);
+    tiers.plan = contours::plan_building_levels(statistics, found.ground, global, decided.asked.levels,
+                                                decided.levels, metres, regions.price);
     return tiers;
 }
 
 namespace {
 
 struct BandTracing {
-    const TraceFrame& frame;
+    const contours::TraceFrame& frame;
     const Tiers& tiers;
     const FoundBuildings* found;  ///< null if all points bear one label
     TraceMode mode;
@@ -63,16 +67,16 @@ struct BandTracing {
 LabelBand labels_of(const ElevationBand& band, const BandTracing& tracing) {
     Context none;
     const FoundBuildings* found = tracing.found;
-    return found == nullptr ? detect_one_label(band, none) : found->band(band.shape);
+    return found == nullptr ? detect::detect_one_label(band, none) : found->band(band.shape);
 }
 
 /// Overwrites the levels of building cells by those of their simplified elevations.
 template <typename Count>
-void take_clean_levels(const CleanRows& clean, const LabelBand& labels, const LevelPlan& plan,
-                       LevelBand<Count>& levels) {
-    clean.for_runs(levels.shape, [&](const CleanRows::CleanRun& run) {
+void take_clean_levels(const contours::CleanRows& clean, const LabelBand& labels,
+                       const contours::LevelPlan& plan, LevelBand<Count>& levels) {
+    clean.for_runs(levels.shape, [&](const contours::CleanRows::CleanRun& run) {
         const auto begin = static_cast<std::size_t>(run.begin);
-        const auto count = quantise<Count>(run.elevation, labels.row(run.row)[begin], plan);
+        const auto count = contours::quantise<Count>(run.elevation, labels.row(run.row)[begin], plan);
         const std::size_t row =
             static_cast<std::size_t>(run.row) * static_cast<std::size_t>(levels.shape.cols);
         std::fill_n(levels.counts.data() + (row + begin), run.end - run.begin, count);
@@ -80,11 +84,11 @@ void take_clean_levels(const CleanRows& clean, const LabelBand& labels, const Le
 }
 
 template <typename Count>
-PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevations,
-                            const BandTracing& tracing) {
-    PointRows<Count> rows;
+contours::PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevations,
+                                      const BandTracing& tracing) {
+    contours::PointRows<Count> rows;
     rows.labels = labels_of(*elevations, tracing);
-    rows.levels = quantise<Count>(*elevations, rows.labels, tracing.tiers.plan);
+    rows.levels = contours::quantise<Count>(*elevations, rows.labels, tracing.tiers.plan);
     if (tracing.tiers.clean)
         take_clean_levels(*tracing.tiers.clean, rows.labels, tracing.tiers.plan, rows.levels);
     rows.elevations = elevations;
@@ -93,22 +97,22 @@ PointRows<Count> point_rows(const std::shared_ptr<const ElevationBand>& elevatio
 
 /// Band traced as far as possible without the bands above it.
 struct TracedBand {
-    ContourBatch contours;  ///< contours that lie entirely in the band
-    LinkedBand linked;
+    contours::ContourBatch contours;  ///< contours that lie entirely in the band
+    contours::LinkedBand linked;
 };
 
 /// Traces all bands, of which each repeats the rows above it that it depends on. The tracer's memory is
 /// released at the end.
 template <typename Count>
-void trace_into(ContourArchive& store, ElevationReader& reader, const BandTracing& tracing,
+void trace_into(contours::ContourArchive& store, ElevationReader& reader, const BandTracing& tracing,
                 Context& context) {
-    const TraceFrame& frame = tracing.frame;
-    Tracer tracer(frame, tracing.mode, store);
+    const contours::TraceFrame& frame = tracing.frame;
+    contours::Tracer tracer(frame, tracing.mode, store);
     reader.for_each_with_halo(
-        rows_above(tracing.mode),
+        contours::rows_above(tracing.mode),
         [&](ElevationBand above, const ElevationBand& elevations, Tally& tally) {
-            PointRows<Count> before;
-            PointRows<Count> band;
+            contours::PointRows<Count> before;
+            contours::PointRows<Count> band;
             {
                 const StageClock clock(tally, Stage::levels);
                 before = point_rows<Count>(std::make_shared<ElevationBand>(std::move(above)), tracing);
@@ -117,9 +121,10 @@ void trace_into(ContourArchive& store, ElevationReader& reader, const BandTracin
             }
             const StageClock clock(tally, Stage::trace);
             TracedBand traced;
-            ContourWriter batch_writer = store.batch_writer(traced.contours, tally);
-            traced.linked = Tracer::link(frame, tracing.mode,
-                                         split_into_runs(frame, tracing.mode, before, band), batch_writer);
+            contours::ContourWriter batch_writer = store.batch_writer(traced.contours, tally);
+            traced.linked = contours::Tracer::link(
+                frame, tracing.mode, contours::split_into_runs(frame, tracing.mode, before, band),
+                batch_writer);
             return traced;
         },
         [&](const ElevationBand& band, TracedBand traced) {
@@ -132,12 +137,13 @@ void trace_into(ContourArchive& store, ElevationReader& reader, const BandTracin
         });
 }
 
-ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* found, const RunSetup& setup,
-                             Context& context) {
+contours::ContourArchive contour_store(const contours::TraceFrame& frame, const FoundBuildings* found,
+                                       const features::RunSetup& setup, Context& context) {
     const RunPlan& plan = setup.plan;
-    const NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2, plan.detects_buildings()};
+    const contours::NoiseRules noise{plan.asked.filter.noise_factor, plan.contour_m2,
+                                     plan.detects_buildings()};
     // Detected footprints do not stand on other contours.
-    HeightRules heights;
+    contours::HeightRules heights;
     if (found != nullptr)
         heights = {plan.asked.detect.min_building_height, found->ground,
                    context.report.units.vertical_metres};
@@ -149,10 +155,11 @@ ContourArchive contour_store(const TraceFrame& frame, const FoundBuildings* foun
 
 }  // namespace
 
-std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const TraceFrame& frame,
-                                               const Tiers& tiers, const FoundBuildings* found,
-                                               const RunSetup& setup, Context& context) {
-    ContourArchive store = contour_store(frame, found, setup, context);
+std::unique_ptr<contours::StoredContours> trace_contours(ElevationReader& reader,
+                                                         const contours::TraceFrame& frame,
+                                                         const Tiers& tiers, const FoundBuildings* found,
+                                                         const features::RunSetup& setup, Context& context) {
+    contours::ContourArchive store = contour_store(frame, found, setup, context);
     const BandTracing tracing{frame, tiers, found, setup.plan.trace};
     if (tiers.plan.level_count() <= std::numeric_limits<std::uint8_t>::max())
         trace_into<std::uint8_t>(store, reader, tracing, context);
@@ -162,4 +169,4 @@ std::unique_ptr<StoredContours> trace_contours(ElevationReader& reader, const Tr
     return store.finish();
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

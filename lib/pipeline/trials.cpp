@@ -9,7 +9,7 @@
 
 #include "options/run_plan.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 namespace {
 
 /// Source read into memory as a whole.
@@ -118,4 +118,4 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
     return trials;
 }
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

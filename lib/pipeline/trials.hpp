@@ -7,7 +7,7 @@
 #include "dem2buildings/run.hpp"
 #include "options/option_values.hpp"
 
-namespace d2b {
+namespace d2b::pipeline {
 
 /// Option values that differ between trials.
 struct TrialValues {
@@ -45,4 +45,4 @@ using MakeView = std::function<std::unique_ptr<TrialView>(FeatureSink& nothing, 
                                             const SweepPlan& plan, const MakeView& make_view,
                                             const Callbacks& callbacks = {});
 
-}  // namespace d2b
+}  // namespace d2b::pipeline

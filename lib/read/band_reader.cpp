@@ -16,7 +16,7 @@
 #include "read/georeferencing.hpp"
 #include "read/source_files.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 void RowCoverage::add(std::int32_t row, std::int32_t begin, std::int32_t end,
                       const std::function<void(std::int32_t, std::int32_t)>& use) {
@@ -268,4 +268,4 @@ void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& par
     messages.pass_warnings(warnings);
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

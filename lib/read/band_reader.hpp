@@ -14,7 +14,7 @@
 #include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Cells of a raster that have been visited, as ranges of columns per row. Ranges of adjacent or overlapping
 /// parts are merged, so that few remain.
@@ -100,4 +100,4 @@ class BandReader {
     std::optional<RowCoverage> coverage_;  ///< not set if nothing is counted
 };
 
-}  // namespace d2b
+}  // namespace d2b::reading

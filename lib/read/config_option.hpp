@@ -2,7 +2,7 @@
 
 #include <cpl_conv.h>
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Sets a configuration option of GDAL in this thread during its lifetime, unless the user has set it.
 class ScopedConfigOption {
@@ -30,4 +30,4 @@ class NoSidecar {
     ScopedConfigOption option_{"GDAL_PAM_ENABLED", "NO"};
 };
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -18,7 +18,7 @@
 #include "read/ring_projection.hpp"
 #include "read/vector_layer.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 namespace {
 
@@ -234,4 +234,4 @@ std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemI
     return mask;
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -15,7 +15,7 @@
 #include "read/ring_projection.hpp"
 #include "read/vector_layer.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Rings of one polygon under the even-odd rule.
 using PixelPolygon = std::vector<WorldRing>;
@@ -66,4 +66,4 @@ class CutlineMask {
 [[nodiscard]] std::unique_ptr<CutlineMask> open_cutline(const ReadOptions& options, const DemInfo& info,
                                                         Warnings& warnings);
 
-}  // namespace d2b
+}  // namespace d2b::reading

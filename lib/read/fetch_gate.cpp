@@ -14,7 +14,7 @@
 
 #include "read/config_option.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 /// Formats whose files are lists of addresses.
@@ -165,4 +165,4 @@ DatasetOwner open_guarded(const std::string& name, unsigned flags, const char* c
     return dataset;
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -9,7 +9,7 @@
 
 #include "read/gdal_handles.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Blocks network access that GDAL would make because a file asks for it: the CRS behind a link in a GeoJSON,
 /// the schema of a GML, overviews on a server. Without it, opening somebody else's file could notify a
@@ -54,4 +54,4 @@ inline constexpr std::array remote_prefixes{"/vsicurl", "/vsis3",    "/vsigs",  
                                         const char* const* drivers = nullptr,
                                         const char* const* open_options = nullptr);
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -12,7 +12,7 @@
 
 #include "read/config_option.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Owners of GDAL's C handles.
 template <typename Handle, auto release>
@@ -51,4 +51,4 @@ class StringList {
     std::vector<const char*> pointers_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -6,7 +6,7 @@
 
 #include <cpl_error.h>
 
-namespace d2b {
+namespace d2b::reading {
 
 namespace {
 
@@ -107,4 +107,4 @@ void GdalMessages::pass_all(Warnings& warnings) const {
     pass(errors_, warnings);
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -7,7 +7,7 @@
 
 #include "core/warnings.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Collects GDAL's messages in this thread during its lifetime, so that nothing is printed to stderr and our
 /// exceptions carry GDAL's reason. Debug messages pass through because they appear only on request. Scopes
@@ -52,4 +52,4 @@ class GdalMessages {
 /// a trailing full stop, and truncates long text.
 [[nodiscard]] std::string one_line(std::string_view text);
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -14,7 +14,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 /// Keeps libtiff's global handler from printing, because GDAL 3.10 reports failed reads and writes through
@@ -110,4 +110,4 @@ std::string gdal_version() {
     return GDALVersionInfo("RELEASE_NAME");
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

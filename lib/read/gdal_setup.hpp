@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Registers GDAL's drivers unless the process has registered any. Called by all functions that open files.
 void register_formats();
@@ -26,4 +26,4 @@ void start_gdal();
 /// Version of the GDAL library in use: "3.6.2".
 [[nodiscard]] std::string gdal_version();
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -13,7 +13,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 namespace {
 
@@ -285,4 +285,4 @@ void require_part(const DemInfo& info, const Window& part, std::size_t size) {
                          "' or for a buffer of another size; ask for a part of the window.");
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

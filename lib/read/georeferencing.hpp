@@ -12,7 +12,7 @@
 #include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Sets transform and georeferenced of a raster whose name is set. Without a transform, warns and uses pixels
 /// as coordinates, y up. @param advice remedy for an invalid transform
@@ -57,4 +57,4 @@ void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, 
 /// of the window or the buffer has another size
 void require_part(const DemInfo& info, const Window& part, std::size_t size);
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -21,8 +21,7 @@
 #include "read/shared_raster.hpp"
 #include "read/temporary_file.hpp"
 
-namespace d2b {
-
+namespace d2b::reading {
 namespace {
 
 void describe_values(GDALRasterBandH band, const ReadOptions& options, DemInfo& info) {
@@ -96,20 +95,6 @@ class GdalDemSource final : public WarningSource {
     std::unique_ptr<ConcurrentRaster> readers_;
     std::unique_ptr<CutlineMask> cutline_;
 };
-
-}  // namespace
-
-std::unique_ptr<DemSource> open_dem(const ReadOptions& options, const Callbacks& callbacks) {
-    register_formats();
-    auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
-    std::unique_ptr<StandardInputCopy> standard_input = copy_standard_input(options.source);
-    OpenRaster raster =
-        open_raster(options, standard_input ? standard_input->path() : options.source, *warnings);
-    return std::make_unique<GdalDemSource>(std::move(standard_input), std::move(raster), options,
-                                           std::move(warnings));
-}
-
-namespace {
 
 const std::byte* at(const StridedValues& values, std::int32_t row, std::int32_t col) {
     return static_cast<const std::byte*>(values.first) + row * values.row_step + col * values.col_step;
@@ -255,14 +240,28 @@ OpenRaster array_raster(const ElevationArray& array, const DemInfo& grid) {
     return raster;
 }
 
+}  // namespace d2b::reading
+
+namespace d2b {
+
+std::unique_ptr<DemSource> open_dem(const ReadOptions& options, const Callbacks& callbacks) {
+    reading::register_formats();
+    auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
+    std::unique_ptr<reading::StandardInputCopy> standard_input = reading::copy_standard_input(options.source);
+    reading::OpenRaster raster =
+        reading::open_raster(options, standard_input ? standard_input->path() : options.source, *warnings);
+    return std::make_unique<reading::GdalDemSource>(std::move(standard_input), std::move(raster), options,
+                                                    std::move(warnings));
+}
+
 std::unique_ptr<DemSource> open_dem(const ElevationArray& array, const ReadOptions& options,
                                     const Callbacks& callbacks) {
     if (array.rows < 1 || array.cols < 1)
         throw InputError("'" + array.name + "' has no cells; give at least one row and one column.");
-    register_formats();
-    require_array_options(options, array.name);
+    reading::register_formats();
+    reading::require_array_options(options, array.name);
     Warnings warnings(callbacks.on_warning);
-    return std::make_unique<ArrayDemSource>(array, options, warnings);
+    return std::make_unique<reading::ArrayDemSource>(array, options, warnings);
 }
 
 }  // namespace d2b

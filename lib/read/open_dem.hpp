@@ -10,7 +10,7 @@
 #include "dem2buildings/open_sources.hpp"
 #include "read/open_raster.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Source that owns its warnings, so that its members can refer to them.
 class WarningSource : public DemSource {
@@ -31,4 +31,4 @@ class WarningSource : public DemSource {
 /// are taken in the unit of the DEM
 [[nodiscard]] OpenRaster array_raster(const ElevationArray& array, const DemInfo& grid);
 
-}  // namespace d2b
+}  // namespace d2b::reading

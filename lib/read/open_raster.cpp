@@ -13,7 +13,7 @@
 #include "read/gdal_messages.hpp"
 #include "read/source_files.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Rejects a raster with an impossible or unsupported header before anything is allocated or read: a side of
 /// more than 2^30 cells, an ENVI file or text grid shorter than its cells need, a TIFF with a block larger
@@ -253,4 +253,4 @@ OpenRaster open_first_band(const std::string& name, const std::string& path, War
     return raster;
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -6,7 +6,7 @@
 #include "dem2buildings/options.hpp"
 #include "read/gdal_handles.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 struct OpenRaster {
     DatasetOwner dataset;
@@ -25,4 +25,4 @@ struct OpenRaster {
 [[nodiscard]] OpenRaster open_first_band(const std::string& name, const std::string& path,
                                          Warnings& warnings);
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -15,7 +15,7 @@
 #include "read/ring_projection.hpp"
 #include "read/vector_layer.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 /// Half-open range of rows or columns [low, high).
@@ -333,4 +333,4 @@ std::unique_ptr<ParcelSource> open_parcels(const ParcelChoice& choice, const Dem
     return std::make_unique<ParcelReader>(choice, grid, callbacks);
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

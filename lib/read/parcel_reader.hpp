@@ -10,7 +10,7 @@
 #include "dem2buildings/parcel_source.hpp"
 #include "dem2buildings/sinks.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Feature in pixel coordinates of a DEM: x is columns, y is rows, (0, 0) the outer corner of the first cell.
 struct PixelParcel {
@@ -41,4 +41,4 @@ struct ParcelChoice {
 [[nodiscard]] std::unique_ptr<ParcelSource> open_parcels(const ParcelChoice& choice, const DemInfo& grid,
                                                          const Callbacks& callbacks = {});
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -22,7 +22,7 @@
 #include "read/georeferencing.hpp"
 #include "read/vector_layer.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 std::string field_list(OGRFeatureDefnH schema) {
@@ -207,4 +207,4 @@ ValidCells valid_cells(const std::string& path, Warnings& warnings) {
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -7,7 +7,7 @@
 #include "dem2buildings/score.hpp"
 #include "dem2buildings/sinks.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Choice of a layer and its height field.
 struct LayerChoice {
@@ -36,4 +36,4 @@ struct ValidCells {
 /// @param path any raster that GDAL opens @throws InputError as open_dem(), or if no cell is valid
 [[nodiscard]] ValidCells valid_cells(const std::string& path, Warnings& warnings);
 
-}  // namespace d2b
+}  // namespace d2b::reading

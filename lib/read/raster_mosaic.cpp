@@ -25,7 +25,7 @@
 #include "read/georeferencing.hpp"
 #include "read/open_raster.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 std::vector<std::string> read_raster_list(const std::string& list) {
     errno = 0;
@@ -253,4 +253,4 @@ void build_mosaic(const std::string& path, const std::vector<std::string>& raste
                           "; free some space in the work folder, or give another one.");
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

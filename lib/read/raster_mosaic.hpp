@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Reads names of rasters, one per line as for gdalbuildvrt; empty lines are ignored.
 /// @throws InputError if the file cannot be read or names no raster
@@ -23,4 +23,4 @@ using RasterBox = std::array<std::array<double, 2>, 2>;
 /// first one; OutputError if the VRT cannot be written
 void build_mosaic(const std::string& path, const std::vector<std::string>& rasters, int band);
 
-}  // namespace d2b
+}  // namespace d2b::reading

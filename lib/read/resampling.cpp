@@ -17,7 +17,7 @@
 #include "read/gdal_messages.hpp"
 #include "read/georeferencing.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 GridTransform::GridTransform(const std::string& name, const DemInfo& raster, const DemInfo& grid) {
     const GdalMessages messages;
@@ -330,4 +330,4 @@ void ValueWarper::warp(const Window& part) {
     messages.pass_warnings(source_.warnings);
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

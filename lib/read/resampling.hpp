@@ -17,7 +17,7 @@
 #include "read/band_reader.hpp"
 #include "read/gdal_handles.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 using TransformerOwner = GdalOwner<void*, GDALDestroyTransformer>;
 
@@ -125,4 +125,4 @@ class ValueWarper {
     std::vector<double> part_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -13,7 +13,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 /// Side of a box.
@@ -206,4 +206,4 @@ SearchExtents search_extents(OGRSpatialReferenceH polygons, OGRSpatialReferenceH
     return found;
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

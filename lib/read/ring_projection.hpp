@@ -11,7 +11,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "read/gdal_handles.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Axis-parallel box, sides included; unbounded by default.
 struct ClipBox {
@@ -67,4 +67,4 @@ struct SearchExtents {
 [[nodiscard]] SearchExtents search_extents(OGRSpatialReferenceH polygons, OGRSpatialReferenceH dem,
                                            const DemInfo& info);
 
-}  // namespace d2b
+}  // namespace d2b::reading

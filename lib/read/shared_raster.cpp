@@ -21,7 +21,7 @@
 #include "dem2buildings/error.hpp"
 #include "read/georeferencing.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Mosaic that several threads read concurrently. It is opened once per column of rasters, and only one
 /// thread at a time reads a column; a thread that finds a column locked takes another one first. No block is
@@ -336,4 +336,4 @@ std::unique_ptr<ConcurrentRaster> make_concurrent(OpenRaster raster, const ReadO
     return std::make_unique<ReaderPool>(std::move(raster), options, std::move(path), info, warnings);
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -14,7 +14,7 @@
 #include "read/band_reader.hpp"
 #include "read/open_raster.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Half-open range of columns [begin, end).
 using ColumnSpan = std::array<std::int32_t, 2>;
@@ -62,4 +62,4 @@ class ConcurrentRaster {
                                                                 std::string path, const DemInfo& info,
                                                                 Warnings& warnings);
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -29,7 +29,7 @@
 #include "read/resampling.hpp"
 #include "read/temporary_file.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// First band of a raster, read on the grid and in the window of a DEM. If cells of both coincide, values are
 /// those of the raster bit by bit; otherwise they are resampled. Values continue level for half a cell beyond
@@ -512,4 +512,4 @@ std::unique_ptr<DemSource> open_ndvi(const AuxiliaryRaster& raster, const DemInf
     return std::make_unique<NdviSource>(raster, grid, std::make_unique<Warnings>(callbacks.on_warning));
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -9,7 +9,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/open_sources.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Rasters that accompany a DEM, on its grid: sources with the rows, columns, window, transform and CRS of
 /// `grid`, and NaN for cells without data. The first band of a raster is read. If its cells differ from those
@@ -69,4 +69,4 @@ struct TerrainReadOptions {
 [[nodiscard]] std::unique_ptr<DemSource> open_ndvi(const AuxiliaryRaster& raster, const DemInfo& grid,
                                                    const Callbacks& callbacks = {});
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -23,7 +23,7 @@
 #include "read/open_raster.hpp"
 #include "read/temporary_file.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::vector<SourceFile> list_auxiliary_files(const Options& options) {
     return files;
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

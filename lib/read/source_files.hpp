@@ -6,7 +6,7 @@
 
 #include "dem2buildings/options.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Advice about a source that does not open as a raster, as the end of a sentence that begins with "; ": it
 /// is a point cloud, an archive (with the raster in it, if there is one) or a vector dataset. Returns "" if
@@ -33,4 +33,4 @@ struct SourceFile {
 /// each are sorted by name.
 [[nodiscard]] std::vector<SourceFile> list_auxiliary_files(const Options& options);
 
-}  // namespace d2b
+}  // namespace d2b::reading

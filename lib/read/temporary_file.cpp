@@ -18,7 +18,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 std::string usual_folder() {
@@ -100,4 +100,4 @@ std::unique_ptr<StandardInputCopy> copy_standard_input(const std::string& source
     return is_standard_input(source) ? std::make_unique<StandardInputCopy>(source) : nullptr;
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Decides if other processes can open a file. An unnamed file vanishes with the process, however that ends.
 enum class FileName { kept, none };
@@ -60,4 +60,4 @@ class StandardInputCopy {
 /// Copies the source if it is standard input; returns null otherwise. @throws as above
 [[nodiscard]] std::unique_ptr<StandardInputCopy> copy_standard_input(const std::string& source);
 
-}  // namespace d2b
+}  // namespace d2b::reading

@@ -10,7 +10,7 @@
 #include "read/gdal_messages.hpp"
 #include "read/georeferencing.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 WorldRing ring_of(OGRGeometryH line, bool& open) {
@@ -179,4 +179,4 @@ TransformOwner transform_to_dem(OGRSpatialReferenceH from, const PolygonSource& 
     return transform;
 }
 
-}  // namespace d2b
+}  // namespace d2b::reading

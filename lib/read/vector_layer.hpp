@@ -12,7 +12,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/polygon_layer.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 
 /// Returns the polygons and triangles in a geometry at any depth, in order. They are owned by the geometry.
 [[nodiscard]] std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry);
@@ -63,4 +63,4 @@ struct PolygonSource {
 [[nodiscard]] TransformOwner transform_to_dem(OGRSpatialReferenceH from, const PolygonSource& source,
                                               const DemInfo& info, Warnings& warnings);
 
-}  // namespace d2b
+}  // namespace d2b::reading

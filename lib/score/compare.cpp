@@ -16,7 +16,7 @@
 #include "score/measure.hpp"
 #include "score/score.hpp"
 
-namespace d2b {
+namespace d2b::score {
 namespace {
 
 /// Polygons that limit the area measured.
@@ -35,9 +35,10 @@ Polygons all_polygons(std::vector<PolygonFeature> footprints) {
 }
 
 std::optional<Limit> area_of_interest(const ScoreRequest& request, Warnings& warnings) {
-    LayerChoice choice{request.reference, "aoi", {}, {}, {}};
-    const std::vector<std::string> layers =
-        request.reference.empty() ? std::vector<std::string>() : layer_names(request.reference, warnings);
+    reading::LayerChoice choice{request.reference, "aoi", {}, {}, {}};
+    const std::vector<std::string> layers = request.reference.empty()
+                                                ? std::vector<std::string>()
+                                                : reading::layer_names(request.reference, warnings);
     const auto has = [&](const std::string& name) { return std::ranges::find(layers, name) != layers.end(); };
     if (!request.area_of_interest.empty()) {
         choice.layer = request.area_of_interest;
@@ -46,7 +47,7 @@ std::optional<Limit> area_of_interest(const ScoreRequest& request, Warnings& war
     } else if (!has("aoi")) {
         return std::nullopt;
     }
-    PolygonLayer layer = read_polygon_layer(choice, warnings);
+    PolygonLayer layer = reading::read_polygon_layer(choice, warnings);
     const std::string what = "the area of interest, layer '" + layer.name + "' of '" + layer.dataset + "',";
     if (layer.features.empty())
         throw InputError("The" + what.substr(3) + " has no polygons; give another one with -aoi.");
@@ -56,7 +57,7 @@ std::optional<Limit> area_of_interest(const ScoreRequest& request, Warnings& war
 std::optional<Limit> raster_with_data(const ScoreRequest& request, Warnings& warnings) {
     if (request.dem.empty())
         return std::nullopt;
-    ValidCells cells = valid_cells(request.dem, warnings);
+    reading::ValidCells cells = reading::valid_cells(request.dem, warnings);
     return Limit{request.dem, "the part of '" + request.dem + "' that has data", Crs(cells.crs_wkt),
                  std::move(cells.polygons)};
 }
@@ -105,11 +106,11 @@ std::optional<Polygons> region_of(std::vector<Limit>& limits, const MeasurePlane
     return region;
 }
 
-LayerChoice found_choice(const ScoreRequest& request) {
+reading::LayerChoice found_choice(const ScoreRequest& request) {
     return {request.found, request.layer, {"buildings"}, {}, {"height"}};
 }
 
-LayerChoice reference_choice(const ScoreRequest& request) {
+reading::LayerChoice reference_choice(const ScoreRequest& request) {
     return {request.reference,
             request.reference_layer,
             {"blocks_dissolved", "buildings"},
@@ -117,8 +118,8 @@ LayerChoice reference_choice(const ScoreRequest& request) {
             {"height", "Height", "roof_h"}};
 }
 
-ScoreRun compare(const ScoreRequest& request, const PolygonLayer& found_layer,
-                 const PolygonLayer& reference_layer, Warnings& warnings) {
+ScoreRun score_layers(const ScoreRequest& request, const PolygonLayer& found_layer,
+                      const PolygonLayer& reference_layer, Warnings& warnings) {
     Overlay overlay;
     std::vector<Limit> limits;
     for (auto& limit : {area_of_interest(request, warnings), raster_with_data(request, warnings)})
@@ -154,22 +155,25 @@ ScoreRun compare(const ScoreRequest& request, const PolygonLayer& found_layer,
 }
 
 }  // namespace
+}  // namespace d2b::score
+
+namespace d2b {
 
 ScoreRun compare_layers(const ScoreRequest& request, const PolygonLayer* found, const PolygonLayer* reference,
                         const Callbacks& callbacks) {
-    register_formats();
+    reading::register_formats();
     Warnings warnings(callbacks.on_warning);
     ScoreRequest with_limits = request;
     PolygonLayer read_found;
     if (found == nullptr)
-        read_found = read_polygon_layer(found_choice(request), warnings);
+        read_found = reading::read_polygon_layer(score::found_choice(request), warnings);
     PolygonLayer read_reference;
     if (reference == nullptr)
-        read_reference = read_polygon_layer(reference_choice(request), warnings);
+        read_reference = reading::read_polygon_layer(score::reference_choice(request), warnings);
     else
         with_limits.reference.clear();  // datasets in memory have no layer with an area of interest
-    return compare(with_limits, found != nullptr ? *found : read_found,
-                   reference != nullptr ? *reference : read_reference, warnings);
+    return score::score_layers(with_limits, found != nullptr ? *found : read_found,
+                               reference != nullptr ? *reference : read_reference, warnings);
 }
 
 ScoreRun compare_datasets(const ScoreRequest& request, const Callbacks& callbacks) {

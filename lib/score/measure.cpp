@@ -10,7 +10,7 @@
 #include "dem2buildings/error.hpp"
 #include "geometry/box_tree.hpp"
 
-namespace d2b {
+namespace d2b::score {
 namespace {
 
 /// Relative to the first position, because large coordinates would cancel the area.
@@ -157,4 +157,4 @@ Box box_of_all(std::span<const Polygons> areas) {
     return box;
 }
 
-}  // namespace d2b
+}  // namespace d2b::score

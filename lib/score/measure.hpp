@@ -9,7 +9,7 @@
 #include "geometry/box_tree.hpp"
 #include "geometry/overlay.hpp"
 
-namespace d2b {
+namespace d2b::score {
 
 // Units are those of the coordinates and their squares.
 
@@ -46,4 +46,4 @@ void transform_to(const MeasurePlane& plane, const Crs& from, const std::string&
 
 [[nodiscard]] Box box_of_all(std::span<const Polygons> areas);
 
-}  // namespace d2b
+}  // namespace d2b::score

@@ -8,7 +8,7 @@
 
 #include "score/measure.hpp"
 
-namespace d2b {
+namespace d2b::score {
 namespace {
 
 ScoredObjects objects_of(Polygons pieces) {
@@ -116,4 +116,4 @@ std::vector<std::optional<double>> object_heights(std::span<const std::optional<
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::score

@@ -8,7 +8,7 @@
 #include "dem2buildings/score.hpp"
 #include "geometry/overlay.hpp"
 
-namespace d2b {
+namespace d2b::score {
 
 /// Connected parts of a dissolved area; those that only touch in points are separate.
 struct ScoredObjects {
@@ -58,4 +58,4 @@ struct ObjectCount {
     std::span<const std::optional<double>> heights, std::span<const Polygons> areas, const Polygons& objects,
     Overlay& overlay);
 
-}  // namespace d2b
+}  // namespace d2b::score

@@ -22,9 +22,9 @@
 #undef BOOST_ALLOW_DEPRECATED_HEADERS
 
 BOOST_GEOMETRY_REGISTER_POINT_2D(d2b::Position, double, cs::cartesian, x, y)
-BOOST_GEOMETRY_REGISTER_SEGMENT(d2b::OutlineSegment, d2b::Position, a, b)
+BOOST_GEOMETRY_REGISTER_SEGMENT(d2b::score::OutlineSegment, d2b::Position, a, b)
 
-namespace d2b {
+namespace d2b::score {
 namespace {
 
 namespace index = boost::geometry::index;
@@ -202,4 +202,4 @@ double polis_distance(const WorldPolygon& a, const WorldPolygon& b) {
     return (mean_distance(of_a, of_b) + mean_distance(of_b, of_a)) / 2;
 }
 
-}  // namespace d2b
+}  // namespace d2b::score

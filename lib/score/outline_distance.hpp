@@ -9,7 +9,7 @@
 #include "dem2buildings/world_polygon.hpp"
 #include "geometry/overlay.hpp"
 
-namespace d2b {
+namespace d2b::score {
 
 /// Straight segment of an outline.
 struct OutlineSegment {
@@ -55,4 +55,4 @@ struct OutlineDistance {
 /// rings.
 [[nodiscard]] double polis_distance(const WorldPolygon& a, const WorldPolygon& b);
 
-}  // namespace d2b
+}  // namespace d2b::score

@@ -8,7 +8,7 @@
 #include "score/objects.hpp"
 #include "score/outline_distance.hpp"
 
-namespace d2b {
+namespace d2b::score {
 namespace {
 
 double share(double part, double whole) {
@@ -179,4 +179,4 @@ Score score(ScoreSide found, ScoreSide reference, const ScoreOptions& options) {
     return Scorer(std::move(found), std::move(reference), options).run();
 }
 
-}  // namespace d2b
+}  // namespace d2b::score

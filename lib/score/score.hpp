@@ -8,7 +8,7 @@
 #include "geometry/overlay.hpp"
 #include "read/polygon_layer.hpp"
 
-namespace d2b {
+namespace d2b::score {
 
 /// One side of a comparison.
 struct ScoreSide {
@@ -38,4 +38,4 @@ struct ScoreOptions {
 /// @throws Error if GEOS fails
 [[nodiscard]] Score score(ScoreSide found, ScoreSide reference, const ScoreOptions& options);
 
-}  // namespace d2b
+}  // namespace d2b::score

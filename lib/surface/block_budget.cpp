@@ -6,7 +6,7 @@
 
 #include "core/disjoint_sets.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 double area_of(const FineRing& ring, const FlowMetric& metric) {
@@ -63,4 +63,4 @@ void BlockBudget::take(std::span<const std::int32_t> contours, double outside) {
         taken_[block] += outside;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

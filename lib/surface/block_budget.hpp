@@ -7,7 +7,7 @@
 #include "surface/flow_limits.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Area that all changes together may still take from each block. Touching contours of the lowest level form
 /// a block, with everything on top of them.
@@ -32,4 +32,4 @@ class BlockBudget {
     std::vector<double> taken_;         // m2 per block
 };
 
-}  // namespace d2b
+}  // namespace d2b::surface

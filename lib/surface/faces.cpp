@@ -15,7 +15,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 using Ring = std::vector<std::uint32_t>;
@@ -31,7 +31,7 @@ struct OwnedRing {
 Int128 twice_area(const Ring& ring, const PlanarPartition& plan) {
     Int128 sum = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum += turn(plan.nodes[ring[0]], plan.nodes[ring[i]], plan.nodes[ring[i + 1]]);
+        sum += outline::turn(plan.nodes[ring[0]], plan.nodes[ring[i]], plan.nodes[ring[i + 1]]);
     return sum;
 }
 
@@ -132,7 +132,7 @@ class HoleLocator {
                 const FinePoint from{2 * edge.from.row, 2 * edge.from.col};
                 const FinePoint to{2 * edge.to.row, 2 * edge.to.col};
                 if ((from.row > middle.row) != (to.row > middle.row) &&
-                    (side(from, to, middle) > 0) == (from.row < to.row))
+                    (outline::side(from, to, middle) > 0) == (from.row < to.row))
                     is_in[edge.ring] = !is_in[edge.ring];
             }
         std::size_t holder = exteriors_.size();
@@ -273,7 +273,7 @@ class FaceSweep {
     [[nodiscard]] Open east_of(std::uint32_t node) {
         const std::vector<FinePoint>& points = face_.plan.nodes;
         return std::ranges::partition_point(open_, [&](const OpenEdge& edge) {
-            return side(points[edge.top], points[edge.bottom], points[node]) > 0;
+            return outline::side(points[edge.top], points[edge.bottom], points[node]) > 0;
         });
     }
     [[nodiscard]] Open ending_at(std::uint32_t node) {
@@ -319,7 +319,7 @@ void FaceSweep::visit(const RingCorner& corner) {
     const bool comes_from_above = corner.before < corner.node;
     const bool goes_down = corner.after > corner.node;
     const std::vector<FinePoint>& points = face_.plan.nodes;
-    const bool reflex = side(points[corner.before], points[corner.node], points[corner.after]) < 0;
+    const bool reflex = outline::side(points[corner.before], points[corner.node], points[corner.after]) < 0;
     if (!comes_from_above && goes_down) {
         visit_highest(corner, reflex);
     } else if (comes_from_above && !goes_down) {
@@ -404,7 +404,7 @@ std::optional<std::vector<PartitionTriangle>> to_node_triangles(const std::vecto
                                                                 const NodeLookup& nodes) {
     std::vector<PartitionTriangle> result;
     for (const FineTriangle& triangle : triangles) {
-        const int turns = side(triangle[0], triangle[1], triangle[2]);
+        const int turns = outline::side(triangle[0], triangle[1], triangle[2]);
         PartitionTriangle& made = result.emplace_back();
         for (std::size_t i = 0; i < 3; ++i) {
             const auto node = nodes.at(triangle[i]);
@@ -475,4 +475,4 @@ std::optional<std::vector<PartitionTriangle>> triangulate_face(const PartitionFa
     return all;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -9,7 +9,7 @@
 
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Polygon of nodes: exterior counter-clockwise (y up), interiors clockwise. Rings do not touch themselves
 /// and touch each other only in single nodes.
@@ -54,4 +54,4 @@ using PartitionTriangle = std::array<std::uint32_t, 3>;
                                                                              const PlanarPartition& plan,
                                                                              const Triangulate& triangulate);
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -12,15 +12,15 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Returns true if a direction is strictly within the sector to the left of the first of two arms.
 bool is_in_sector(FinePoint node, FinePoint first, FinePoint second, FinePoint to) {
-    if (side(node, first, second) > 0)
-        return side(node, first, to) > 0 && side(node, to, second) > 0;
-    const bool in_the_rest = side(node, second, to) >= 0 && side(node, to, first) >= 0;
-    return !in_the_rest || (side(node, first, second) == 0 && side(node, first, to) > 0);
+    if (outline::side(node, first, second) > 0)
+        return outline::side(node, first, to) > 0 && outline::side(node, to, second) > 0;
+    const bool in_the_rest = outline::side(node, second, to) >= 0 && outline::side(node, to, first) >= 0;
+    return !in_the_rest || (outline::side(node, first, second) == 0 && outline::side(node, first, to) > 0);
 }
 
 }  // namespace
@@ -103,8 +103,8 @@ bool FlowFaults::Finder::ends_a_gap(const PartitionEdge& edge) const {
         const FinePoint before = next(from, to);
         const FinePoint after = next(to, from);
         constexpr double widest = 120;  // degrees
-        if (side(a, b, before) > 0 && side(a, b, after) > 0 && angle(a, b, before) < widest &&
-            angle(b, a, after) < widest)
+        if (outline::side(a, b, before) > 0 && outline::side(a, b, after) > 0 &&
+            angle(a, b, before) < widest && angle(b, a, after) < widest)
             return true;
     }
     return false;
@@ -162,10 +162,10 @@ bool FlowFaults::Finder::is_seen(const FlowFault& narrow) const {
         const FinePoint a = plan_.at(edge.from);
         const FinePoint b = plan_.at(edge.to);
         if (edge.from == narrow.node || edge.to == narrow.node)
-            return !overlap_from(from, to, edge.from == narrow.node ? b : a);
+            return !outline::overlap_from(from, to, edge.from == narrow.node ? b : a);
         if (a == to || b == to)
-            return !overlap_from(to, from, a == to ? b : a);
-        return !segments_intersect({a, b}, {from, to});
+            return !outline::overlap_from(to, from, a == to ? b : a);
+        return !outline::segments_intersect({a, b}, {from, to});
     });
 }
 
@@ -387,4 +387,4 @@ std::vector<FlowFault> find_faults(const PartitionEditor& plan, std::span<const 
     return faults;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

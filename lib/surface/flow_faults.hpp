@@ -10,7 +10,7 @@
 #include "surface/flow_limits.hpp"
 #include "surface/partition_editor.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 enum class FlowKind {
     wall,   ///< an edge that is too short
@@ -76,4 +76,4 @@ class FlowFaults {
                                                  std::span<const PartitionContour> contours,
                                                  const FlowLimits& limits, const StopToken& stop = {});
 
-}  // namespace d2b
+}  // namespace d2b::surface

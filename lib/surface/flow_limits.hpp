@@ -6,7 +6,7 @@
 
 #include "core/lattice.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Converts steps of the fine lattice to lengths on the ground.
 struct FlowMetric {
@@ -54,4 +54,4 @@ struct FlowLimits {
     FlowMetric metric;
 };
 
-}  // namespace d2b
+}  // namespace d2b::surface

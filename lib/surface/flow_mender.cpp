@@ -7,7 +7,7 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Factor by which new walls exceed the limit, because their corners are rounded to the lattice.
@@ -118,7 +118,7 @@ bool FlowMender::ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, st
         const FinePoint end = plan_.at(arm.end);
         const double along = m.x(a, to) * m.x(b, end) + m.y(a, to) * m.y(b, end);
         return arm.end != gone && along > side_by_side * m.distance(a, to) * m.distance(b, end) &&
-               side(a, b, to) * side(a, b, end) >= 0;
+               outline::side(a, b, to) * outline::side(a, b, end) >= 0;
     };
     return std::ranges::any_of(plan_.at_node(stays), runs_beside);
 }
@@ -283,7 +283,7 @@ bool FlowMender::move(std::uint32_t node, FinePoint place) {
 /// Makes an edge run through a place next to it.
 bool FlowMender::bend(std::uint32_t edge, FinePoint place) {
     const PartitionEdge e = plan_.edges()[edge];
-    const Int128 turned = turn(plan_.at(e.from), plan_.at(e.to), place);
+    const Int128 turned = outline::turn(plan_.at(e.from), plan_.at(e.to), place);
     const double area = std::abs(square_metres(turned));
     const bool is_outside = e.left == open_ground || e.right == open_ground;
     const std::array contours{e.left, e.right};
@@ -399,4 +399,4 @@ bool FlowMender::round() {
     return any;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -10,7 +10,7 @@
 #include "surface/flow_faults.hpp"
 #include "surface/flow_problem.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Mends the faults of a partition in rounds. Each round begins with the smallest changes, so that the budget
 /// of a block goes far.
@@ -76,4 +76,4 @@ class FlowMender {
 /// Describes a fault that is left. @param plan the partition in which it was found
 [[nodiscard]] FlowProblem problem_of(const FlowFault& fault, const PartitionEditor& plan);
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -12,7 +12,7 @@
 #include "surface/plan_outlines.hpp"
 #include "surface/resolve_nonmanifold.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr int most_rounds = 12;
@@ -113,4 +113,4 @@ std::optional<FlowOutlines> FlowPasses::make(std::span<const PartitionContour> l
     return FlowOutlines{std::move(drawn.outlines), std::move(problems_), after.size()};
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -13,7 +13,7 @@
 #include "surface/flow_problem.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Result of changing a partition.
 struct FlowOutlines {
@@ -54,4 +54,4 @@ class FlowPasses {
     std::vector<FlowProblem> problems_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::surface

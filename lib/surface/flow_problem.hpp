@@ -5,7 +5,7 @@
 
 #include "core/lattice.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 enum class FlowProblemKind { wall, angle, gap, neck, touch, crossing };
 
@@ -19,4 +19,4 @@ struct FlowProblem {
     std::vector<std::int32_t> contours;  ///< contours next to it
 };
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -14,7 +14,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr double most_share = 0.01;  // of a block's volume
@@ -62,8 +62,9 @@ RoofLeveler::RoofLeveler(const SurfaceCluster& cluster, const PlanarPartition& p
     const auto count = static_cast<std::uint32_t>(roofs_.size());
     DisjointSets blocks(count);
     for (const PartitionEdge& edge : plan.edges) {
-        const double under =
-            static_cast<double>(turn(plan.nodes.front(), plan.nodes[edge.from], plan.nodes[edge.to])) / 2;
+        const double under = static_cast<double>(outline::turn(plan.nodes.front(), plan.nodes[edge.from],
+                                                               plan.nodes[edge.to])) /
+                             2;
         if (edge.left != open_ground)
             roofs_[static_cast<std::size_t>(edge.left)].area += under;
         if (edge.right != open_ground)
@@ -177,4 +178,4 @@ std::vector<RoofStep> level_roofs(SurfaceCluster& cluster, std::int64_t least) {
     return steps;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

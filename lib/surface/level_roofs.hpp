@@ -6,7 +6,7 @@
 
 #include "surface/make_surfaces.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Neighbouring roofs, or a tier and the roof that it stands on, whose height difference is too small.
 struct RoofStep {
@@ -23,4 +23,4 @@ struct RoofStep {
 /// steps of height @return all differences that were too small, in the order of the plan's edges
 [[nodiscard]] std::vector<RoofStep> level_roofs(SurfaceCluster& cluster, std::int64_t least);
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -13,7 +13,7 @@
 #include "surface/plan_outlines.hpp"
 #include "surface/resolve_nonmanifold.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Replaces heights by levels, because a contour stands out if it is on a higher level.
@@ -89,4 +89,4 @@ FlowReady make_flow_ready(std::span<const PartitionContour> contours, const Flow
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -8,7 +8,7 @@
 #include "surface/flow_problem.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 struct FlowReady {
     std::vector<FinePolygon> outlines;  ///< per contour; empty if nothing has changed
@@ -27,4 +27,4 @@ struct FlowReady {
 [[nodiscard]] FlowReady make_flow_ready(std::span<const PartitionContour> contours, const FlowLimits& limits,
                                         const std::vector<bool>& frozen = {}, const StopToken& stop = {});
 
-}  // namespace d2b
+}  // namespace d2b::surface

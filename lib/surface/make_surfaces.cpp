@@ -17,7 +17,7 @@
 #include "surface/planar_partition.hpp"
 #include "surface/vertex_snapping.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Input of an extrusion: each contour of a plan extends from the base to its top.
 struct ExtrusionInput {
@@ -537,4 +537,4 @@ MadeSurfaces make_surfaces(const SurfaceCluster& cluster, const SurfaceForms& fo
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

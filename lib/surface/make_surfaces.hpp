@@ -9,7 +9,7 @@
 #include "surface/planar_partition.hpp"
 #include "surface/resolve_nonmanifold.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Building of a cluster: its id and base height in steps.
 struct ClusterBuilding {
@@ -53,4 +53,4 @@ struct MadeSurfaces {
 [[nodiscard]] MadeSurfaces make_surfaces(const SurfaceCluster& cluster, const SurfaceForms& forms,
                                          const Triangulate& triangulate, const StopToken& stop = {});
 
-}  // namespace d2b
+}  // namespace d2b::surface

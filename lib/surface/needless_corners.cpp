@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr double straight_m = 0.001;
@@ -30,4 +30,4 @@ void take_needless_corners(PartitionEditor& plan, const FlowMetric& metric,
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

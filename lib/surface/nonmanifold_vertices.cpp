@@ -12,7 +12,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/partition_editor.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr std::int64_t anything = std::numeric_limits<std::int64_t>::min();
@@ -197,7 +197,7 @@ void DistancePlanner::divide(const Cut& cut) const {
 }  // namespace
 
 void SweptArea::add(const IncidentEdge& beside, FinePoint end, FinePoint from, FinePoint to) {
-    const double area = std::abs(static_cast<double>(turn(from, to, end))) / 2;
+    const double area = std::abs(static_cast<double>(outline::turn(from, to, end))) / 2;
     (beside.left == open_ground || beside.right == open_ground ? outside : inside) += area;
 }
 
@@ -252,4 +252,4 @@ PlannedDistances plan_distances(PlanarPartition& plan, std::span<const Partition
     return planned;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

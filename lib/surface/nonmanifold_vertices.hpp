@@ -11,7 +11,7 @@
 #include "core/stop_token.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Consecutive sectors around a node, counter-clockwise. Sector i is on the left of arm i.
 struct SectorRun {
@@ -92,4 +92,4 @@ using PlannedDistances = std::map<FinePoint, std::int64_t>;
                                               std::span<const PartitionContour> contours,
                                               const MoveDistances& wanted, const StopToken& stop);
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -13,7 +13,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Edge of an outline, with the interior of its contour on the left.
 struct OutlineEdge {
@@ -50,14 +50,15 @@ void add_ring(const FineRing& ring, std::uint32_t contour, std::vector<OutlineEd
 
 /// Returns true if a point is in the interior of a side.
 bool is_within(const OutlineEdge& side, FinePoint point) {
-    return point != side.from && point != side.to && boxes_intersect({side.from, side.to}, {point, point}) &&
-           d2b::side(side.from, side.to, point) == 0;
+    return point != side.from && point != side.to &&
+           outline::boxes_intersect({side.from, side.to}, {point, point}) &&
+           d2b::outline::side(side.from, side.to, point) == 0;
 }
 
 /// Returns true if two sides cross properly, in a point that is not an end of either.
 bool cross(const OutlineEdge& s, const OutlineEdge& t) {
-    return side(s.from, s.to, t.from) * side(s.from, s.to, t.to) < 0 &&
-           side(t.from, t.to, s.from) * side(t.from, t.to, s.to) < 0;
+    return outline::side(s.from, s.to, t.from) * outline::side(s.from, s.to, t.to) < 0 &&
+           outline::side(t.from, t.to, s.from) * outline::side(t.from, t.to, s.to) < 0;
 }
 
 /// Sorts along the direction of a side and removes duplicates.
@@ -263,4 +264,4 @@ std::vector<FinePolygon> noded_outlines(std::span<const PartitionContour> contou
     return outlines;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

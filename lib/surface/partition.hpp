@@ -6,7 +6,7 @@
 
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Planar partition, or the contours that prevent one.
 struct PartitionResult {
@@ -24,4 +24,4 @@ struct PartitionResult {
 /// Returns the outlines with a vertex wherever a vertex of another outline lies on an edge.
 [[nodiscard]] std::vector<FinePolygon> noded_outlines(std::span<const PartitionContour> contours);
 
-}  // namespace d2b
+}  // namespace d2b::surface

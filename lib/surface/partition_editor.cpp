@@ -6,7 +6,7 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 struct Cols {
@@ -63,14 +63,16 @@ void EdgeGrid::add(std::uint32_t edge, FinePoint a, FinePoint b) {
 namespace {
 
 bool is_within(FinePoint a, FinePoint b, FinePoint c, FinePoint point) {
-    const int s = side(a, b, c);
+    const int s = outline::side(a, b, c);
     if (s == 0) {
         const auto [low_row, high_row] = std::minmax({a.row, b.row, c.row});
         const auto [low_col, high_col] = std::minmax({a.col, b.col, c.col});
-        return side(a, b, point) == 0 && side(b, c, point) == 0 && side(c, a, point) == 0 &&
-               point.row >= low_row && point.row <= high_row && point.col >= low_col && point.col <= high_col;
+        return outline::side(a, b, point) == 0 && outline::side(b, c, point) == 0 &&
+               outline::side(c, a, point) == 0 && point.row >= low_row && point.row <= high_row &&
+               point.col >= low_col && point.col <= high_col;
     }
-    return s * side(a, b, point) >= 0 && s * side(b, c, point) >= 0 && s * side(c, a, point) >= 0;
+    return s * outline::side(a, b, point) >= 0 && s * outline::side(b, c, point) >= 0 &&
+           s * outline::side(c, a, point) >= 0;
 }
 
 }  // namespace
@@ -101,7 +103,7 @@ std::vector<IncidentEdge> PartitionEditor::around(std::uint32_t node) const {
     std::vector<IncidentEdge> arms = at_node(node);
     const FinePoint from = nodes_[node];
     std::ranges::sort(arms, [&](const IncidentEdge& a, const IncidentEdge& b) {
-        return precedes_ccw(from, nodes_[a.end], nodes_[b.end]);
+        return outline::precedes_ccw(from, nodes_[a.end], nodes_[b.end]);
     });
     return arms;
 }
@@ -114,7 +116,7 @@ std::optional<std::uint32_t> PartitionEditor::edge_between(std::uint32_t a, std:
 }
 
 Int128 PartitionEditor::swept_by(std::uint32_t edge, std::uint32_t node, FinePoint place) const {
-    const Int128 twice = turn(nodes_[node], place, nodes_[other_end(edge, node)]);
+    const Int128 twice = outline::turn(nodes_[node], place, nodes_[other_end(edge, node)]);
     return twice < 0 ? -twice : twice;
 }
 
@@ -138,10 +140,10 @@ bool PartitionEditor::is_disjoint_from(std::uint32_t edge, std::uint32_t from, F
     const PartitionEdge& other = edges_[edge];
     for (const auto& [a, b] : {std::pair(other.from, other.to), std::pair(other.to, other.from)})
         if (a == from)
-            return nodes_[b] == to || !overlap_from(nodes_[a], to, nodes_[b]);
+            return nodes_[b] == to || !outline::overlap_from(nodes_[a], to, nodes_[b]);
         else if (nodes_[a] == to)
-            return b == from || !overlap_from(to, nodes_[from], nodes_[b]);
-    return !segments_intersect({nodes_[other.from], nodes_[other.to]}, {nodes_[from], to});
+            return b == from || !outline::overlap_from(to, nodes_[from], nodes_[b]);
+    return !outline::segments_intersect({nodes_[other.from], nodes_[other.to]}, {nodes_[from], to});
 }
 
 /// Returns true if an edge can follow its moved end: it sweeps a triangle, which must contain no other node,
@@ -214,7 +216,7 @@ std::optional<std::set<std::uint32_t>> PartitionEditor::movable_ends(std::uint32
         if (end == into)
             continue;
         const bool lies_on_another = std::ranges::any_of(ends, [&](std::uint32_t known) {
-            return overlap_from(nodes_[into], nodes_[known], nodes_[end]);
+            return outline::overlap_from(nodes_[into], nodes_[known], nodes_[end]);
         });
         if (lies_on_another || !is_sweep_clear(node, into, end))
             return std::nullopt;
@@ -287,8 +289,8 @@ bool PartitionEditor::may_split(std::uint32_t edge, FinePoint place) const {
     const FinePoint b = nodes_[whole.to];
     if (place == a || place == b)
         return false;
-    if (side(a, b, place) == 0)
-        return boxes_intersect({a, b}, {place, place});
+    if (outline::side(a, b, place) == 0)
+        return outline::boxes_intersect({a, b}, {place, place});
     return grid_.all_in_triangle(a, b, place, [&](std::uint32_t e) {
         if (!is_edge(e) || e == edge)
             return true;
@@ -317,7 +319,7 @@ std::optional<std::uint32_t> PartitionEditor::split(std::uint32_t edge, FinePoin
     const std::uint32_t to = kept.to;
     const bool keeps_start = length(from) >= length(to);
     const std::uint32_t far = keeps_start ? to : from;
-    const double off = std::abs(static_cast<double>(turn(nodes_[from], nodes_[to], place)));
+    const double off = std::abs(static_cast<double>(outline::turn(nodes_[from], nodes_[to], place)));
     const bool is_beside = off > std::hypot(static_cast<double>(nodes_[to].row - nodes_[from].row),
                                             static_cast<double>(nodes_[to].col - nodes_[from].col));
     edges_.push_back(keeps_start ? PartitionEdge{node, to, kept.left, kept.right}
@@ -362,4 +364,4 @@ PlanarPartition PartitionEditor::plan() const {
     return plan;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

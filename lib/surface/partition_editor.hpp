@@ -13,7 +13,7 @@
 #include "core/lattice.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Uniform grid index of the edges of a plan, with buckets of 2 x 2 cells. Modified edges are added again and
 /// stay in their old buckets, so callers must test the edges themselves. A long edge costs its length, not
@@ -160,4 +160,4 @@ class PartitionEditor {
     EdgeGrid grid_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -7,7 +7,7 @@
 
 #include "surface/faces.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const PartitionContour> contours) {
     // Edges per contour that have it, or a contour on top of it, on one side alone.
@@ -53,4 +53,4 @@ PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const Partitio
     return result;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

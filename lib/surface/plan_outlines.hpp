@@ -6,7 +6,7 @@
 
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Outlines of a partition.
 struct PlanOutlines {
@@ -19,4 +19,4 @@ struct PlanOutlines {
 [[nodiscard]] PlanOutlines plan_outlines(const PlanarPartition& plan,
                                          std::span<const PartitionContour> contours);
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -10,7 +10,7 @@
 
 #include "outline/fine_geometry.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 LatticeDistance lattice_distance(double metres, const CellSize& cell) {
     // The distance from the box's side to its centre is the height of the parallelogram.
@@ -29,7 +29,7 @@ GapTolerances gap_tolerances(const CellSize& cell) {
 void sort_around(const PlanarPartition& plan, std::uint32_t node, std::vector<IncidentEdge>& arms) {
     const FinePoint from = plan.nodes[node];
     std::ranges::sort(arms, [&](const IncidentEdge& a, const IncidentEdge& b) {
-        return precedes_ccw(from, plan.nodes[a.end], plan.nodes[b.end]);
+        return outline::precedes_ccw(from, plan.nodes[a.end], plan.nodes[b.end]);
     });
 }
 
@@ -84,7 +84,8 @@ class Straightener {
         const PartitionEdge& edge = plan_.edges[a];
         if (what == Straighten::inside && (edge.left == open_ground || edge.right == open_ground))
             return false;
-        return side(plan_.nodes[other_end(a, node)], plan_.nodes[node], plan_.nodes[other_end(b, node)]) == 0;
+        return outline::side(plan_.nodes[other_end(a, node)], plan_.nodes[node],
+                             plan_.nodes[other_end(b, node)]) == 0;
     }
     void join(std::uint32_t node) {
         const auto [stays, goes] = ends_[node].edges;
@@ -135,4 +136,4 @@ PlanarPartition extract_partition(const PlanarPartition& plan, std::span<const s
     return part;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

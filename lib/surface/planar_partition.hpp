@@ -12,7 +12,7 @@
 #include "core/grid.hpp"
 #include "core/lattice.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Contour to build a surface from. Outlines lie on the surface's lattice: columns are steps to the east,
 /// rows are steps to the south, heights are steps upwards.
@@ -119,4 +119,4 @@ void straighten(PlanarPartition& plan, Straighten what);
                                                 std::span<const std::uint32_t> edges,
                                                 const std::function<bool(std::int32_t)>& belongs);
 
-}  // namespace d2b
+}  // namespace d2b::surface

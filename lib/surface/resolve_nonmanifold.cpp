@@ -15,7 +15,7 @@
 #include "surface/partition_editor.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Distances of minimal moves, in halves of the minimum gap, smallest first. The larger ones are for sharp
@@ -77,14 +77,14 @@ std::vector<FinePoint> border_of(const LatticeDistance& half) {
 }
 
 /// Returns true if a segment meets the interior of a box around a point. Exact.
-bool comes_near(const FineSegment& segment, FinePoint place, const LatticeDistance& gap) {
+bool comes_near(const outline::FineSegment& segment, FinePoint place, const LatticeDistance& gap) {
     const FinePoint low{place.row - gap.rows + 1, place.col - gap.cols + 1};
     const FinePoint high{place.row + gap.rows - 1, place.col + gap.cols - 1};
-    if (!boxes_intersect(segment, {low, high}))
+    if (!outline::boxes_intersect(segment, {low, high}))
         return false;
     int sides = 0;
     for (const FinePoint corner : {low, high, FinePoint{low.row, high.col}, FinePoint{high.row, low.col}})
-        sides += side(segment.a, segment.b, corner);
+        sides += outline::side(segment.a, segment.b, corner);
     return std::abs(sides) < 4;
 }
 
@@ -154,19 +154,21 @@ bool NonmanifoldResolver::is_free(std::uint32_t node, const std::vector<Incident
                                   FinePoint place) const {
     const FinePoint from = plan_.nodes[node];
     const auto in_triangle = [&](FinePoint a, FinePoint point) {
-        const int s = side(from, place, a);
-        return s * side(from, place, point) >= 0 && s * side(place, a, point) >= 0 &&
-               s * side(a, from, point) >= 0;
+        const int s = outline::side(from, place, a);
+        return s * outline::side(from, place, point) >= 0 && s * outline::side(place, a, point) >= 0 &&
+               s * outline::side(a, from, point) >= 0;
     };
-    if (std::ranges::any_of(
-            arms, [&](const IncidentEdge& arm) { return side(from, place, plan_.nodes[arm.end]) == 0; }))
+    if (std::ranges::any_of(arms, [&](const IncidentEdge& arm) {
+            return outline::side(from, place, plan_.nodes[arm.end]) == 0;
+        }))
         return false;
     return std::ranges::all_of(arms, [&](const IncidentEdge& arm) {
         const FinePoint far = plan_.nodes[arm.end];
         return near_->all_in_triangle(from, place, far, [&](std::uint32_t e) {
             const PartitionEdge& edge = plan_.edges[e];
             const bool own = edge.from == node || edge.to == node;
-            if (!own && segments_intersect({plan_.nodes[edge.from], plan_.nodes[edge.to]}, {from, place}))
+            if (!own &&
+                outline::segments_intersect({plan_.nodes[edge.from], plan_.nodes[edge.to]}, {from, place}))
                 return false;
             return std::ranges::none_of(std::array{edge.from, edge.to}, [&](std::uint32_t end) {
                 return end != node && end != arm.end && in_triangle(far, plan_.nodes[end]);
@@ -382,4 +384,4 @@ ResolvedVertices resolve_nonmanifold_vertices(PlanarPartition& plan,
     return NonmanifoldResolver(plan, contours, wanted, stop).take();
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

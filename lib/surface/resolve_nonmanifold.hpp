@@ -8,7 +8,7 @@
 #include "surface/nonmanifold_vertices.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Change made at a node.
 struct VertexRepair {
@@ -43,4 +43,4 @@ struct ResolvedVertices {
                                                             const MoveDistances& wanted = {},
                                                             const StopToken& stop = {});
 
-}  // namespace d2b
+}  // namespace d2b::surface

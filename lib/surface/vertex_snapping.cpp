@@ -13,7 +13,7 @@
 #include "surface/partition_editor.hpp"
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr int most_snapping_rounds = 4;
@@ -28,7 +28,7 @@ Int128 along(FinePoint a, FinePoint b, FinePoint point) {
 bool is_near(FinePoint a, FinePoint b, FinePoint point) {
     const Int128 square = along(a, b, b);
     const Int128 way = along(a, b, point);
-    const Int128 off = turn(a, b, point);
+    const Int128 off = outline::turn(a, b, point);
     return way > 0 && way < square && off * off <= square;
 }
 
@@ -246,4 +246,4 @@ void level_near_roofs(const PlanarPartition& plan, std::vector<PartitionContour>
             contours[low].top = std::max(contours[low].top, contours[high].top);
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

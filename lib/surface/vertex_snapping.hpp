@@ -5,7 +5,7 @@
 
 #include "surface/planar_partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// Repairs outlines after rounding to a lattice: a vertex close to an edge may have moved to its other side,
 /// so that outlines cross by less than a step. While contours conflict, routes every edge through all
@@ -21,4 +21,4 @@ void merge_near_nodes(PlanarPartition& plan, const LatticeDistance& gap);
 /// such a low wall would be merged by readers.
 void level_near_roofs(const PlanarPartition& plan, std::vector<PartitionContour>& contours, std::int64_t gap);
 
-}  // namespace d2b
+}  // namespace d2b::surface

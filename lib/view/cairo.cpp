@@ -5,7 +5,7 @@
 
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 void* load_symbol(const char* library, const char* function) {
     // Never closed, because GLib and similar libraries do not support unloading.
@@ -20,4 +20,4 @@ void* load_symbol(const char* library, const char* function) {
     return found;
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

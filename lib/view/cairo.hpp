@@ -10,7 +10,7 @@
 #include "dem2buildings/error.hpp"
 #include "view/map_frame.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Loads a library on first use and returns one of its functions.
 /// @param library name for the dynamic linker @param function C name
@@ -123,4 +123,4 @@ inline void set_colour(cairo_t* pen, Colour colour, double opacity = 1) {
     cairo_set_source_rgba(pen, colour[0] / most, colour[1] / most, colour[2] / most, opacity);
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

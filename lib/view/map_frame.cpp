@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace d2b {
+namespace d2b::view {
 
 MapFrame::MapFrame(MapArea area, PixelSize size) : area_(std::move(area)), size_(size) {}
 
@@ -51,4 +51,4 @@ double aspect_ratio(const MapArea& area) {
     return area.cell.across * area.dem.window.cols / (area.cell.down * area.dem.window.rows);
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

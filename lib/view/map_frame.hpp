@@ -12,7 +12,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/world_polygon.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// RGB, 8 bits per channel.
 using Colour = std::array<std::uint8_t, 3>;
@@ -85,4 +85,4 @@ class MapFrame {
 /// Returns width over height of a map.
 [[nodiscard]] double aspect_ratio(const MapArea& area);
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -6,7 +6,7 @@
 #include "options/option_values.hpp"
 #include "view/page.hpp"
 
-namespace d2b {
+namespace d2b::view {
 namespace {
 
 constexpr int lines = 2;
@@ -61,7 +61,7 @@ PixelSize map_size_on_page(const MapArea& area, int longest) {
     return lay_out_page(area, longest).map;
 }
 
-std::string draw_map_page(const MapPicture& map, const std::string& parameters, PictureFormat format,
+std::string draw_map_page(const MapPicture& map, const std::string& parameters, writing::PictureFormat format,
                           int longest) {
     const MapArea& area = map.frame.area();
     const auto [page, size, font] = lay_out_page(area, longest);
@@ -155,7 +155,7 @@ PixelSize map_size_on_sheet(const MapArea& area, const SheetPlan& plan) {
 }
 
 std::string draw_contact_sheet(std::span<const TrialPicture> trials, const SheetPlan& plan,
-                               PictureFormat format) {
+                               writing::PictureFormat format) {
     const MapPicture& first = trials.front().map;
     const SheetLayout sheet = lay_out_sheet(first.frame.area(), plan);
     const double width = sheet.page.width - 2 * sheet.gap;
@@ -176,4 +176,4 @@ std::string draw_contact_sheet(std::span<const TrialPicture> trials, const Sheet
     });
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -7,7 +7,7 @@
 #include "view/map_picture.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Returns the size of the map on a page. @param longest side of the page
 [[nodiscard]] PixelSize map_size_on_page(const MapArea& area, int longest);
@@ -16,7 +16,7 @@ namespace d2b {
 /// @param map has the size of map_size_on_page() @param parameters options that shaped the result
 /// @param longest side of the page @return content of the file @throws OutputError
 [[nodiscard]] std::string draw_map_page(const MapPicture& map, const std::string& parameters,
-                                        PictureFormat format, int longest);
+                                        writing::PictureFormat format, int longest);
 
 /// Arrangement of trials on one page: number of trials, columns, and longest side of the page.
 struct SheetPlan {
@@ -39,6 +39,6 @@ struct TrialPicture {
 /// Draws maps row by row, each below its caption, with one shared legend. @param trials at least one
 /// @return content of the file @throws OutputError
 [[nodiscard]] std::string draw_contact_sheet(std::span<const TrialPicture> trials, const SheetPlan& plan,
-                                             PictureFormat format);
+                                             writing::PictureFormat format);
 
-}  // namespace d2b
+}  // namespace d2b::view

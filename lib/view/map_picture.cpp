@@ -9,7 +9,7 @@
 #include "view/map_frame.hpp"
 #include "view/page.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Colour of cells without elevation: white. Pixels are 0xRRGGBB.
 inline constexpr std::uint32_t nodata_pixel = 0xFFFFFF;
@@ -21,8 +21,8 @@ inline constexpr std::uint32_t nodata_pixel = 0xFFFFFF;
 
 namespace {
 
-SurfacePtr make_surface(PixelSize size, PictureFormat format) {
-    if (format == PictureFormat::png)
+SurfacePtr make_surface(PixelSize size, writing::PictureFormat format) {
+    if (format == writing::PictureFormat::png)
         return SurfacePtr(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, size.width, size.height));
     const cairo_rectangle_t all{0, 0, static_cast<double>(size.width), static_cast<double>(size.height)};
     return SurfacePtr(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &all));
@@ -45,7 +45,7 @@ void draw_rings(cairo_t* pen, FootprintDrawing::Rings rings) {
 
 }  // namespace
 
-FootprintDrawing::FootprintDrawing(const MapFrame& frame, PictureFormat format)
+FootprintDrawing::FootprintDrawing(const MapFrame& frame, writing::PictureFormat format)
     : impl_(std::make_unique<Impl>(
           Impl{frame.size(), width_of_lines(frame), make_surface(frame.size(), format), nullptr})) {
     impl_->pen.reset(cairo_create(impl_->surface.get()));
@@ -244,4 +244,4 @@ std::string rounded_metres(double metres) {
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " m";
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

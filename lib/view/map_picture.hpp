@@ -10,13 +10,13 @@
 #include "view/map_frame.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Polygons on a map: pixels for PNG, vector shapes for SVG and PDF. The drawing as a whole is translucent,
 /// but within it, later polygons hide earlier ones.
 class FootprintDrawing {
   public:
-    FootprintDrawing(const MapFrame& frame, PictureFormat format);
+    FootprintDrawing(const MapFrame& frame, writing::PictureFormat format);
     FootprintDrawing(FootprintDrawing&&) noexcept;
     FootprintDrawing& operator=(FootprintDrawing&&) noexcept;
     ~FootprintDrawing();
@@ -85,4 +85,4 @@ inline constexpr const char* uncertain_note = " · paler: less certain";
 /// Returns text such as "0.8 m".
 [[nodiscard]] std::string rounded_metres(double metres);
 
-}  // namespace d2b
+}  // namespace d2b::view

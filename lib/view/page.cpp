@@ -15,7 +15,7 @@
 #include "view/cairo.hpp"
 #include "view/map_frame.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Width of a legend, in font sizes.
 inline constexpr double legend_width = 24;
@@ -256,10 +256,10 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 constexpr double points_per_pixel = 0.75;
 
 /// @param bytes must outlive the surface
-SurfacePtr make_surface(PixelSize size, PictureFormat format, std::string& bytes) {
-    if (format == PictureFormat::png)
+SurfacePtr make_surface(PixelSize size, writing::PictureFormat format, std::string& bytes) {
+    if (format == writing::PictureFormat::png)
         return SurfacePtr(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
-    if (format == PictureFormat::svg) {
+    if (format == writing::PictureFormat::svg) {
         SurfacePtr surface(cairo_svg_surface_create_for_stream(append, &bytes, size.width, size.height));
         cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
         return surface;
@@ -300,7 +300,8 @@ std::string renumber_svg_ids(const std::string& svg) {
 
 }  // namespace
 
-std::string draw_page(PixelSize size, PictureFormat format, const std::function<void(cairo_t* pen)>& draw) {
+std::string draw_page(PixelSize size, writing::PictureFormat format,
+                      const std::function<void(cairo_t* pen)>& draw) {
     std::string bytes;
     const SurfacePtr surface = make_surface(size, format, bytes);
     check_status(cairo_surface_status(surface.get()));
@@ -311,11 +312,11 @@ std::string draw_page(PixelSize size, PictureFormat format, const std::function<
         draw(pen.get());
         check_status(cairo_status(pen.get()));
     }
-    if (format == PictureFormat::png)
+    if (format == writing::PictureFormat::png)
         check_status(cairo_surface_write_to_png_stream(surface.get(), append, &bytes));
     cairo_surface_finish(surface.get());
     check_status(cairo_surface_status(surface.get()));
-    return format == PictureFormat::svg ? renumber_svg_ids(bytes) : bytes;
+    return format == writing::PictureFormat::svg ? renumber_svg_ids(bytes) : bytes;
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -10,7 +10,7 @@
 #include "view/map_picture.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 struct FootprintDrawing::Impl {
     PixelSize size;
@@ -115,7 +115,7 @@ class Footer {
 /// Draws a picture on white paper and returns the content of its file. Deterministic: the file has no date. A
 /// pixel of a PDF is 1/96 inch.
 /// @param draw gets a pen in pixel units, origin in the upper left corner @throws OutputError
-[[nodiscard]] std::string draw_page(PixelSize size, PictureFormat format,
+[[nodiscard]] std::string draw_page(PixelSize size, writing::PictureFormat format,
                                     const std::function<void(cairo_t* pen)>& draw);
 
-}  // namespace d2b
+}  // namespace d2b::view

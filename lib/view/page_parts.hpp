@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace d2b {
+namespace d2b::view {
 
 /// Parts shared by all pages, embedded from view/page at build time.
 struct PageParts {
@@ -17,4 +17,4 @@ struct PageParts {
 /// Returns nullptr if the library was built without them (D2B_BUILD_PAGE).
 [[nodiscard]] const PageParts* page_parts();
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -9,7 +9,7 @@
 #include "options/run_plan.hpp"
 #include "view/map_page.hpp"
 
-namespace d2b {
+namespace d2b::view {
 namespace {
 
 CellSize cell_of(const DemInfo& dem, const Crs& crs) {
@@ -39,9 +39,10 @@ MapArea map_area_of(const Options& options, const DemInfo& dem) {
     return {dem, crs, cell_of(dem, crs)};
 }
 
-FileTarget picture_target(const Options& options) {
+writing::FileTarget picture_target(const Options& options) {
     const WriteOptions& write = options.write;
-    FileTarget target{write.preview, write.overwrite, {options.read.source}, FileKind::picture};
+    writing::FileTarget target{
+        write.preview, write.overwrite, {options.read.source}, writing::FileKind::picture};
     std::vector<std::string> others = auxiliary_file_names(write);
     others.insert(others.end(), {write.destination, options.ground.terrain, options.detect.mask,
                                  options.detect.ndvi, options.detect.split_by});
@@ -54,10 +55,10 @@ FileTarget picture_target(const Options& options) {
 Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& dem) : features_(features) {
     if (options.write.preview.empty())
         return;
-    file_ = open_picture(picture_target(options));
+    file_ = writing::open_picture(picture_target(options));
     const int longest = options.write.preview_size;
     const MapArea ground = map_area_of(options, dem);
-    const PictureFormat format = file_->format();
+    const writing::PictureFormat format = file_->format();
     sink_.emplace(features, MapFrame(ground, map_size_on_page(ground, longest)), format,
                   [this, format, longest, text = parameters_text(options)](const MapPicture& map) {
                       file_->write(draw_map_page(map, text, format, longest));
@@ -73,4 +74,4 @@ std::vector<std::string> Preview::take_warnings() {
     return file_ ? file_->take_warnings() : std::vector<std::string>();
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -11,7 +11,7 @@
 #include "view/preview_sink.hpp"
 #include "write/raster/picture_file.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Picture of -preview. Intercepts the features and elevations on their way to their sinks.
 class Preview {
@@ -31,13 +31,13 @@ class Preview {
 
   private:
     FeatureSink& features_;
-    std::unique_ptr<PictureFile> file_;
+    std::unique_ptr<writing::PictureFile> file_;
     std::optional<PreviewSink> sink_;
 };
 
 /// Returns the destination of the picture.
-[[nodiscard]] FileTarget picture_target(const Options& options);
+[[nodiscard]] writing::FileTarget picture_target(const Options& options);
 /// Returns the grid and CRS that the picture shows. @throws OptionError
 [[nodiscard]] MapArea map_area_of(const Options& options, const DemInfo& dem);
 
-}  // namespace d2b
+}  // namespace d2b::view

@@ -5,7 +5,7 @@
 
 #include "core/height_classes.hpp"
 
-namespace d2b {
+namespace d2b::view {
 namespace {
 
 std::optional<std::size_t> field_of(const LayerSpec& layer, const std::string& name) {
@@ -21,7 +21,8 @@ const double* number_in(const Feature& feature, std::size_t field) {
 
 }  // namespace
 
-PreviewSink::PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, OnMap on_map)
+PreviewSink::PreviewSink(FeatureSink& features, const MapFrame& frame, writing::PictureFormat format,
+                         OnMap on_map)
     : features_(features),
       on_map_(std::move(on_map)),
       relief_(std::make_shared<Relief>(frame)),
@@ -107,4 +108,4 @@ void PreviewSink::finish() {
     features_.finish();
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

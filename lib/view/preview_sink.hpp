@@ -10,7 +10,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "view/map_picture.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Passes features on to another sink and draws them over the relief: buildings coloured by height, and their
 /// contours as lines. If no buildings are written, contours are coloured instead, from low to high.
@@ -24,7 +24,7 @@ class PreviewSink final : public FeatureSink {
 
     /// @param features must outlive this @param on_map called in finish() or prepare(), before those of
     /// `features`
-    PreviewSink(FeatureSink& features, const MapFrame& frame, PictureFormat format, OnMap on_map);
+    PreviewSink(FeatureSink& features, const MapFrame& frame, writing::PictureFormat format, OnMap on_map);
 
     /// Returns the sink for the elevations, which must be complete before finish().
     [[nodiscard]] RasterSink& relief() { return *relief_; }
@@ -72,4 +72,4 @@ class PreviewSink final : public FeatureSink {
     std::optional<DrawnLayer> stroked_layer_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::view

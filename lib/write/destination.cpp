@@ -26,7 +26,7 @@
 #include "write/sql.hpp"
 #include "write/staging.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// True if the name is among the names; case-insensitive, because OGR compares layer names like that.
 [[nodiscard]] bool contains_name(const std::vector<std::string>& names, const std::string& name);
@@ -174,7 +174,7 @@ void reject_locked(const Destination& destination, GDALDatasetH dataset) {
     constexpr std::chrono::seconds longest(3);
     constexpr std::chrono::milliseconds between(50);
     for (const auto start = steady_clock::now();; std::this_thread::sleep_for(between)) {
-        const GdalMessages messages;
+        const reading::GdalMessages messages;
         GDALDatasetExecuteSQL(dataset, "BEGIN IMMEDIATE", nullptr, nullptr);
         if (!messages.failed())
             break;
@@ -183,7 +183,7 @@ void reject_locked(const Destination& destination, GDALDatasetH dataset) {
                               messages.reason_for(destination.path) + ")" + advice_for(messages.reason()) +
                               ".");
     }
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     GDALDatasetExecuteSQL(dataset, "ROLLBACK", nullptr, nullptr);
 }
 
@@ -219,12 +219,12 @@ void reject_foreign_data(const Destination& destination, const ExistingDataset& 
 
 void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
                       const std::vector<std::string>& names) {
-    const GdalMessages messages;
+    const reading::GdalMessages messages;
     if (destination.local && ::access(destination.path.c_str(), W_OK) != 0 && errno != ENOENT)
         throw OutputError("Cannot write \"" + destination.name + "\": it is read-only (" +
                           std::generic_category().message(errno) +
                           "); allow writing, or choose another destination.");
-    const DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    const reading::DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
     if (!dataset && format.transactions)
         throw OutputError("Cannot write \"" + destination.name + "\": opening it for writing failed (" +
                           messages.reason() + ")" + advice_for(messages.reason()) + ".");
@@ -254,7 +254,7 @@ bool has_relations(GDALDatasetH dataset) {
 /// @param sql query for kind and name
 void reject_dependents(const Destination& destination, GDALDatasetH dataset, const std::string& layer,
                        const std::string& sql) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     std::optional<SqlRow> first;
     sql_query(dataset, sql, [&](const SqlRow& row) {
         if (!first)
@@ -347,7 +347,7 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
 
 /// Advises to remove the file only if neither a disk error nor a lock is to blame.
 [[noreturn]] void throw_unreadable(const Destination& destination, const VectorFormat& format,
-                                   const GdalMessages& messages) {
+                                   const reading::GdalMessages& messages) {
     std::error_code error;
     std::ifstream file(destination.path, std::ios::binary);
     char first = 0;
@@ -367,14 +367,14 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
 
 ExistingDataset inspect_existing(const Destination& destination, const VectorFormat& format,
                                  const WriteOptions& options, const std::vector<std::string>& names) {
-    const GdalMessages messages;
-    const NetworkGuard gate(
+    const reading::GdalMessages messages;
+    const reading::NetworkGuard gate(
         destination.path);  // because some drivers read on only when their layers are asked for
     ExistingDataset existing;
     // Opening for writing rolls back the transaction of a killed run; the file may be unreadable before.
     if (format.transactions)
         open_dataset(format, destination.path, GDAL_OF_UPDATE);
-    DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
+    reading::DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_READONLY);
     if (!dataset)  // datasets with rasters only must be opened as rasters
         dataset = open_dataset(format, destination.path, GDAL_OF_RASTER | GDAL_OF_READONLY);
     if (!dataset)
@@ -395,8 +395,8 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
 std::optional<ExistingDataset> inspect_database(const Destination& destination, VectorFormat& format,
                                                 const WriteOptions& options,
                                                 const std::vector<std::string>& names) {
-    const GdalMessages messages;
-    const DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    const reading::GdalMessages messages;
+    const reading::DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
     if (!dataset && format.name == "PostgreSQL")
         throw_unreachable_postgresql(destination, messages.reason());
     if (!dataset)
@@ -438,4 +438,4 @@ std::string stamp_of(const std::vector<std::string>& files) {
     return stamp;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

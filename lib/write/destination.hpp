@@ -8,7 +8,7 @@
 #include "dem2buildings/options.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Resolves symbolic links and removes trailing slashes, because renaming a file onto a link would replace
 /// the link.
@@ -59,4 +59,4 @@ struct ExistingDataset {
 /// Returns sizes and times of the files; differs after a change.
 [[nodiscard]] std::string stamp_of(const std::vector<std::string>& files);
 
-}  // namespace d2b
+}  // namespace d2b::writing

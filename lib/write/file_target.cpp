@@ -15,7 +15,7 @@
 #include "write/ogr_util.hpp"
 #include "write/surface/surface_sink.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -76,9 +76,9 @@ bool belongs_to_dataset(const std::string& path, const std::string& dataset_name
     std::error_code error;
     if (!fs::exists(dataset_name, error))  // pipes and connections are not opened
         return false;
-    const GdalMessages quiet;
-    const DatasetOwner dataset = open_guarded(dataset_name, GDAL_OF_READONLY);
-    const NetworkGuard gate(dataset_name);
+    const reading::GdalMessages quiet;
+    const reading::DatasetOwner dataset = reading::open_guarded(dataset_name, GDAL_OF_READONLY);
+    const reading::NetworkGuard gate(dataset_name);
     const CPLStringList files(dataset ? GDALGetFileList(dataset.get()) : nullptr);
     for (int i = 0; i < files.Count(); ++i)
         if (same_file(path, files[i]))
@@ -105,7 +105,7 @@ std::string first_bytes_of(const std::string& path) {
 
 /// True if the existing file is of the format. @param place of an existing file
 bool is_of(FileKind format, const FileDestination& place) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     if (format == FileKind::picture)
         return begins_a_picture(first_bytes_of(place.path));
     if (format == FileKind::surface)
@@ -115,7 +115,7 @@ bool is_of(FileKind format, const FileDestination& place) {
     if (format == FileKind::page)
         return looks_like_page(first_bytes_of(place.path));
     const std::array<const char*, 2> drivers{"GTiff", nullptr};
-    return open_guarded(place.path, GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data()) != nullptr;
+    return reading::open_guarded(place.path, GDAL_OF_RASTER | GDAL_OF_READONLY, drivers.data()) != nullptr;
 }
 
 void check_local(const FileDestination& place, FileKind format) {
@@ -160,7 +160,7 @@ bool begins_a_picture(const std::string& beginning) {
 }
 
 FileDestination resolve_file_target(const FileTarget& target) {
-    register_formats();
+    reading::register_formats();
     const std::string& name = target.destination;
     require_name(name, target.format);
     reject_archive(name);
@@ -189,4 +189,4 @@ FileDestination resolve_file_target(const FileTarget& target) {
     return place;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

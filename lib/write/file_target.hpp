@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Kinds of files written next to the layers.
 enum class FileKind { geotiff, picture, surface, materials, page };
@@ -61,4 +61,4 @@ struct FileDestination {
 /// is not writable
 [[nodiscard]] FileDestination resolve_file_target(const FileTarget& target);
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -4,7 +4,7 @@
 
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 std::string advice_for(const std::string& reason) {
     if (reason.find("database is locked") != std::string::npos)
@@ -33,7 +33,7 @@ void OgrCall::fail(const std::string& doing) const {
                       advice_for(text) + ".");
 }
 
-void close_written(const WriteTarget& target, DatasetOwner dataset) {
+void close_written(const WriteTarget& target, reading::DatasetOwner dataset) {
     OgrCall call(target);
     GDALFlushCache(dataset.get());
 #if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 7, 0)
@@ -45,4 +45,4 @@ void close_written(const WriteTarget& target, DatasetOwner dataset) {
     call.check(closed, "closing the dataset");
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

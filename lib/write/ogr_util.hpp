@@ -14,9 +14,9 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
-using FieldOwner = GdalOwner<OGRFieldDefnH, OGR_Fld_Destroy>;
+using FieldOwner = reading::GdalOwner<OGRFieldDefnH, OGR_Fld_Destroy>;
 
 /// True if the value of a format option is a file or folder name, such as TEMPORARY_DIR.
 [[nodiscard]] inline bool names_a_file(std::string_view option) {
@@ -70,7 +70,7 @@ class OgrCall {
 
   private:
     const WriteTarget& target_;
-    GdalMessages messages_;
+    reading::GdalMessages messages_;
 };
 
 /// Returns advice about an error of a database, as the end of a sentence that begins with "; "; "" if there
@@ -78,6 +78,6 @@ class OgrCall {
 [[nodiscard]] std::string advice_for(const std::string& reason);
 
 /// Flushes and closes. @throws OutputError, also if only closing fails
-void close_written(const WriteTarget& target, DatasetOwner dataset);
+void close_written(const WriteTarget& target, reading::DatasetOwner dataset);
 
-}  // namespace d2b
+}  // namespace d2b::writing

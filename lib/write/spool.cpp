@@ -42,7 +42,8 @@ std::uint64_t FileSpool::append(std::span<const std::byte> bytes) {
 
 void FileSpool::flush() {
     if (!file_)
-        file_ = std::make_unique<TemporaryFile>(folder_, "The finished part of the result", FileName::none);
+        file_ = std::make_unique<reading::TemporaryFile>(folder_, "The finished part of the result",
+                                                         reading::FileName::none);
     file_->append(memory_);
     if (memory_.capacity() > 2 * bytes_per_write)
         memory_ = std::vector<std::byte>();  // {} would keep the capacity

@@ -2,7 +2,7 @@
 
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -27,7 +27,7 @@ bool sql_query(GDALDatasetH dataset, const std::string& sql, const std::function
     OGRLayerH rows = GDALDatasetExecuteSQL(dataset, sql.c_str(), nullptr, nullptr);
     if (rows == nullptr)
         return false;
-    while (const FeatureOwner row{OGR_L_GetNextFeature(rows)}) {
+    while (const reading::FeatureOwner row{OGR_L_GetNextFeature(rows)}) {
         const int fields = OGR_F_GetFieldCount(row.get());
         SqlRow texts;
         texts.reserve(static_cast<std::size_t>(fields));
@@ -61,13 +61,13 @@ void sql_run_or_throw(GDALDatasetH dataset, const WriteTarget& target, const std
 }
 
 bool sql_succeeds(GDALDatasetH dataset, const std::string& sql) {
-    const GdalMessages messages;
+    const reading::GdalMessages messages;
     sql_run(dataset, sql);
     return !messages.failed();
 }
 
 sqlite3* sqlite_handle(GDALDatasetH dataset) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     auto* handle = static_cast<sqlite3*>(GDALGetInternalHandle(dataset, "SQLITE_HANDLE"));
     const bool ours =
         handle != nullptr && sql_value(dataset, "SELECT sqlite_source_id()") == sqlite3_sourceid();
@@ -94,4 +94,4 @@ void CommitGuard::watch(GDALDatasetH dataset) {
     sqlite3_commit_hook(handle, veto_commit, &rolled_back_);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -10,7 +10,7 @@
 
 #include "write/ogr_util.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Quotes an identifier: "buildings"
 [[nodiscard]] std::string sql_identifier(const std::string& name);
@@ -59,4 +59,4 @@ class CommitGuard {
     bool rolled_back_ = false;
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -6,10 +6,10 @@
 
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 PendingVirtualFile::~PendingVirtualFile() {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     if (!shown_)
         VSIUnlink(temporary_path().c_str());
 }
@@ -26,7 +26,7 @@ void PendingVirtualFile::show() {
     try {
         rename(temporary_path(), path_);
     } catch (...) {
-        const GdalMessages quiet;
+        const reading::GdalMessages quiet;
         if (replaces_)
             VSIRename(backup_path().c_str(), path_.c_str());
         throw;
@@ -35,14 +35,14 @@ void PendingVirtualFile::show() {
 }
 
 std::string PendingVirtualFile::roll_back() {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     const bool done =
         replaces_ ? VSIRename(backup_path().c_str(), path_.c_str()) == 0 : VSIUnlink(path_.c_str()) == 0;
     return done ? "" : "\"" + target_.name + "\" has been written already";
 }
 
 void PendingVirtualFile::keep() {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     if (replaces_)
         VSIUnlink(backup_path().c_str());
 }
@@ -71,4 +71,4 @@ void StagedFile::prepare(CommitList& commit) {
     commit.add(*local_);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

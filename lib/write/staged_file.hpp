@@ -9,7 +9,7 @@
 #include "write/ogr_util.hpp"
 #include "write/staging.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// File in a virtual file system of GDAL, for example on a server, written under a temporary name and then
 /// renamed.
@@ -66,4 +66,4 @@ class StagedFile {
     std::optional<PendingVirtualFile> virtual_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

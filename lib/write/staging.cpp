@@ -15,7 +15,7 @@
 #include "dem2buildings/error.hpp"
 #include "write/destination.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -361,4 +361,4 @@ void write_text_file(const fs::path& path, const std::string& text) {
     alone.publish();
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

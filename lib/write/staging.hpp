@@ -9,7 +9,7 @@
 #include "core/warnings.hpp"
 #include "dem2buildings/commit_list.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Renames files and undoes all renames in reverse order on destruction, unless keep() is called.
 class RenameTransaction {
@@ -147,4 +147,4 @@ class FileSink : public Sink {
     }
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

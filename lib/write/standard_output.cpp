@@ -15,7 +15,7 @@
 
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 std::FILE*& stream() {
@@ -116,4 +116,4 @@ void CapturedOutput::show() {
         throw_stdout_failure();
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -7,7 +7,7 @@
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/spool.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Redirects /vsistdout/ in the whole process: to stdout, or to another stream if drivers of GDAL print to
 /// stdout.
@@ -44,4 +44,4 @@ class CapturedOutput final : public PendingResult {
     std::exception_ptr failure_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

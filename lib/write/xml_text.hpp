@@ -6,7 +6,7 @@
 
 #include "core/text.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Escapes a file name for an XML element or quoted attribute and keeps its bytes, because readers open the
 /// file by them. Control characters, which XML 1.0 does not permit, become blanks.
@@ -38,4 +38,4 @@ namespace d2b {
            name + ">\n";
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -8,7 +8,7 @@
 
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 std::string zlib_compressed(std::string_view bytes) {
     constexpr int smallest = 9;
@@ -20,4 +20,4 @@ std::string zlib_compressed(std::string_view bytes) {
     return {static_cast<const char*>(packed.get()), size};
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

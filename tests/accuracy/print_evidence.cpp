@@ -49,13 +49,14 @@ Surface read_surface(const char* path) {
 }
 
 /// The objects as the first look of a run with the defaults finds them, see detect_buildings().
-Candidates objects_of(const Scene& scene, SceneCells& cells, const Options& options, SurfaceQuality quality,
-                      Executor& threads) {
+detect::Candidates objects_of(const detect::Scene& scene, detect::SceneCells& cells, const Options& options,
+                              detect::SurfaceQuality quality, Executor& threads) {
     constexpr double min_area_m2 = 30;
-    const Candidates first = find_candidates(scene, cells, min_area_m2, quality, threads);
+    const detect::Candidates first = detect::find_candidates(scene, cells, min_area_m2, quality, threads);
     quality.threshold_scale =
-        estimate_threshold_scale(scene, options.detect, min_area_m2, quality, first, threads).value_or(1);
-    return find_candidates(scene, cells, min_area_m2, quality, threads);
+        detect::estimate_threshold_scale(scene, options.detect, min_area_m2, quality, first, threads)
+            .value_or(1);
+    return detect::find_candidates(scene, cells, min_area_m2, quality, threads);
 }
 
 /// Cells of an object.
@@ -65,7 +66,7 @@ struct Agreement {
 };
 
 /// By label - 1.
-std::vector<Agreement> compare(const Candidates& judged, const MetreGrid& truth) {
+std::vector<Agreement> compare(const detect::Candidates& judged, const MetreGrid& truth) {
     std::vector<Agreement> result(judged.objects.size());
     for (std::int32_t r = 0; r < judged.regions.rows; ++r)
         for (const RegionRun& run : judged.regions.row(r))
@@ -83,19 +84,19 @@ void print_evidence(const char* surface_path, const char* truth_path) {
         throw std::runtime_error("the two rasters differ in size");
     Context context;
     const Options options;
-    const Terrain terrain = estimate_ground(surface.z, surface.cell, options.ground, context);
+    const ground::Terrain terrain = ground::estimate_ground(surface.z, surface.cell, options.ground, context);
     for (std::size_t i = 0; i < surface.z.values.size(); ++i)
-        if ((terrain.flags.values[i] & low_outlier) != 0)
+        if ((terrain.flags.values[i] & ground::low_outlier) != 0)
             surface.z.values[i] = std::numeric_limits<float>::quiet_NaN();
-    const Scene scene{surface.z, terrain.elevation, surface.cell};
-    SceneCells known = scene_cells(scene, options.detect, *context.threads);
-    const SurfaceQuality quality = surface_quality(scene, known, *context.threads);
-    const Candidates judged = objects_of(scene, known, options, quality, *context.threads);
+    const detect::Scene scene{surface.z, terrain.elevation, surface.cell};
+    detect::SceneCells known = detect::scene_cells(scene, options.detect, *context.threads);
+    const detect::SurfaceQuality quality = detect::surface_quality(scene, known, *context.threads);
+    const detect::Candidates judged = objects_of(scene, known, options, quality, *context.threads);
     const std::vector<Agreement> agreement = compare(judged, truth.z);
     std::cout << "right,known,cells,cell_m,smooth,step_m,tilt,segment,walled,fall,"
                  "beside_m,right_angles,area_m2,gentle,compactness,filled,confidence\n";
     for (std::size_t i = 0; i < judged.objects.size(); ++i) {
-        const ObjectFeatures& e = judged.features[i];
+        const detect::ObjectFeatures& e = judged.features[i];
         const auto cells = static_cast<double>(judged.objects[i].cells);
         std::cout << agreement[i].right / std::max(agreement[i].known, 1.0) << ','
                   << agreement[i].known / cells << ',' << cells << ',' << scene.side() << ',' << e.smooth

@@ -13,9 +13,9 @@
 namespace d2b::test {
 namespace {
 
-ScoreSide side_of(const std::vector<PolygonFeature>& features) {
+score::ScoreSide side_of(const std::vector<PolygonFeature>& features) {
     Overlay overlay;
-    return score_side(features, overlay);
+    return score::score_side(features, overlay);
 }
 
 /// A scene as it was found, and what the run says of it.
@@ -48,7 +48,7 @@ Scored scored(const std::string& name) {
             place(hole);
         truth.push_back({{polygon}, {}, false});
     }
-    return {score(side_of(found), side_of(truth), {}), report.sampling.value(), report.warnings};
+    return {score::score(side_of(found), side_of(truth), {}), report.sampling.value(), report.warnings};
 }
 
 TEST(AccuracyOfScenes, RowsOfHousesAreFoundWhole) {

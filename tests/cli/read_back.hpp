@@ -16,7 +16,7 @@ struct DropFeature {
     void operator()(OGRFeatureH feature) const { OGR_F_Destroy(feature); }
 };
 struct DropDataset {
-    void operator()(GDALDatasetH dataset) const { d2b::close_dataset(dataset); }
+    void operator()(GDALDatasetH dataset) const { d2b::reading::close_dataset(dataset); }
 };
 using OpenDataset = std::unique_ptr<void, DropDataset>;
 

@@ -91,17 +91,17 @@ SurfaceFrame ReadCityJson::frame() const {
 
 double ReadCityJson::volume() const {
     const auto scale = frame().scale;
-    return static_cast<double>(six_volumes(solids)) / 6 * scale[0] * scale[1] * scale[2];
+    return static_cast<double>(surface::six_volumes(solids)) / 6 * scale[0] * scale[1] * scale[2];
 }
 
 double ReadCityJson::volume_of(const SurfacePart& solid) const {
     const auto scale = frame().scale;
-    return static_cast<double>(six_volumes({&solid, 1})) / 6 * scale[0] * scale[1] * scale[2];
+    return static_cast<double>(surface::six_volumes({&solid, 1})) / 6 * scale[0] * scale[1] * scale[2];
 }
 
 double ReadCityJson::plan_area(FaceKind kind) const {
     const auto scale = frame().scale;
-    return static_cast<double>(twice_plan_area(solids, kind)) / 2 * scale[0] * scale[1];
+    return static_cast<double>(surface::twice_plan_area(solids, kind)) / 2 * scale[0] * scale[1];
 }
 
 ReadCityJson read_cityjson(const std::string& path) {
@@ -125,7 +125,7 @@ ReadCityJson read_cityjson(const std::string& path) {
             city.parents[name] = object.at("parents").get<std::vector<std::string>>();
         EXPECT_EQ(object.at("geometry").size(), 1U);
         SurfacePart solid = reader.solid(object.at("geometry").at(0));
-        EXPECT_EQ(fault_of({&solid, 1}), "") << name;
+        EXPECT_EQ(surface::fault_of({&solid, 1}), "") << name;
         solid.buildings[0].id = std::stoll(name.substr(name.find('_') + 1));
         city.solids.push_back(std::move(solid));
     }

@@ -11,7 +11,7 @@
 #include "contours/level_plan.hpp"
 #include "support/error_of.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 constexpr double not_valid = std::numeric_limits<double>::quiet_NaN();
@@ -254,4 +254,4 @@ TEST(BuildingLevels, AreAsManyAsSixteenBitsCount) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 /// Rows 1000 to 1199 of four columns, all at 1.
@@ -74,4 +74,4 @@ TEST(RegionOptions, ABorderCostsWhatAStripStandsOut) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -4,7 +4,7 @@
 #include "dem2buildings/error.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 using test::trace_grid;
@@ -108,4 +108,4 @@ TEST(FillHoles, AskWhetherToStop) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

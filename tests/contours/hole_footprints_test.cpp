@@ -3,7 +3,7 @@
 #include "contours/noise.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 using test::trace_plan;
@@ -156,4 +156,4 @@ TEST(WithoutRoots, OfGroundAloneNothingIsLeft) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

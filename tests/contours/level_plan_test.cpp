@@ -11,7 +11,7 @@
 #include "support/error_of.hpp"
 #include "support/random_grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -271,4 +271,4 @@ TEST(Percentiles, AreThoseOfAllPointsOfTheBuilding) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 constexpr double hole = -1;  // of a picture: no cell of the building
@@ -126,4 +126,4 @@ TEST(MergeRegions, CanBeStopped) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -7,7 +7,7 @@
 #include "contours/reference.hpp"
 #include "support/random_grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 using test::TraceGrid;
@@ -155,4 +155,4 @@ TEST_P(Metamorphic, BandsOfAnyHeightGiveTheSameBytes) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Metamorphic, testing::Range(1000U, 1060U));
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 using Breaks = std::vector<std::int64_t>;
@@ -143,4 +143,4 @@ TEST(ElevationHistogram, TakesAnyNumber) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -5,7 +5,7 @@
 #include "contours/reference.hpp"
 #include "support/random_grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 using test::trace_grid;
@@ -166,4 +166,4 @@ TEST_P(Nesting, ContoursLieInTheirParentsAndSiblingsAreDisjoint) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Nesting, testing::Range(0U, 150U));
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -118,7 +118,7 @@ std::vector<ReferenceContour> reference_contours(const TraceGrid& grid, const st
     return result;
 }
 
-std::set<LatticePoint> squares_inside(const Contour& contour) {
+std::set<LatticePoint> squares_inside(const contours::Contour& contour) {
     std::vector<LatticeRing> rings{contour.exterior.corners()};
     for (const PackedRing& ring : contour.interiors)
         rings.push_back(ring.corners());

@@ -22,6 +22,6 @@ struct ReferenceContour {
                                                                TraceMode mode);
 
 /// The unit squares inside a polygon, by a test of every square's centre against every edge.
-[[nodiscard]] std::set<LatticePoint> squares_inside(const Contour& contour);
+[[nodiscard]] std::set<LatticePoint> squares_inside(const contours::Contour& contour);
 
 }  // namespace d2b::test

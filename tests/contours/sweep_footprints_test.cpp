@@ -6,7 +6,7 @@
 #include "contours/reference.hpp"
 #include "support/random_grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 using test::nodata;
@@ -102,4 +102,4 @@ TEST(Footprints, DoNotCountPointsThatAreNotValid) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -2,7 +2,7 @@
 
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 using test::trace_grid;
@@ -140,4 +140,4 @@ TEST(Tracer, LowestOutsideOfPoints) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

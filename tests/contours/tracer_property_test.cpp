@@ -8,7 +8,7 @@
 #include "contours/reference.hpp"
 #include "support/random_grid.hpp"
 
-namespace d2b {
+namespace d2b::contours {
 namespace {
 
 using test::TraceSettings;
@@ -67,4 +67,4 @@ TEST_P(RandomGrid, EqualsTheReference) {
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomGrid, testing::Range(0U, 20U));
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::contours

@@ -9,8 +9,10 @@
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 using Cells = std::vector<FirstCell>;
 
@@ -44,19 +46,19 @@ TEST(RejectedObjects, SmallRegionsGoAndAreToldByTheirFirstCells) {
 
 TEST(RejectedObjects, BelowTheSmallestArea) {
     const Town town = three_roofs();
-    EXPECT_EQ(detect(town, least(1), 30).rejected.small, Cells{});
-    const Detection none = detect(town, least(1), 500);
+    EXPECT_EQ(detect_in(town, least(1), 30).rejected.small, Cells{});
+    const Detection none = detect_in(town, least(1), 500);
     EXPECT_EQ(none.rejected.small, (Cells{{5, 11}, {25, 11}, {45, 11}}));  // corners are rounded off
     EXPECT_TRUE(none.objects.empty());
 }
 
 TEST(RejectedObjects, BelowTheSmallestHeight) {
     const Town town = three_roofs();
-    EXPECT_EQ(detect(town, least(1), 30).rejected.low, Cells{});
-    EXPECT_EQ(detect(town, least(2), 30).rejected.low, (Cells{{45, 10}}));
-    EXPECT_EQ(detect(town, least(6), 30).rejected.low, (Cells{{25, 10}, {45, 10}}));
-    EXPECT_EQ(detect(town, least(50), 30).rejected.low, (Cells{{5, 10}, {25, 10}, {45, 10}}));
-    EXPECT_EQ(detect(town, least(50), 150).rejected.low, Cells{}) << "smaller than a building";
+    EXPECT_EQ(detect_in(town, least(1), 30).rejected.low, Cells{});
+    EXPECT_EQ(detect_in(town, least(2), 30).rejected.low, (Cells{{45, 10}}));
+    EXPECT_EQ(detect_in(town, least(6), 30).rejected.low, (Cells{{25, 10}, {45, 10}}));
+    EXPECT_EQ(detect_in(town, least(50), 30).rejected.low, (Cells{{5, 10}, {25, 10}, {45, 10}}));
+    EXPECT_EQ(detect_in(town, least(50), 150).rejected.low, Cells{}) << "smaller than a building";
 }
 
 TEST(RejectedObjects, NotWhereNoBuildingMayBe) {
@@ -125,4 +127,4 @@ TEST(BlurredEdge, WhatHasNoInsideKeepsItsBorder) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

@@ -58,7 +58,7 @@ struct Town {
             return r >= top && r < bottom && c >= left && c < right ? elevation : unknown;
         });
     }
-    [[nodiscard]] Scene scene() const { return {surface, terrain, cell}; }
+    [[nodiscard]] detect::Scene scene() const { return {surface, terrain, cell}; }
 
   private:
     static void set(MetreGrid& grid, const Shape& value) {
@@ -69,10 +69,10 @@ struct Town {
     }
 };
 
-inline Detection detect(const Town& town, const DetectOptions& options = {},
-                        double min_area_m2 = default_min_building_m2) {
+inline detect::Detection detect_in(const Town& town, const DetectOptions& options = {},
+                                   double min_area_m2 = default_min_building_m2) {
     Context context;
-    return detect_buildings(town.scene(), options, min_area_m2, context);
+    return detect::detect_buildings(town.scene(), options, min_area_m2, context);
 }
 
 inline Mask cells_with(const Grid<Label>& labels, const std::function<bool(Label)>& chosen) {
@@ -82,7 +82,7 @@ inline Mask cells_with(const Grid<Label>& labels, const std::function<bool(Label
     return mask;
 }
 
-inline Mask building_mask(const Detection& detection) {
+inline Mask building_mask(const detect::Detection& detection) {
     return cells_with(detection.labels, [&](Label label) { return detection.is_building(label); });
 }
 

@@ -13,8 +13,10 @@
 #include "looks_case.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 constexpr std::size_t nothing = NestedCandidate::nothing;
 using Choice = std::vector<bool>;
@@ -273,4 +275,4 @@ TEST(MultiThreshold, FindARoughHouseOnCoarseCellsThatNoneIsWithoutAPoint) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

@@ -12,8 +12,10 @@
 #include "options/run_plan.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 constexpr Block house_block{10, 12, 24, 32};
 
@@ -74,7 +76,7 @@ TEST(Detection, HousesAreFoundCellByCellButForTheirCorners) {
             Town town(36, 44, {}, ground);
             town.build(house.shape);
             const Mask expected = without_corners(raised(town), house.blocks);
-            const Detection found = detect(town);
+            const Detection found = detect_in(town);
             EXPECT_EQ(found.buildings, 1U);
             ASSERT_EQ(found.objects.size(), 1U);
             EXPECT_EQ(drawing(building_mask(found)), drawing(expected));
@@ -90,14 +92,14 @@ TEST(Detection, SmallCellsLoseThreeACorner) {
     town.block(15, 12, 43, 52, 109);
     Mask expected = without_corners(raised(town), {{15, 12, 43, 52}});
     expected = without_corners(std::move(expected), {{16, 12, 42, 52}, {15, 13, 43, 51}});
-    EXPECT_EQ(drawing(building_mask(detect(town))), drawing(expected));
+    EXPECT_EQ(drawing(building_mask(detect_in(town))), drawing(expected));
 }
 
 TEST(Detection, RoughTreesAreNone) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Town town(60, 60);
         plant(town, 5, 5, 50, 50, seed);
-        EXPECT_EQ(detect(town).buildings, 0U) << seed;
+        EXPECT_EQ(detect_in(town).buildings, 0U) << seed;
     }
 }
 
@@ -106,7 +108,7 @@ TEST(Detection, TreesBesideAHouseStayOutside) {
     town.block(10, 10, 25, 30, 109);
     const Mask house = without_corners(raised(town), {{10, 10, 25, 30}});
     plant(town, 8, 34, 20, 20, 1);
-    EXPECT_EQ(drawing(building_mask(detect(town))), drawing(house));
+    EXPECT_EQ(drawing(building_mask(detect_in(town))), drawing(house));
 }
 
 TEST(Detection, WhatIsTooTallForTreesIsABuildingHoweverRough) {
@@ -118,7 +120,7 @@ TEST(Detection, WhatIsTooTallForTreesIsABuildingHoweverRough) {
         for (std::int32_t r = 18; r < 32; ++r)
             for (std::int32_t c = 6; c < 20; ++c)
                 town.surface.at(r, c) += base;
-        const Mask found = building_mask(detect(town));
+        const Mask found = building_mask(detect_in(town));
         int cells = 0;
         for (std::int32_t r = 19; r < 31; ++r)
             for (std::int32_t c = 7; c < 19; ++c)
@@ -134,18 +136,18 @@ TEST(Detection, SmallAndLowOnesAreNone) {
     town.block(5, 5, 10, 11, 108);   // 26 m² without its corners
     town.block(5, 15, 11, 21, 108);  // 32 m²
     town.block(5, 26, 15, 36, 102);  // 96 m², as high as the least height, not higher
-    const Detection found = detect(town);
+    const Detection found = detect_in(town);
     ASSERT_EQ(found.buildings, 1U);
     EXPECT_EQ(found.objects[0].cells, 32);
     EXPECT_EQ(found.labels.at(7, 17), 1U);
     DetectOptions options;
     options.min_height = 1.5;
-    const Detection more = detect(town, options, 26);
+    const Detection more = detect_in(town, options, 26);
     ASSERT_EQ(more.buildings, 3U);
     EXPECT_EQ(more.objects[0].cells, 26) << "numbered in scan order";
     EXPECT_EQ(more.objects[2].cells, 96);
-    EXPECT_EQ(detect(town, options, 26.5).objects.size(), 2U);
-    EXPECT_EQ(detect(town, options, 97).objects.size(), 0U);
+    EXPECT_EQ(detect_in(town, options, 26.5).objects.size(), 2U);
+    EXPECT_EQ(detect_in(town, options, 97).objects.size(), 0U);
 }
 
 TEST(Detection, LooksOnlyWhereItIsAllowedTo) {
@@ -176,7 +178,7 @@ TEST(Detection, GreenIsLessLikelyAndRoughGreenLeftOut) {
     town.build(houses()[0].shape);
     const Mask house = without_corners(raised(town), {house_block});
     plant(town, 12, 32, 10, 4, 7);  // shrubs on the terrace behind, which hide the wall
-    const Detection without = detect(town);
+    const Detection without = detect_in(town);
     MetreGrid greenness(36, 60, unknown);
     Scene scene = town.scene();
     scene.greenness = &greenness;
@@ -204,12 +206,12 @@ TEST(Detection, DoubtfulObjectsFollowBuildings) {
     town.block(5, 20, 25, 50, 115);  // large and high
     town.block(15, 5, 21, 11, 103);
     DetectOptions options;
-    const Detection all = detect(town, options);
+    const Detection all = detect_in(town, options);
     ASSERT_EQ(all.buildings, 3U);
     const double small = all.objects[0].confidence;
     ASSERT_GT(all.objects[1].confidence, small);
     options.min_confidence = (small + all.objects[1].confidence) / 2;
-    const Detection found = detect(town, options);
+    const Detection found = detect_in(town, options);
     EXPECT_EQ(found.buildings, 1U);
     ASSERT_EQ(found.objects.size(), 3U);
     EXPECT_EQ(found.labels.at(10, 30), 1U);
@@ -229,24 +231,24 @@ TEST(Detection, CourtyardsStayAndSmallHolesGo) {
     for (std::int32_t r = 40; r < 43; ++r)
         for (std::int32_t c = 40; c < 43; ++c)
             expected.at(r, c) = 1;
-    EXPECT_EQ(drawing(building_mask(detect(town))), drawing(expected));
+    EXPECT_EQ(drawing(building_mask(detect_in(town))), drawing(expected));
 }
 
 TEST(Detection, NothingThere) {
-    EXPECT_EQ(detect(Town(20, 30)).objects.size(), 0U);
-    EXPECT_EQ(detect(Town(20, 30)).labels.values, std::vector<Label>(600, 0));
+    EXPECT_EQ(detect_in(Town(20, 30)).objects.size(), 0U);
+    EXPECT_EQ(detect_in(Town(20, 30)).labels.values, std::vector<Label>(600, 0));
     Town void_town(20, 30);
     void_town.build([](auto, auto) { return 0.0F; });
     std::fill(void_town.surface.values.begin(), void_town.surface.values.end(), unknown);
-    EXPECT_EQ(detect(void_town).objects.size(), 0U);
-    EXPECT_EQ(detect(Town(1, 1)).buildings, 0U);
-    EXPECT_EQ(detect(Town(0, 0)).labels.size(), 0U);
+    EXPECT_EQ(detect_in(void_town).objects.size(), 0U);
+    EXPECT_EQ(detect_in(Town(1, 1)).buildings, 0U);
+    EXPECT_EQ(detect_in(Town(0, 0)).labels.size(), 0U);
 }
 
 TEST(Detection, EveryCellRaisedIsOneBuilding) {
     Town town(20, 30);
     town.block(0, 0, 20, 30, 110);
-    const Detection found = detect(town);
+    const Detection found = detect_in(town);
     EXPECT_EQ(found.objects.size(), 1U);
     EXPECT_EQ(found.objects[0].cells, 600);
     EXPECT_EQ(found.objects[0].doubt, CounterEvidence::no_step);
@@ -254,13 +256,13 @@ TEST(Detection, EveryCellRaisedIsOneBuilding) {
 
 TEST(Detection, DoesNotDependOnTheOrientation) {
     const Town town = mixed_town();
-    const Detection found = detect(town);
+    const Detection found = detect_in(town);
     EXPECT_EQ(found.buildings, 3U);
     const auto turned = [&](const auto& turn) {
         Town other(1, 1);
         other.surface = turn(town.surface);
         other.terrain = turn(town.terrain);
-        return detect(other);
+        return detect_in(other);
     };
     const auto flip = [](const auto& grid) { return flipped(grid); };
     const auto transpose = [](const auto& grid) { return transposed(grid); };
@@ -269,7 +271,7 @@ TEST(Detection, DoesNotDependOnTheOrientation) {
 }
 
 TEST(Detection, ObjectsCountTheirCells) {
-    const Detection found = detect(mixed_town());
+    const Detection found = detect_in(mixed_town());
     std::vector<std::int64_t> cells(found.objects.size() + 1, 0);
     for (const Label label : found.labels.values)
         ++cells.at(label);
@@ -350,4 +352,4 @@ TEST(DetectionThreads, TheirNumberDoesNotShow) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

@@ -9,8 +9,10 @@
 #include "raster/regions.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 DetectOptions split_at(double height) {
     DetectOptions options;
@@ -42,9 +44,9 @@ Town tower_on_podium() {
 
 TEST(Split, TowerLeavesItsPodium) {
     const Town town = tower_on_podium();
-    const Detection whole = detect(town);
+    const Detection whole = detect_in(town);
     ASSERT_EQ(whole.buildings, 1U);
-    const Detection found = detect(town, split_at(3));
+    const Detection found = detect_in(town, split_at(3));
     ASSERT_EQ(found.buildings, 2U);
     EXPECT_EQ(piece(found, 1), level(town, 106, podium));
     EXPECT_EQ(piece(found, 2), level(town, 130, podium));
@@ -58,15 +60,15 @@ TEST(Split, TowerLeavesItsPodium) {
 
 TEST(Split, OffOrNoStepChangesNothing) {
     const Town town = tower_on_podium();
-    const Detection whole = detect(town);
+    const Detection whole = detect_in(town);
     for (const double height : {0.0, 24.0, 100.0}) {
-        const Detection found = detect(town, split_at(height));
+        const Detection found = detect_in(town, split_at(height));
         EXPECT_EQ(found.labels.values, whole.labels.values) << height;
         EXPECT_EQ(found.objects.size(), 1U);
         EXPECT_EQ(found.objects[0].cells, whole.objects[0].cells);
     }
-    EXPECT_EQ(detect(town, split_at(23.9)).buildings, 2U);
-    EXPECT_EQ(detect(Town(10, 10), split_at(3)).buildings, 0U) << "nothing to split";
+    EXPECT_EQ(detect_in(town, split_at(23.9)).buildings, 2U);
+    EXPECT_EQ(detect_in(Town(10, 10), split_at(3)).buildings, 0U) << "nothing to split";
 }
 
 TEST(Split, TerraceOfThreeHeights) {
@@ -74,7 +76,7 @@ TEST(Split, TerraceOfThreeHeights) {
     town.block(5, 5, 20, 20, 112);
     town.block(5, 20, 20, 35, 108);
     town.block(5, 35, 20, 50, 104);
-    const Detection found = detect(town, split_at(2));
+    const Detection found = detect_in(town, split_at(2));
     ASSERT_EQ(found.buildings, 3U);
     const Block terrace{5, 5, 20, 50};
     EXPECT_EQ(piece(found, 1), level(town, 112, terrace));
@@ -87,9 +89,9 @@ TEST(Split, RoofsThatSlopeStayWhole) {
     town.build([](auto r, auto c) {
         return r >= 5 && r < 25 && c >= 5 && c < 35 ? 115 - std::abs(static_cast<float>(r) - 14.5F) : unknown;
     });
-    const Detection found = detect(town, split_at(1.5));
+    const Detection found = detect_in(town, split_at(1.5));
     ASSERT_EQ(found.buildings, 1U);
-    EXPECT_EQ(found.labels.values, detect(town).labels.values);
+    EXPECT_EQ(found.labels.values, detect_in(town).labels.values);
 }
 
 TEST(Split, SpikesAndPitsAreMerged) {
@@ -97,7 +99,7 @@ TEST(Split, SpikesAndPitsAreMerged) {
     town.surface.at(8, 8) = 120;        // an antenna
     town.block(13, 21, 15, 24, 135);    // a plant room
     town.surface.at(28, 30) = unknown;  // a hole in the data
-    const Detection found = detect(town, split_at(3));
+    const Detection found = detect_in(town, split_at(3));
     ASSERT_EQ(found.buildings, 2U);
     EXPECT_EQ(found.objects[1].cells, 144);
     EXPECT_EQ(found.labels.at(8, 8), 1U);
@@ -112,7 +114,7 @@ TEST(Split, SmearedWallsAreMergedThoughTheyAreLarge) {
     town.block(25, 25, 63, 63, 114);
     town.block(26, 26, 62, 62, 122);
     town.block(27, 27, 61, 61, 130);
-    const Detection found = detect(town, split_at(3));
+    const Detection found = detect_in(town, split_at(3));
     ASSERT_EQ(found.buildings, 2U);
     // The inner ring goes first: it has fewer cells, and its longer border is to the outer ring, which then
     // goes to the podium.
@@ -121,7 +123,7 @@ TEST(Split, SmearedWallsAreMergedThoughTheyAreLarge) {
 
 TEST(Split, DoubtfulObjectsStayWholeAndKeepTheirPlace) {
     Town town = tower_on_podium();
-    Detection detection = detect(town);
+    Detection detection = detect_in(town);
     // The same object twice: as a building in the left half, as a doubtful one in the right half.
     for (std::int32_t r = 0; r < 40; ++r)
         for (std::int32_t c = 26; c < 50; ++c)
@@ -264,7 +266,7 @@ std::int64_t house_of(std::int32_t, std::int32_t col) {
 
 TEST(CutByParcels, ATerraceBecomesHouses) {
     const Town town = terrace();
-    const Detection whole = detect(town);
+    const Detection whole = detect_in(town);
     ASSERT_EQ(whole.buildings, 1U);
     const Detection found = detect_cut(town, grid_of(town, house_of));
     ASSERT_EQ(found.buildings, 6U);
@@ -376,7 +378,7 @@ TEST(CutByParcels, StepsDivideThePartsFurther) {
     town.block(10, 36, 20, 40, 112);
     DetectOptions steps;
     steps.split_height = 3;
-    EXPECT_EQ(detect(town, steps).buildings, 3U);
+    EXPECT_EQ(detect_in(town, steps).buildings, 3U);
     const Detection found = detect_cut(town, grid_of(town, house_of), steps);
     ASSERT_EQ(found.buildings, 7U);
     EXPECT_EQ(cells_of(found, 3), 100);  // of two buildings
@@ -413,7 +415,7 @@ TEST(CutByParcels, RandomParcelsLeaveTheBlocksAsTheyAre) {
                     best = i;
             return static_cast<std::int64_t>(best);
         };
-        const Detection whole = detect(town);
+        const Detection whole = detect_in(town);
         const Detection found = detect_cut(town, grid_of(town, nearest));
         EXPECT_EQ(drawing(building_mask(found)), drawing(building_mask(whole)));
         EXPECT_GT(found.buildings, whole.buildings);
@@ -428,4 +430,4 @@ TEST(CutByParcels, RandomParcelsLeaveTheBlocksAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

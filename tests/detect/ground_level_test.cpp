@@ -10,8 +10,10 @@
 
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
@@ -113,4 +115,4 @@ TEST(GroundLevel, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

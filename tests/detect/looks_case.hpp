@@ -36,15 +36,16 @@ inline Town two_houses() {
 }
 
 /// Objects of a drawing with confidences, in scan order.
-inline Candidates judged(const std::vector<std::string>& rows, const std::vector<double>& confidences) {
-    Candidates result;
+inline detect::Candidates judged(const std::vector<std::string>& rows,
+                                 const std::vector<double>& confidences) {
+    detect::Candidates result;
     result.regions = connected_regions(drawn(rows), 1, 0, threads());
     for (const double confidence : confidences) {
-        ObjectFeatures features;
+        detect::ObjectFeatures features;
         features.smooth = confidence;
         result.features.push_back(features);
         result.objects.push_back(
-            {confidence, CounterEvidence::rough, result.regions.cells[result.objects.size() + 1]});
+            {confidence, detect::CounterEvidence::rough, result.regions.cells[result.objects.size() + 1]});
     }
     return result;
 }

@@ -10,8 +10,10 @@
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 /// Where the logarithm of the segments' cells says nothing.
 constexpr double even_cells = 48;
@@ -128,7 +130,7 @@ TEST(ObjectFeatures, SmearedWallsAreWalls) {
         const double share = std::clamp((16 - from_middle) / 8, 0.0, 1.0);
         return static_cast<float>(100 + 2.5 * (1 - std::cos(3.14159265 * share)));
     });
-    const Detection found = detect(town);
+    const Detection found = detect_in(town);
     ASSERT_EQ(found.buildings, 1U);
     EXPECT_GT(found.objects[0].confidence, 0.9);
 }
@@ -413,4 +415,4 @@ TEST(LowSlopePairs, AtTheRastersBorder) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

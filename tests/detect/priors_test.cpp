@@ -11,8 +11,10 @@
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 constexpr double usual = 0.62;
 
@@ -294,4 +296,4 @@ TEST(SpatialPrior, TheSameOnAnyNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

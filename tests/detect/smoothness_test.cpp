@@ -8,8 +8,10 @@
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 Grid<std::uint8_t> flags_of(const MetreGrid& surface, double side, double noise = 0) {
     return smoothness(surface, smoothness_thresholds(side, {.noise = noise}), threads());
@@ -211,4 +213,4 @@ TEST(Segments, SmallPiecesAreDropped) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

@@ -11,8 +11,10 @@
 #include "detect/smoothness.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 /// Crowns all over, as a scan sees them from which a share of the cells got no point: those take the height
 /// of a neighbour that got one.
@@ -270,4 +272,4 @@ TEST(RoundingNoise, IsThatOfAnEvenDistribution) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

@@ -9,8 +9,10 @@
 #include "raster/morphology.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 /// Houses of 28 by 28 m, 22 m apart, whose flat roofs are rough: each cell lies up to so much higher or
 /// lower.
@@ -68,7 +70,7 @@ TEST(ThresholdScale, NothingWhereWallsAreSmeared) {
 TEST(ThresholdScale, IsFoundFromTheSceneItself) {
     // Rough roofs are found by limits of their own, and not by those of another place.
     const Town rough = town_with(0.35F, 3);
-    EXPECT_EQ(detect(rough).buildings, 9U);
+    EXPECT_EQ(detect_in(rough).buildings, 9U);
     SurfaceQuality other;
     other.threshold_scale = 0.1;
     SceneCells cells = scene_cells(rough.scene(), {}, threads());
@@ -152,4 +154,4 @@ TEST(StepSharpness, OneWhereNothingFallsOrIsKnown) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect

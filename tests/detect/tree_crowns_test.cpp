@@ -9,8 +9,10 @@
 #include "detect/smoothness.hpp"
 #include "detect_case.hpp"
 
-namespace d2b::test {
+namespace d2b::detect {
 namespace {
+
+using namespace test;
 
 constexpr float roof_z = 108;
 using Truth = std::function<bool(std::int32_t, std::int32_t)>;
@@ -215,9 +217,9 @@ TEST(TreeCrowns, AreTheSameOnAnyNumberOfThreadsAndTurned) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::detect
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 constexpr CellSize half_metre{0.5, 0.5};
@@ -264,4 +266,4 @@ TEST(SharedBoundary, AStraightSeamHasNoCorner) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::detect

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace d2b {
+namespace d2b::detect {
 namespace {
 
 SeenObject seen(double confidence, std::int64_t own_cells) {
@@ -281,4 +281,4 @@ TEST(UnitGrid, GoesToTheLastRowOfTheLargestRaster) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::detect

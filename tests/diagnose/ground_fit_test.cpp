@@ -8,13 +8,13 @@
 #include "detect/scene_statistics.hpp"
 #include "diagnose/search_warnings.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
 TEST(GroundFit, CountsWhatIsKnownOfBoth) {
-    GroundFit fit(2);
+    detect::GroundFit fit(2);
     EXPECT_EQ(fit.cells(), 0);
     EXPECT_EQ(fit.bare_share(), 1);
     EXPECT_EQ(fit.share_above(2), 0);
@@ -30,9 +30,9 @@ TEST(GroundFit, CountsWhatIsKnownOfBoth) {
 }
 
 TEST(GroundFit, AddsUp) {
-    GroundFit one(2);
-    GroundFit other(2);
-    GroundFit both(2);
+    detect::GroundFit one(2);
+    detect::GroundFit other(2);
+    detect::GroundFit both(2);
     const std::vector<float> ground(3, 0.0F);
     one.add(std::vector<float>{1, 2, 3}, ground);
     other.add(std::vector<float>{40, 41, 42}, ground);
@@ -51,9 +51,9 @@ TEST(GroundFit, CountsManyCellsAsEachOne) {
     for (int i = 0; i < 1000; ++i)
         surface.push_back(i % 10 == 3 ? unknown : 0.01F * static_cast<float>(i));
     const std::vector<float> ground(surface.size(), 0.0F);
-    GroundFit all(2);
+    detect::GroundFit all(2);
     all.add(surface, ground);
-    GroundFit each(2);
+    detect::GroundFit each(2);
     for (const float& z : surface)
         each.add(std::span(&z, 1), std::span(ground).first(1));
     EXPECT_EQ(all.cells(), 900);
@@ -66,7 +66,7 @@ TEST(GroundFit, CountsManyCellsAsEachOne) {
 }
 
 TEST(GroundFit, BearsAnyHeight) {
-    GroundFit fit(2);
+    detect::GroundFit fit(2);
     fit.add(std::vector<float>{3e38F, 3e38F, -3e38F, std::numeric_limits<float>::infinity()},
             std::vector<float>{0, -3e38F, 0, 0});
     EXPECT_EQ(fit.cells(), 4);
@@ -86,15 +86,15 @@ MetreGrid boxes(int down, int across) {
     return surface;
 }
 
-ValidIslands islands_of(const MetreGrid& surface, double cell = 1) {
+detect::ValidIslands islands_of(const MetreGrid& surface, double cell = 1) {
     Executor threads(2);
-    ValidIslands islands;
-    add_islands(surface, {cell, cell}, {0, 0, surface.rows, surface.cols}, 30, 60, islands, threads);
+    detect::ValidIslands islands;
+    detect::add_islands(surface, {cell, cell}, {0, 0, surface.rows, surface.cols}, 30, 60, islands, threads);
     return islands;
 }
 
 TEST(ValidIslands, AreHousesWithoutTheirGround) {
-    const ValidIslands islands = islands_of(boxes(2, 3));
+    const detect::ValidIslands islands = islands_of(boxes(2, 3));
     EXPECT_EQ(islands.islands, 6);
     EXPECT_EQ(islands.cells, 6 * 12 * 16);
     EXPECT_EQ(islands.narrow, islands.cells);
@@ -113,7 +113,7 @@ TEST(ValidIslands, AreNoneOfASurface) {
     for (int r = 40; r < 120; ++r)
         for (int c = 30; c < 120; ++c)
             surface.at(r, c) = none;
-    const ValidIslands wide = islands_of(surface);
+    const detect::ValidIslands wide = islands_of(surface);
     EXPECT_EQ(wide.islands, 0) << "an angle, as wide as it is long";
     EXPECT_EQ(missing_ground_warning(wide, GroundMode::automatic, "dem.tif"), "");
     EXPECT_EQ(missing_ground_warning(islands_of(boxes(1, 2)), GroundMode::automatic, "dem.tif"), "");
@@ -122,11 +122,11 @@ TEST(ValidIslands, AreNoneOfASurface) {
 }
 
 TEST(ValidIslands, AddUp) {
-    ValidIslands sum = islands_of(boxes(1, 2));
+    detect::ValidIslands sum = islands_of(boxes(1, 2));
     sum.merge(islands_of(boxes(2, 3)));
     EXPECT_EQ(sum.islands, 8);
     EXPECT_EQ(sum.largest, 12 * 16);
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::diagnose

@@ -8,7 +8,7 @@
 
 #include "core/context.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 /// Blocks of one height and single towers, and parcels that are the same moved.
@@ -17,7 +17,7 @@ struct Quarter {
         terrain = surface;
         found.labels = Grid<Label>(side, side);
         found.buildings = 1;
-        parcels = ParcelGrid(side, side);
+        parcels = detect::ParcelGrid(side, side);
     }
     /// @param at metres: top, left, height, width
     void build(double top, double left, double high, double wide, std::int64_t number) {
@@ -37,23 +37,23 @@ struct Quarter {
             for (std::int32_t c = cells(left, cell.across); c < cells(left + wide, cell.across); ++c)
                 use(r, c);
     }
-    [[nodiscard]] ShiftCounts counts(const Window& own) const {
+    [[nodiscard]] detect::ShiftCounts counts(const Window& own) const {
         Context context;
-        Scene scene{surface, terrain, cell};
+        detect::Scene scene{surface, terrain, cell};
         scene.parcels = &parcels;
-        ShiftCounts counts;
-        count_shifts(scene, found, own, counts, *context.threads);
+        detect::ShiftCounts counts;
+        detect::count_shifts(scene, found, own, counts, *context.threads);
         return counts;
     }
     [[nodiscard]] std::optional<ParcelMove> move() const {
-        return best_offset(counts({0, 0, surface.rows, surface.cols}), cell);
+        return detect::best_offset(counts({0, 0, surface.rows, surface.cols}), cell);
     }
 
     CellSize cell;
     MetreGrid surface;
     MetreGrid terrain;
-    Detection found;
-    ParcelGrid parcels;
+    detect::Detection found;
+    detect::ParcelGrid parcels;
     double right = 0;  ///< of the parcels, metres
     double down = 0;
 };
@@ -115,11 +115,11 @@ TEST(ParcelShift, IsNotSaidOfFewWallsOrOfParcelsWithoutThem) {
 
 TEST(ParcelShift, PartsAddUpToTheWhole) {
     const Quarter quarter = houses(2, 1, 130, {1, 1, 1});
-    ShiftCounts sum = quarter.counts({0, 0, 130, 40});
+    detect::ShiftCounts sum = quarter.counts({0, 0, 130, 40});
     sum.merge(quarter.counts({0, 40, 77, 90}));
     sum.merge(quarter.counts({77, 40, 53, 90}));
     EXPECT_EQ(sum.on_walls, quarter.counts({0, 0, 130, 130}).on_walls);
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::diagnose

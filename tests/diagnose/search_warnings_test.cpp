@@ -7,7 +7,7 @@
 
 #include "detect/scene_statistics.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 /// A search in a good surface in which nothing was found; each test spoils something.
@@ -24,7 +24,7 @@ class NothingFound : public ::testing::Test {
         scene_.fit.add(std::vector<float>(300, 12.0F), std::vector<float>(300, 0.0F));  // trees
     }
     void lie(float height) {
-        scene_.fit = GroundFit(options_.detect.min_height);
+        scene_.fit = detect::GroundFit(options_.detect.min_height);
         scene_.fit.add(std::vector<float>(700, height), std::vector<float>(700, 0.0F));
     }
     /// The beginning of what is said.
@@ -38,7 +38,7 @@ class NothingFound : public ::testing::Test {
     DemInfo dem_;
     Options options_;
     Tally tally_;
-    SceneStatistics scene_;
+    detect::SceneStatistics scene_;
     CellSize cell_;
     bool has_crs_ = true;
 };
@@ -108,7 +108,7 @@ TEST_F(NothingFound, WhatOptionsLeaveOut) {
 
 TEST(GroundSlope, IsToldWhereMostOfItIsSteep) {
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-    GroundSlope slope;
+    detect::GroundSlope slope;
     EXPECT_EQ(slope_warning(slope, "p.tif"), "") << "nothing is known";
     slope.add(0.41, 0);
     slope.add(0.3, -0.3);  // 0.42 along its steepest line
@@ -132,9 +132,9 @@ TEST(GroundSlope, IsOfEverySixteenthRowOfItsCells) {
     for (std::int32_t r = 0; r < rows; ++r)
         for (std::int32_t c = 0; c < cols; ++c)
             ground.at(r, c) = static_cast<float>((r + c * c) % 11) * 0.13F;
-    GroundSlope slope;
+    detect::GroundSlope slope;
     Executor threads(2);
-    add_slope(ground, {1, 1}, 3, {10, 5, rows - 10, cols - 5}, slope, threads);
+    detect::add_slope(ground, {1, 1}, 3, {10, 5, rows - 10, cols - 5}, slope, threads);
     std::int64_t cells = 0;
     std::int64_t steep = 0;
     for (std::int32_t r = 10; r < rows - 1; ++r)
@@ -152,4 +152,4 @@ TEST(GroundSlope, IsOfEverySixteenthRowOfItsCells) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::diagnose

@@ -19,19 +19,19 @@ constexpr Window all{0, 0, side, side};
 struct Found {
     MetreGrid surface{side, side};
     MetreGrid terrain{side, side};
-    Detection detection;
+    detect::Detection detection;
 
     Found() {
         detection.labels = Grid<Label>(side, side);
         detection.buildings = 1;
     }
-    [[nodiscard]] SurfaceSampling counted(const Window& own = all) const {
-        SurfaceSampling sampling;
-        const Scene scene{surface, terrain, {}};
-        add_sampling(scene, detection, 2, own, sampling, threads());
+    [[nodiscard]] detect::SurfaceSampling counted(const Window& own = all) const {
+        detect::SurfaceSampling sampling;
+        const detect::Scene scene{surface, terrain, {}};
+        detect::add_sampling(scene, detection, 2, own, sampling, threads());
         return sampling;
     }
-    [[nodiscard]] SamplingReport report() const { return sampling_report(counted(), 1); }
+    [[nodiscard]] SamplingReport report() const { return detect::sampling_report(counted(), 1); }
 };
 
 /// Of a wall at 0, blurred by a normal distribution.
@@ -120,11 +120,11 @@ TEST(SurfaceSampling, OfAModelsCornersNothingFollows) {
         for (std::int32_t c = 0; c < side; ++c)
             found.surface.at(r, c) = 9;
     ASSERT_GE(found.counted().rough.all, 300);
-    ASSERT_GT(interpolated_fraction(found.counted().rough), 0.1);
+    ASSERT_GT(detect::interpolated_fraction(found.counted().rough), 0.1);
     for (const std::int64_t built : {10, 11}) {
-        SurfaceSampling sampling = found.counted();
+        detect::SurfaceSampling sampling = found.counted();
         sampling.built = built * sampling.rough.all;
-        EXPECT_EQ(sampling_report(sampling, 1).points_per_cell.has_value(), built == 10);
+        EXPECT_EQ(detect::sampling_report(sampling, 1).points_per_cell.has_value(), built == 10);
     }
 }
 
@@ -136,8 +136,8 @@ TEST(SurfaceSampling, PartsAddUpToTheWhole) {
         if (block.surface.values[i] > 0.1F)
             found.surface.values[i] = block.surface.values[i];
     found.detection = block.detection;
-    const SurfaceSampling whole = found.counted();
-    SurfaceSampling sum;
+    const detect::SurfaceSampling whole = found.counted();
+    detect::SurfaceSampling sum;
     for (const Window& own :
          {Window{0, 0, 33, 41}, Window{0, 41, 33, 59}, Window{33, 0, 67, 41}, Window{33, 41, 67, 59}})
         sum.merge(found.counted(own));

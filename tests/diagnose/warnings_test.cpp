@@ -12,19 +12,19 @@
 #include "detect/scene_statistics.hpp"
 #include "diagnose/search_warnings.hpp"
 
-namespace d2b {
+namespace d2b::diagnose {
 namespace {
 
 /// So many cells of a height above the ground, and so many of another.
-GroundFit heights(int bare, float low, int raised, float high, double min_height = 2) {
-    GroundFit fit(min_height);
+detect::GroundFit heights(int bare, float low, int raised, float high, double min_height = 2) {
+    detect::GroundFit fit(min_height);
     std::vector<float> surface(static_cast<std::size_t>(bare), low);
     surface.resize(static_cast<std::size_t>(bare + raised), high);
     fit.add(surface, std::vector<float>(surface.size(), 0.0F));
     return fit;
 }
 
-std::string doubt(const GroundFit& fit, GroundMode mode) {
+std::string doubt(const detect::GroundFit& fit, GroundMode mode) {
     return ground_warning(fit, mode, mode == GroundMode::given ? "dtm.tif" : "");
 }
 
@@ -33,7 +33,7 @@ TEST(GroundDoubt, NoneOfATown) {
         EXPECT_EQ(doubt(heights(600, 0.1F, 400, 12), mode), "");
         EXPECT_EQ(doubt(heights(50, 0.1F, 950, 12), mode), "") << "5 % are enough";
         EXPECT_EQ(doubt(heights(600, -1.9F, 400, 12), mode), "");
-        EXPECT_EQ(doubt(GroundFit(2), mode), "") << "nothing is known";
+        EXPECT_EQ(doubt(detect::GroundFit(2), mode), "") << "nothing is known";
     }
 }
 
@@ -82,7 +82,7 @@ TEST(SurfaceDoubt, OfATerrainModel) {
     EXPECT_EQ(surface_warning(heights(10000, 0.1F, 9, 3), "dem.tif").find("less than 0.1 % of the cells"),
               0U);
     EXPECT_EQ(surface_warning(heights(10000, 0.1F, 100, 3), "dem.tif"), "");
-    EXPECT_EQ(surface_warning(GroundFit(2), "dem.tif"), "");
+    EXPECT_EQ(surface_warning(detect::GroundFit(2), "dem.tif"), "");
 }
 
 TEST(SideDoubt, OfWhatHasNoValidCell) {
@@ -312,23 +312,23 @@ TEST(ParcelDoubt, IsOfOverlapsAndInvalidPolygons) {
 }
 
 TEST(ParcelFit, AddsUpAndIsReportedInMetres) {
-    ParcelFit fit;
+    detect::ParcelFit fit;
     fit.cells = 400;
     fit.inside = 300;
     fit.cuts = 100;
     fit.distances[5] = 30;
-    ParcelFit more;
+    detect::ParcelFit more;
     more.distances[12] = 20;
     more.several = 8;
     fit.merge(more);
-    const ParcelReport report = parcel_report(fit, {0.5, 0.5, 1});
+    const ParcelReport report = detect::parcel_report(fit, {0.5, 0.5, 1});
     EXPECT_EQ(report.building_m2, 100);
     EXPECT_EQ(report.inside_m2, 75);
     EXPECT_EQ(report.overlap_m2, 2);
     EXPECT_NEAR(report.cut_length_m, 39.3, 0.1);
     EXPECT_NEAR(report.near_wall_length_m, 19.6, 0.1);
     EXPECT_NEAR(report.median_distance_m, 0.5, 1e-9);
-    EXPECT_TRUE(std::isnan(parcel_report({}, {}).median_distance_m));
+    EXPECT_TRUE(std::isnan(detect::parcel_report({}, {}).median_distance_m));
 }
 
 TEST(UnitMemory, IsToldWhereItIsMoreThanUsual) {
@@ -383,8 +383,8 @@ RunReport report() {
     return report;
 }
 
-LevelPlan thresholds(std::vector<double> values) {
-    LevelPlan plan;
+contours::LevelPlan thresholds(std::vector<double> values) {
+    contours::LevelPlan plan;
     plan.thresholds = {{}, std::move(values)};
     return plan;
 }
@@ -410,11 +410,11 @@ TEST(EmptyResult, SaysWhatExplainsMost) {
 }
 
 TEST(EmptyResult, LeavesToTheSearchWhatItKnowsBetter) {
-    LevelPlan footprints = thresholds({});
+    contours::LevelPlan footprints = thresholds({});
     footprints.footprints = true;
     EXPECT_EQ(explain_empty_result(footprints, 0, {}, report()), "");
     EXPECT_EQ(explain_empty_result(thresholds({110}), 1, {}, report()), "");
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::diagnose

@@ -20,7 +20,7 @@ std::string text_of(const std::string& path) {
 
 // Both pages are written by tests/docs/write_generated; a difference means that it was not run.
 TEST(GeneratedDocs, SchemaIsThatOfTheAttributeTable) {
-    EXPECT_NE(text_of(D2B_DOCS "/output.md").find(schema_markdown()), std::string::npos);
+    EXPECT_NE(text_of(D2B_DOCS "/output.md").find(features::schema_markdown()), std::string::npos);
 }
 
 TEST(GeneratedDocs, OptionsAreThoseOfTheOptionTable) {

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
         std::cerr << docs << "/output.md lacks the marks of the schema\n";
         return 1;
     }
-    page.replace(from + begin.size(), to - from - begin.size(), d2b::schema_markdown());
+    page.replace(from + begin.size(), to - from - begin.size(), d2b::features::schema_markdown());
     std::ofstream(docs + "/output.md") << page;
     return 0;
 }

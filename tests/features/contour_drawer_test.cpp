@@ -10,7 +10,7 @@
 #include "dem2buildings/error.hpp"
 #include "features/drawn_stack.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 using Parts = std::vector<WorldPolygon>;
@@ -224,4 +224,4 @@ TEST(DrawnStack, EndsWithTheWindow) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::features

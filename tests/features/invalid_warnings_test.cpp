@@ -2,7 +2,7 @@
 
 #include "features/feature_writer.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 FeaturePolygon made(const std::string& invalid_reason, OutlineStatus status, bool written) {
@@ -45,4 +45,4 @@ TEST(InvalidWarnings, ManyAreCounted) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::features

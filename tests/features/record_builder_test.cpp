@@ -10,7 +10,7 @@
 #include "features/attribute_table.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 using test::TraceGrid;
@@ -34,7 +34,7 @@ test::Records records_of(const TraceGrid& grid, const std::vector<double>& thres
     const test::ContourSet set = test::trace_grid(grid, thresholds, {TraceMode::cells, 5}, context);
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
-    const LevelPlan plan{statistics.minimum, {{}, thresholds}};
+    const contours::LevelPlan plan{statistics.minimum, {{}, thresholds}};
     const FixedPoint fixed = statistics.fixed_point();
     return test::make_records(
         set, {plan, fixed, no_footprints, metres, {{0, 0}, {grid.rows, grid.cols}}, first_id});
@@ -204,7 +204,7 @@ const std::vector<Footprint> footprints{{}, {48, 0.75, "steep"}, {50, 0.95, "rou
 /// Records of the grid, with thresholds of 65 in the large building.
 test::Records footprint_records(double metres = 1, const std::vector<Footprint>& of = footprints) {
     const test::TraceGrid grid = two_buildings();
-    const LevelPlan plan{50, {{}, {48, 65}, {50}}, true};
+    const contours::LevelPlan plan{50, {{}, {48, 65}, {50}}, true};
     Context context;
     test::TraceSettings settings{TraceMode::cells, 5};
     settings.keep_roots = false;
@@ -335,7 +335,7 @@ TEST(FootprintRecords, WithoutDetectionNothingIsKnownOfIt) {
 TEST(FootprintRecords, ABuildingWithoutAValidPoint) {
     test::TraceGrid grid = two_buildings();
     grid.z[9] = nodata;
-    const LevelPlan plan{50, {{}, {48}, {50}}, true};
+    const contours::LevelPlan plan{50, {{}, {48}, {50}}, true};
     Context context;
     test::TraceSettings settings{TraceMode::cells};
     settings.keep_roots = false;
@@ -436,4 +436,4 @@ TEST(FieldNames, ChangeNothingElseOfAField) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::features

@@ -13,7 +13,7 @@
 #include "pipeline/pipeline_case.hpp"
 #include "support/random_grid.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 using test::block;
@@ -227,4 +227,4 @@ TEST_F(ProjectionSplitWarnings, whereAllAreTheRunIsRefused) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::features

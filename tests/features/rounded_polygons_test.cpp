@@ -9,7 +9,7 @@
 #include "dem2buildings/error.hpp"
 #include "support/error_of.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 using Parts = std::vector<WorldPolygon>;
@@ -115,4 +115,4 @@ TEST(RoundedPolygons, WhereNoPrecisionHelpsAnotherFormatDoes) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::features

@@ -5,12 +5,12 @@
 #include "features/problem_layer.hpp"
 #include "support/memory_io.hpp"
 
-namespace d2b {
+namespace d2b::features {
 namespace {
 
 /// Blocks of 100 by 100 steps, one beside the other, that stand at 1 m.
-SurfaceCluster blocks(const std::vector<std::int64_t>& tops) {
-    SurfaceCluster cluster;
+surface::SurfaceCluster blocks(const std::vector<std::int64_t>& tops) {
+    surface::SurfaceCluster cluster;
     for (const std::int64_t top : tops) {
         const auto building = static_cast<std::int32_t>(cluster.buildings.size());
         const std::int64_t left = 100 * building;
@@ -21,40 +21,40 @@ SurfaceCluster blocks(const std::vector<std::int64_t>& tops) {
     return cluster;
 }
 
-std::vector<std::int64_t> tops(const SurfaceCluster& cluster) {
+std::vector<std::int64_t> tops(const surface::SurfaceCluster& cluster) {
     std::vector<std::int64_t> tops;
-    for (const PartitionContour& contour : cluster.contours)
+    for (const surface::PartitionContour& contour : cluster.contours)
         tops.push_back(contour.top);
     return tops;
 }
 
 /// 10 m on 9,950 square steps are as much as 10.05 m on what is left of 10,000 of them.
 TEST(FitRoofs, keepsTheVolumeThatPinchesTake) {
-    SurfaceCluster cluster = blocks({11000, 21000});
+    surface::SurfaceCluster cluster = blocks({11000, 21000});
     EXPECT_TRUE(preserve_volumes({9950, 10020}, cluster));
     EXPECT_EQ(tops(cluster), (std::vector<std::int64_t>{11050, 20960}));
 }
 
 /// What a height in millimetres cannot say, what is not made, and what has another form by now.
 TEST(FitRoofs, leavesOthersAlone) {
-    SurfaceCluster cluster = blocks({11000, 11000, 11000, 11000});
+    surface::SurfaceCluster cluster = blocks({11000, 11000, 11000, 11000});
     EXPECT_FALSE(preserve_volumes({10000, 9999, 0, 5000}, cluster));
     EXPECT_EQ(tops(cluster), (std::vector<std::int64_t>(4, 11000)));
 }
 
 /// Tiers of one building, each as wide as is said and 1000 steps deep, beside the western edge.
-DrawnCluster stack(const std::vector<PartitionContour>& tiers) {
+DrawnCluster stack(const std::vector<surface::PartitionContour>& tiers) {
     DrawnCluster drawn;
     drawn.cluster.buildings = {{7, 0}};
     drawn.buildings.resize(1);
-    for (const PartitionContour& tier : tiers) {
+    for (const surface::PartitionContour& tier : tiers) {
         drawn.levels.push_back(tier.parent < 0 ? 1 : drawn.levels[static_cast<std::size_t>(tier.parent)] + 1);
         drawn.cluster.contours.push_back(tier);
     }
     return drawn;
 }
 
-PartitionContour tier(std::int64_t from, std::int64_t to, std::int32_t parent, std::int64_t top) {
+surface::PartitionContour tier(std::int64_t from, std::int64_t to, std::int32_t parent, std::int64_t top) {
     return {{{{0, from}, {1000, from}, {1000, to}, {0, to}}, {}}, parent, 0, top};
 }
 
@@ -66,12 +66,12 @@ struct Left {
     friend bool operator==(const Left&, const Left&) = default;
 };
 
-std::vector<Left> left_of(const std::vector<PartitionContour>& tiers) {
+std::vector<Left> left_of(const std::vector<surface::PartitionContour>& tiers) {
     DrawnCluster drawn = stack(tiers);
     merge_equal_tiers(drawn);
     EXPECT_EQ(drawn.levels.size(), drawn.cluster.contours.size());
     std::vector<Left> left;
-    for (const PartitionContour& contour : drawn.cluster.contours)
+    for (const surface::PartitionContour& contour : drawn.cluster.contours)
         left.push_back({contour.outline.exterior[2].col, contour.parent, contour.top});
     return left;
 }
@@ -86,7 +86,7 @@ TEST(MergeEqualTiers, theHigherRoofStays) {
 
 /// A courtyard counts.
 TEST(MergeEqualTiers, areasAreThoseWithoutCourtyards) {
-    PartitionContour with_courtyard = tier(0, 10000, 0, 60);
+    surface::PartitionContour with_courtyard = tier(0, 10000, 0, 60);
     with_courtyard.outline.interiors = {{{100, 100}, {100, 300}, {300, 300}, {300, 100}}};
     EXPECT_EQ(left_of({tier(0, 10000, -1, 30), with_courtyard}).size(), 2U);
     with_courtyard.outline.interiors = {{{100, 100}, {100, 200}, {200, 200}, {200, 100}}};
@@ -138,7 +138,7 @@ struct TwoBuildings {
 
 TEST(SurfaceProblems, havePlaceAndSize) {
     TwoBuildings town;
-    MadeSurfaces made;
+    surface::MadeSurfaces made;
     made.repairs = {{{-200, 100}, {-197, 104}, false, {1, 0}}, {{-300, 0}, {-302, 0}, true, {1}}};
     const auto problems = surface_problems(town.drawn.cluster, made, {}, town.frame);
     ASSERT_EQ(problems.size(), 2U);
@@ -158,7 +158,7 @@ TEST(SurfaceProblems, havePlaceAndSize) {
 
 TEST(SurfaceProblems, nameBuildingsThatAreLost) {
     TwoBuildings town;
-    MadeSurfaces made;
+    surface::MadeSurfaces made;
     made.left_out = {9};
     std::vector<LostBuilding> lost{{3, 12, std::nullopt}};  // has no place
     add_left_out(town.drawn, made, lost);
@@ -174,4 +174,4 @@ TEST(SurfaceProblems, nameBuildingsThatAreLost) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::features

@@ -6,7 +6,7 @@
 
 #include "dem2buildings/error.hpp"
 
-namespace d2b::test {
+namespace d2b::features {
 namespace {
 
 /// A grid of 100 x 200 cells (rows x columns).
@@ -120,23 +120,23 @@ TEST_F(SurfaceLatticeTest, singlePrecision) {
 
 /// Steps in a centimetre on the ground: of a metre 10.24, of half a metre 20.48; of a survey foot 33.6.
 TEST_F(SurfaceLatticeTest, gapsAreLengthsOnTheGround) {
-    EXPECT_EQ(lattice({391000, 1, 0, 5820000, 0, -1}).gaps().pinch, (LatticeDistance{11, 11}));
+    EXPECT_EQ(lattice({391000, 1, 0, 5820000, 0, -1}).gaps().pinch, (surface::LatticeDistance{11, 11}));
     EXPECT_EQ(lattice({391000, 0.5, 0, 5820000, 0, -2}, "EPSG:25832", "", 1).gaps().pinch,
-              (LatticeDistance{6, 21}));
+              (surface::LatticeDistance{6, 21}));
     EXPECT_EQ(lattice({391000, 30, 0, 5820000, 0, -30}, "EPSG:25832", "", 30).gaps().pinch,
-              (LatticeDistance{2, 2}));
+              (surface::LatticeDistance{2, 2}));
     // Michigan South in feet.
     EXPECT_EQ(lattice({13290000, 1, 0, 280000, 0, -1}, "EPSG:2253", "", 0.3048).gaps().pinch,
-              (LatticeDistance{34, 34}));
+              (surface::LatticeDistance{34, 34}));
     // Degrees, of which some 9e-6 are a metre, become metres in a lattice of 2^-11 m.
     EXPECT_EQ(lattice({13.4, 9e-6, 0, 52.5, 0, -9e-6}, "EPSG:4326", "EPSG:25833", 0.8).gaps().pinch,
-              (LatticeDistance{21, 21}));
+              (surface::LatticeDistance{21, 21}));
     // A unit of Web Mercator at 60 degrees north is half a metre.
     EXPECT_EQ(lattice({391000, 1, 0, 8400000, 0, -1}, "EPSG:3857", "", 0.5).gaps().pinch,
-              (LatticeDistance{21, 21}));
+              (surface::LatticeDistance{21, 21}));
     // No CRS: units are metres.
-    EXPECT_EQ(lattice({0, 1, 0, 0, 0, -1}, "").gaps().pinch, (LatticeDistance{11, 11}));
+    EXPECT_EQ(lattice({0, 1, 0, 0, 0, -1}, "").gaps().pinch, (surface::LatticeDistance{11, 11}));
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::features

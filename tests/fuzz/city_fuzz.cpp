@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (const d2b::mesh::CityBuilding& building : city.buildings)
             demand(!building.roofs.empty(), "a solid has a roof");
         const d2b::mesh::CityPlan plan = d2b::mesh::make_city_plan(city, {});
-        for (const d2b::PartitionEdge& edge : plan.plan.edges)
+        for (const d2b::surface::PartitionEdge& edge : plan.plan.edges)
             demand(edge.left != edge.right && edge.from != edge.to, "an edge has two sides and two ends");
         for (const d2b::mesh::Region& region : plan.regions)
             demand(region.top > region.base, "a roof lies above its ground");

@@ -15,21 +15,22 @@ void compare(const ContourSet& set, const std::vector<ReferenceContour>& expecte
     demand(set.contours.size() == expected.size(), "there are as many contours as in the reference");
     Geos geos;
     for (std::size_t i = 0; i < expected.size(); ++i) {
-        const Contour& contour = set.contours[i];
+        const contours::Contour& contour = set.contours[i];
         const ReferenceContour& wanted = expected[i];
-        demand(contour.key == ContourKey{wanted.level, *wanted.squares.begin()}, "contours have their keys");
+        demand(contour.key == contours::ContourKey{wanted.level, *wanted.squares.begin()},
+               "contours have their keys");
         demand(squares_inside(contour) == wanted.squares, "a contour holds the squares of its region");
         demand(contour.squares() == static_cast<std::int64_t>(wanted.squares.size()), "squares are counted");
         demand(contour.exterior.points() == wanted.exterior_points, "points of the exterior are counted");
         demand(contour.interiors.size() == wanted.interiors, "holes are rings");
-        const FinePolygon polygon = fine(traced_polygon(contour));
+        const FinePolygon polygon = fine(outline::traced_polygon(contour));
         demand(geos.invalidity({unit_grid.polygon(polygon)}).empty(), "polygons are valid");
         demand(planar_area(polygon) == static_cast<double>(contour.squares()), "areas are as counted");
         if (wanted.level == 0)
             demand(contour.parent == -1, "roots have no parent");
         else
             demand(set.contours[static_cast<std::size_t>(contour.parent)].key ==
-                       ContourKey{wanted.level - 1, wanted.parent_first},
+                       contours::ContourKey{wanted.level - 1, wanted.parent_first},
                    "contours stand on what is below them");
     }
 }

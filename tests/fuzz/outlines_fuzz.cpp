@@ -8,8 +8,8 @@
 namespace d2b::test {
 namespace {
 
-OutlineRules rules_of(Bytes& bytes, bool walls) {
-    OutlineRules rules;
+outline::OutlineRules rules_of(Bytes& bytes, bool walls) {
+    outline::OutlineRules rules;
     const unsigned size = bytes.next();
     if (walls) {
         rules.walls = std::array{Walls::automatic, Walls::free, Walls::right}[bytes.below(3)];
@@ -27,13 +27,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace d2b::test;
     Bytes bytes(data, size);
     const bool walls = bytes.next() % 2 == 0;
-    const d2b::OutlineRules rules = rules_of(bytes, walls);
+    const d2b::outline::OutlineRules rules = rules_of(bytes, walls);
     const RandomGridCase c = grid_of(bytes, 20);
     d2b::Context context;
     const ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
-    const d2b::OutlineMethod drawing =
-        walls ? d2b::OutlineMethod::regularized : d2b::OutlineMethod::simplified;
-    const d2b::Outliner outliner(*set.list, drawing, rules, unit_grid, 1, context);
+    const d2b::outline::OutlineMethod drawing =
+        walls ? d2b::outline::OutlineMethod::regularized : d2b::outline::OutlineMethod::simplified;
+    const d2b::outline::Outliner outliner(*set.list, drawing, rules, unit_grid, 1, context);
     demand_none(nesting_fault(set, outliner));
     return 0;
 }

@@ -20,7 +20,7 @@ void start() {
         CPLSetConfigOption("CPL_CURL_ENABLE_VSIMEM", "NO");
         CPLSetConfigOption("CPL_VSIL_CURL_ALLOWED_EXTENSIONS", "none");
         CPLSetConfigOption("GDAL_HTTP_CONNECTTIMEOUT", "1");
-        start_gdal();
+        reading::start_gdal();
         return true;
     }();
     static_cast<void>(started);

@@ -25,17 +25,17 @@ enum class Same : std::uint8_t { bytes, length };
 template <typename Record>
 void demand_same(const Record& record, std::span<const std::byte> taken, Same same = Same::bytes) {
     ByteWriter again;
-    save(record, again);
+    tiles::save(record, again);
     demand(again.bytes().size() == taken.size(), "it is written as long as it was");
     demand(same == Same::length || std::ranges::equal(again.bytes(), taken), "it is written as it was");
 }
 
 std::size_t read_found(std::span<const std::byte> bytes) {
     ByteReader reader = after([](ByteWriter& writer) { empty_facts().save(writer); }, bytes);
-    const FoundTile tile = load_found_tile(reader, empty_facts(), {tile_window});
-    const FoundUnit& unit = tile.units.at(0);
+    const tiles::FoundTile tile = tiles::load_found_tile(reader, empty_facts(), {tile_window});
+    const tiles::FoundUnit& unit = tile.units.at(0);
     demand(unit.boxes.size() == unit.objects.size(), "every object has a box");
-    for (const LabelRun& run : unit.runs) {
+    for (const tiles::LabelRun& run : unit.runs) {
         demand(run.label >= 1 && run.label <= unit.objects.size(), "a run has the label of an object");
         demand(tile_window.holds(run.row, run.begin) && tile_window.holds(run.row, run.end - 1),
                "a run lies in its unit");
@@ -49,8 +49,8 @@ std::size_t read_found(std::span<const std::byte> bytes) {
 
 std::size_t read_joined(std::span<const std::byte> bytes) {
     ByteReader reader({bytes.begin(), bytes.end()});
-    const JoinedTile tile = load_joined_tile(reader, tile_window, 3);
-    for (const JoinedUnit& unit : tile.units) {
+    const tiles::JoinedTile tile = tiles::load_joined_tile(reader, tile_window, 3);
+    for (const tiles::JoinedUnit& unit : tile.units) {
         demand(unit.unit >= 0 && unit.unit < 3, "a unit is one of the plan's");
         demand(std::ranges::all_of(unit.number, [&](Label label) { return label <= tile.other(); }),
                "labels are of buildings");
@@ -65,12 +65,12 @@ std::size_t read_drawn(std::span<const std::byte> bytes) {
             writer.put(Tally());
             writer.put(std::int32_t{1});
             writer.put(std::int64_t{0});
-            writer.put(StackError());
+            writer.put(features::StackError());
         },
         bytes);
-    const DrawnTile tile = load_drawn_tile(reader);
+    const tiles::DrawnTile tile = tiles::load_drawn_tile(reader);
     for (std::size_t i = 0; i < tile.left.size(); ++i) {
-        const ContourHead& head = tile.left[i].head;
+        const contours::ContourHead& head = tile.left[i].head;
         demand(head.parent < static_cast<std::int64_t>(i), "a contour stands on one before");
         demand(static_cast<std::size_t>(head.key.level) <=
                    tile.deferred_buildings.at(head.label - 1).thresholds.size(),
@@ -81,15 +81,15 @@ std::size_t read_drawn(std::span<const std::byte> bytes) {
 
 std::size_t read_numbered(std::span<const std::byte> bytes) {
     ByteReader reader({bytes.begin(), bytes.end()});
-    const NumberedTile tile = load_numbered_tile(reader);
+    const tiles::NumberedTile tile = tiles::load_numbered_tile(reader);
     demand_same(tile, bytes.first(bytes.size() - reader.left()));
     return reader.left();
 }
 
 std::size_t read_numbered_whole(std::span<const std::byte> bytes) {
     ByteReader reader({bytes.begin(), bytes.end()});
-    const NumberedWhole whole = load_numbered_whole(reader, 3);
-    for (const NumberedLayer& layer : whole.layers)
+    const tiles::NumberedWhole whole = tiles::load_numbered_whole(reader, 3);
+    for (const tiles::NumberedLayer& layer : whole.layers)
         demand(layer.tiles.size() <= 3 &&
                    std::ranges::all_of(layer.tiles, [](std::int64_t tile) { return tile >= 0 && tile < 3; }),
                "a part is of one of the plan's tiles");
@@ -98,7 +98,7 @@ std::size_t read_numbered_whole(std::span<const std::byte> bytes) {
 
 std::size_t read_contour(std::span<const std::byte> bytes) {
     ByteReader reader({bytes.begin(), bytes.end()});
-    const DrawnContour drawn = load_drawn_contour(reader);
+    const features::DrawnContour drawn = tiles::load_drawn_contour(reader);
     demand(drawn.record.level == drawn.key.level, "a contour is on its level");
     // Any number but 0 is read as true, and written as 1.
     demand_same(drawn, bytes.first(bytes.size() - reader.left()), Same::length);
@@ -107,8 +107,8 @@ std::size_t read_contour(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-FoundFacts empty_facts() {
-    return FoundFacts({land_elevations, spikes_m, 1, {}}, 2);
+tiles::FoundFacts empty_facts() {
+    return tiles::FoundFacts({land_elevations, spikes_m, 1, {}}, 2);
 }
 
 std::size_t read_tile_file(std::span<const std::byte> file) {

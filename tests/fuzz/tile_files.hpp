@@ -15,7 +15,7 @@ constexpr std::uint8_t tile_files = 6;
 
 /// The window of the plan, which has three units, and of the one that a file speaks of.
 constexpr Window tile_window{10, 20, 8, 9};
-[[nodiscard]] FoundFacts empty_facts();
+[[nodiscard]] tiles::FoundFacts empty_facts();
 
 /// Reads a file, but for the numbers that it begins with where any number will do. Ends the program where
 /// what is read speaks of something that is not there. @param file its kind, then its bytes

@@ -22,7 +22,7 @@ ByteWriter after(const Value& value, const Begin& begin) {
     ByteWriter first;
     begin(first);
     ByteWriter all;
-    save(value, all);
+    tiles::save(value, all);
     ByteWriter rest;
     rest.put_bytes(all.bytes().subspan(first.bytes().size()));
     return rest;
@@ -31,12 +31,12 @@ ByteWriter after(const Value& value, const Begin& begin) {
 constexpr auto nothing = [](ByteWriter&) {};
 
 /// Two objects, of which one lies on the seam on the right.
-FoundTile found() {
-    FoundTile tile{empty_facts(), {}};
-    FoundUnit& unit = tile.units.emplace_back();
+tiles::FoundTile found() {
+    tiles::FoundTile tile{empty_facts(), {}};
+    tiles::FoundUnit& unit = tile.units.emplace_back();
     const Window& w = tile_window;
-    unit.objects = {{{0.9, CounterEvidence::rough, 6, -1}, true, 1.5, 6},
-                    {{0.4, CounterEvidence::green, 4, -1}, false, 2, 4}};
+    unit.objects = {{{0.9, detect::CounterEvidence::rough, 6, -1}, true, 1.5, 6},
+                    {{0.4, detect::CounterEvidence::green, 4, -1}, false, 2, 4}};
     unit.boxes = {{w.row + 1, w.col + 1, 2, 3}, {w.row + 4, w.end_col() - 2, 2, 2}};
     for (std::int32_t row = 1; row < 3; ++row)
         unit.runs.push_back({w.row + row, w.col + 1, w.col + 4, 1});
@@ -48,22 +48,22 @@ FoundTile found() {
     return tile;
 }
 
-JoinedTile joined() {
-    JoinedTile tile;
-    tile.buildings = {{true, CounterEvidence::rough, 1.5, 0.9, -1},
-                      {false, CounterEvidence::green, 2, 0.4, -1}};
+tiles::JoinedTile joined() {
+    tiles::JoinedTile tile;
+    tile.buildings = {{true, detect::CounterEvidence::rough, 1.5, 0.9, -1},
+                      {false, detect::CounterEvidence::green, 2, 0.4, -1}};
     tile.window = tile_window;
     tile.units = {{0, {0, 1, 2}}, {2, {0, 3}}};
     return tile;
 }
 
 /// A building that is left to merge, with a tier.
-DrawnTile drawn() {
-    DrawnTile tile;
+tiles::DrawnTile drawn() {
+    tiles::DrawnTile tile;
     tile.levels = 2;
-    tile.deferred_buildings = {{{true, CounterEvidence::rough, 1.5, 0.9, -1}, {2.5, 4}}};
+    tile.deferred_buildings = {{{true, detect::CounterEvidence::rough, 1.5, 0.9, -1}, {2.5, 4}}};
     for (std::int32_t level = 1; level <= 2; ++level) {
-        DeferredContour left;
+        tiles::DeferredContour left;
         left.head.key = {level, {level, level}};
         left.head.label = 1;
         left.head.parent = level - 2;
@@ -73,15 +73,15 @@ DrawnTile drawn() {
     return tile;
 }
 
-NumberedTile numbered() {
+tiles::NumberedTile numbered() {
     return {{{1, 2, 2, 4}, {1, 2}, 0}, {{{300, 17}, {1, {3, 4}}}}};
 }
 
-NumberedWhole numbered_whole() {
-    NumberedWhole whole;
+tiles::NumberedWhole numbered_whole() {
+    tiles::NumberedWhole whole;
     whole.levels = 3;
     whole.layers.resize(2);
-    for (NumberedLayer& layer : whole.layers) {
+    for (tiles::NumberedLayer& layer : whole.layers) {
         WorldPolygon part;
         part.exterior = {{0, 0}, {3, 0}, {3, 2}, {0, 0}};
         layer.add(2, {part});
@@ -90,13 +90,13 @@ NumberedWhole numbered_whole() {
     return whole;
 }
 
-DrawnContour contour() {
-    DrawnContour drawn;
+features::DrawnContour contour() {
+    features::DrawnContour drawn;
     drawn.key = {1, {3, 4}};
     drawn.parent = -1;
     drawn.building_index = 0;
     drawn.record.level = 1;
-    FeaturePolygon made;
+    features::FeaturePolygon made;
     WorldPolygon& part = made.parts.emplace_back();
     part.exterior = {{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}};
     part.interiors = {{{1, 1}, {1, 2}, {2, 2}, {1, 1}}};
@@ -124,7 +124,7 @@ void write_all(const fs::path& folder) {
               writer.put(Tally());
               writer.put(std::int32_t{1});
               writer.put(std::int64_t{0});
-              writer.put(StackError());
+              writer.put(features::StackError());
           }));
     write(folder, "numbered", TileFile::numbered, after(numbered(), nothing));
     write(folder, "numbered_whole", TileFile::numbered_whole, after(numbered_whole(), nothing));

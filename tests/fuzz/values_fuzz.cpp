@@ -241,7 +241,7 @@ void compare(d2b::DemSource& source, const Case& c, const d2b::ReadOptions& opti
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace d2b::test;
     static const bool started = [] {
-        d2b::start_gdal();
+        d2b::reading::start_gdal();
         CPLSetConfigOption("GDAL_TIFF_INTERNAL_MASK", "YES");
         return true;
     }();

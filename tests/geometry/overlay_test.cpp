@@ -39,18 +39,18 @@ TEST(Overlay, makesABowTieTwoTriangles) {
     Overlay overlay;
     const Polygons made = overlay.make_valid({{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}});
     EXPECT_EQ(made.size(), 2U);
-    EXPECT_DOUBLE_EQ(area_of(made), 2);  // two triangles with a base of 2 and a height of 1
+    EXPECT_DOUBLE_EQ(score::area_of(made), 2);  // two triangles with a base of 2 and a height of 1
     EXPECT_TRUE(overlay.valid(made));
 }
 
 TEST(Overlay, repairsAsTheOutputIsRepaired) {
     Overlay overlay;
     const Polygons overlapping{box(0, 0, 2, 2), box(1, 1, 3, 3)};
-    EXPECT_NEAR(area_of(overlay.make_valid(overlapping)), 4 + 4 - 1, 1e-12);
+    EXPECT_NEAR(score::area_of(overlay.make_valid(overlapping)), 4 + 4 - 1, 1e-12);
     const Polygons hole_outside{{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{{3, 1}, {3, 3}, {6, 3}, {6, 1}}}}};
-    EXPECT_NEAR(area_of(overlay.make_valid(hole_outside)), 16 - 2, 1e-12);
+    EXPECT_NEAR(score::area_of(overlay.make_valid(hole_outside)), 16 - 2, 1e-12);
     for (const Polygons& polygons : {overlapping, hole_outside})
-        EXPECT_EQ(area_of(Geos().repaired(polygons)), area_of(overlay.make_valid(polygons)));
+        EXPECT_EQ(score::area_of(Geos().repaired(polygons)), score::area_of(overlay.make_valid(polygons)));
 }
 
 TEST(Overlay, leavesOutWhatBoundsNothing) {
@@ -60,7 +60,7 @@ TEST(Overlay, leavesOutWhatBoundsNothing) {
     EXPECT_TRUE(overlay.make_valid({}).empty());
     // The position that is not finite goes, a triangle stays; so goes the hole of one point.
     const Polygons made = overlay.make_valid({{{{0, 0}, {4, 0}, {nan, 1}, {0, 4}}, {{{1, 1}}}}});
-    EXPECT_DOUBLE_EQ(area_of(made), 8);
+    EXPECT_DOUBLE_EQ(score::area_of(made), 8);
 }
 
 TEST(Overlay, dissolvesAndTellsWhatIsCoveredTwice) {
@@ -70,17 +70,17 @@ TEST(Overlay, dissolvesAndTellsWhatIsCoveredTwice) {
         {box(0, 0, 4, 4)}, {box(3, 0, 7, 4)}, {box(6, 0, 10, 4)}, {box(20, 0, 24, 4)}, {}, {box(1, 1, 2, 2)}};
     const Dissolved dissolved = overlay.dissolve(features);
     EXPECT_EQ(dissolved.once.size(), 2U);
-    EXPECT_NEAR(area_of(dissolved.once), 40 + 16, 1e-12);
-    EXPECT_NEAR(area_of(dissolved.twice), 4 + 4 + 1, 1e-12);
-    EXPECT_NEAR(area_of(overlay.union_of(features)), 56, 1e-12);
+    EXPECT_NEAR(score::area_of(dissolved.once), 40 + 16, 1e-12);
+    EXPECT_NEAR(score::area_of(dissolved.twice), 4 + 4 + 1, 1e-12);
+    EXPECT_NEAR(score::area_of(overlay.union_of(features)), 56, 1e-12);
 }
 
 TEST(Overlay, countsWhatThreeCoverOnce) {
     Overlay overlay;
     const std::vector<Polygons> features(3, Polygons{box(0, 0, 2, 3)});
     const Dissolved dissolved = overlay.dissolve(features);
-    EXPECT_NEAR(area_of(dissolved.once), 6, 1e-12);
-    EXPECT_NEAR(area_of(dissolved.twice), 6, 1e-12);
+    EXPECT_NEAR(score::area_of(dissolved.once), 6, 1e-12);
+    EXPECT_NEAR(score::area_of(dissolved.twice), 6, 1e-12);
 }
 
 TEST(Overlay, takesWallsOutAndKeepsCornersApart) {
@@ -100,8 +100,8 @@ TEST(Overlay, dissolvesAChessboardOfManyToItsArea) {
             features.push_back({box(2.0 * col, 2.0 * row, 2.0 * col + 3, 2.0 * row + 2)});
     const Dissolved dissolved = overlay.dissolve(features);  // each reaches 1 into its right neighbour
     EXPECT_EQ(dissolved.once.size(), 1U);
-    EXPECT_NEAR(area_of(dissolved.once), 81.0 * 80, 1e-9);
-    EXPECT_NEAR(area_of(dissolved.twice), 39.0 * 40 * 2, 1e-9);
+    EXPECT_NEAR(score::area_of(dissolved.once), 81.0 * 80, 1e-9);
+    EXPECT_NEAR(score::area_of(dissolved.twice), 39.0 * 40 * 2, 1e-9);
 }
 
 TEST(Overlay, dissolvesNothing) {
@@ -113,7 +113,7 @@ TEST(Overlay, dissolvesNothing) {
 TEST(Overlay, repairsBeforeItUnites) {
     Overlay overlay;
     const Polygons parts{{{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}, box(0, 0, 2, 2)};
-    EXPECT_NEAR(area_of(overlay.repaired_union(parts)), 4, 1e-12);
+    EXPECT_NEAR(score::area_of(overlay.repaired_union(parts)), 4, 1e-12);
 }
 
 TEST(Overlay, intersectsWithoutLinesAndPoints) {
@@ -122,7 +122,7 @@ TEST(Overlay, intersectsWithoutLinesAndPoints) {
     const Polygons b{box(2, 2, 10, 6)};  // shares an edge point with the second
     const Polygons both = overlay.intersection(a, b);
     EXPECT_EQ(both.size(), 1U);
-    EXPECT_DOUBLE_EQ(area_of(both), 4);
+    EXPECT_DOUBLE_EQ(score::area_of(both), 4);
 }
 
 TEST(Overlay, cutsRings) {
@@ -166,7 +166,7 @@ TEST(Overlay, keepsPositionsOfLargeCoordinates) {
                                                {box(13290005.25, 280000, 13290020, 280010)});
     ASSERT_EQ(both.size(), 1U);
     EXPECT_TRUE(std::ranges::find(both[0].exterior, Position{13290005.25, 280000}) != both[0].exterior.end());
-    EXPECT_DOUBLE_EQ(area_of(both), 47.5);
+    EXPECT_DOUBLE_EQ(score::area_of(both), 47.5);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "ground/rules.hpp"
 #include "ground/scene.hpp"
 
-namespace d2b {
+namespace d2b::ground {
 namespace {
 
 using test::Scene;
@@ -90,20 +90,20 @@ TEST(Ground, ATerraceIsGroundUpToItsEdge) {
     }
 }
 
-constexpr Scene::Window hall{100, 120, 60, 100};
+constexpr Scene::Window ramp_hall{100, 120, 60, 100};
 
 /// A hall of 100 m x 60 m, 6 m high, and a ramp to its roof that rises by a fifth.
 Scene hall_with_ramp(std::int32_t width) {
     Scene city(300, 300, {1, 1});
-    city.box(hall, 6);
-    for (std::int32_t j = 91; j < hall.col; ++j)
+    city.box(ramp_hall, 6);
+    for (std::int32_t j = 91; j < ramp_hall.col; ++j)
         city.box({120, j, width, 1}, 0.2F * static_cast<float>(j - 90));
     return city;
 }
 
 void expect_no_ground_on_the_hall(const Terrain& terrain) {
-    for (std::int32_t i = hall.row; i < hall.row + hall.rows; ++i)
-        for (std::int32_t j = hall.col; j < hall.col + hall.cols; ++j) {
+    for (std::int32_t i = ramp_hall.row; i < ramp_hall.row + ramp_hall.rows; ++i)
+        for (std::int32_t j = ramp_hall.col; j < ramp_hall.col + ramp_hall.cols; ++j) {
             ASSERT_NEAR(terrain.elevation.at(i, j), 100, 0.5) << i << " " << j;
             ASSERT_EQ(terrain.flags.at(i, j), 0) << i << " " << j;
         }
@@ -117,10 +117,10 @@ TEST(Ground, ARoofReachedByAWideRampIsNone) {
     Scene city = hall_with_ramp(20);
     expect_no_ground_on_the_hall(city.terrain());
     // It is its walls that tell: no share is more than one.
-    ground::Rules rules;
+    Rules rules;
     rules.wall_share = 1;
     const Terrain connected =
-        ground::estimate(city.surface, city.cell, GroundOptions{}.max_building_width, Context(), {}, rules);
+        estimate(city.surface, city.cell, GroundOptions{}.max_building_width, Context(), {}, rules);
     EXPECT_EQ(connected.elevation.at(130, 170), 106);
     EXPECT_EQ(connected.flags.at(130, 170), bare_ground);
 }
@@ -290,12 +290,6 @@ TEST(GroundEdges, BeyondItsSupportACutChangesNothing) {
             ASSERT_EQ(of_part.flags.at(i - row, j - col), of_whole.flags.at(i, j)) << i << " " << j;
         }
 }
-
-}  // namespace
-}  // namespace d2b
-
-namespace d2b::ground {
-namespace {
 
 Terrain estimated(const test::Scene& scene, const Rules& rules) {
     Context context;

@@ -30,13 +30,13 @@ struct Scene {
         return *this;
     }
 
-    [[nodiscard]] Terrain terrain(double width = GroundOptions{}.max_building_width,
-                                  GridOrigin place = {}) const {
+    [[nodiscard]] ground::Terrain terrain(double width = GroundOptions{}.max_building_width,
+                                          ground::GridOrigin place = {}) const {
         Context context;
         GroundOptions options;
         options.max_building_width = width;
         MetreGrid used = surface;
-        return estimate_ground(used, cell, options, context, place);
+        return ground::estimate_ground(used, cell, options, context, place);
     }
 };
 

@@ -12,14 +12,14 @@
 #include "support/random_surface.hpp"
 #include "support/test_threads.hpp"
 
-namespace d2b {
+namespace d2b::ground {
 namespace {
 
 /// Hills, houses and trees, pits, and points that are missing.
 MetreGrid city(std::int32_t rows, std::int32_t cols) {
     std::mt19937 random(11);
-    const auto below = [&](std::int32_t limit) {
-        return static_cast<std::int32_t>(random() % static_cast<unsigned>(limit));
+    const auto below = [&](std::int32_t end) {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(end));
     };
     MetreGrid surface(rows, cols);
     for (std::int32_t i = 0; i < rows; ++i)
@@ -65,11 +65,6 @@ TEST(GroundThreads, TheirNumberDoesNotShow) {
         }
     }
 }
-
-}  // namespace
-
-namespace ground {
-namespace {
 
 constexpr OpeningParameters elements{2, 40, 0.5, 0.1, 1.4, 8};
 
@@ -118,5 +113,4 @@ TEST(Tiles, DoNotShowInLimits) {
 }
 
 }  // namespace
-}  // namespace ground
-}  // namespace d2b
+}  // namespace d2b::ground

@@ -118,13 +118,13 @@ TEST(RefinePlan, leavesCourtyardsOpenUnlessThereIsGround) {
     drawing.edges = {{0, 1, 0, -1}, {1, 2, 0, -1}, {2, 3, 0, -1}, {3, 0, 0, -1},
                      {4, 5, -1, 0}, {5, 6, -1, 0}, {6, 7, -1, 0}, {7, 4, -1, 0}};
     EXPECT_NEAR(area_of(refine_plan(drawing, {}), 0), 800, 1e-9);
-    EXPECT_EQ(area_of(refine_plan(drawing, {}), open_ground), 0);
+    EXPECT_EQ(area_of(refine_plan(drawing, {}), surface::open_ground), 0);
     drawing.with_ground = true;
     for (std::uint32_t i = 8; i < 12; ++i)
-        drawing.edges.push_back({i, i == 11 ? 8 : i + 1, open_ground, beyond});
+        drawing.edges.push_back({i, i == 11 ? 8 : i + 1, surface::open_ground, beyond});
     const PlanMesh mesh = refine_plan(drawing, {});
     EXPECT_NEAR(area_of(mesh, 0), 800, 1e-9);
-    EXPECT_NEAR(area_of(mesh, open_ground), 48 * 48 - 800, 1e-9);
+    EXPECT_NEAR(area_of(mesh, surface::open_ground), 48 * 48 - 800, 1e-9);
 }
 
 TEST(RefinePlan, refusesARegionWithinAnother) {
@@ -222,7 +222,7 @@ TEST(MeasureTerrain, listsCellsThatAreFartherOff) {
     const GroundGrid grid(3, 3, elevations, {0, 1, 0, 3, 0, -1});
     MeshRequest request;
     MeshReport report;
-    measure_terrain(square(3, open_ground), {{}, {0, 0, 0, 0}, 0}, grid, request, metres(), report);
+    measure_terrain(square(3, surface::open_ground), {{}, {0, 0, 0, 0}, 0}, grid, request, metres(), report);
     EXPECT_EQ(report.ground_error, 3);
     ASSERT_EQ(report.missed.size(), 1U);
     EXPECT_DOUBLE_EQ(report.missed[0].at.x, 2.5);
@@ -230,7 +230,7 @@ TEST(MeasureTerrain, listsCellsThatAreFartherOff) {
     EXPECT_EQ(report.missed[0].figure, 3);
     request.ground_error = 3;
     MeshReport wide;
-    measure_terrain(square(3, open_ground), {{}, {0, 0, 0, 0}, 0}, grid, request, metres(), wide);
+    measure_terrain(square(3, surface::open_ground), {{}, {0, 0, 0, 0}, 0}, grid, request, metres(), wide);
     EXPECT_TRUE(wide.missed.empty());
 }
 

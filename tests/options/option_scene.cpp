@@ -280,7 +280,7 @@ void run_into(Writer& writer, const Texts& words) {
 }  // namespace
 
 void OptionScene::SetUpTestSuite() {
-    start_gdal();
+    reading::start_gdal();
     const std::string folder = "/vsimem/scene/";
     VSIMkdirRecursive(folder.c_str(), 0755);
     write_rasters(folder);

@@ -2,7 +2,7 @@
 
 #include "outline/walls/chain_fitter.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 std::vector<FitMode> modes_of(const ChainFitMode& mode, std::size_t steps) {
@@ -78,4 +78,4 @@ TEST(ChainFitMode, LeavesOutWallsThatAreTooShortBetweenOthers) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

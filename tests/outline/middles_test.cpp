@@ -5,7 +5,7 @@
 
 #include "outline/walls/chain_fitter.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 using Points = std::vector<std::pair<double, double>>;  // row, column
@@ -83,4 +83,4 @@ TEST(StepMidpoints, ATightToleranceKeepsTheTrace) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

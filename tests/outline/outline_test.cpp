@@ -11,7 +11,7 @@
 #include "support/outline_checks.hpp"
 #include "support/random_grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 using test::one_sided;
@@ -194,4 +194,4 @@ TEST(OutlineMethod, NodesOnlyWhatCanComeApart) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

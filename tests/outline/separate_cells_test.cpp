@@ -5,7 +5,7 @@
 
 #include "outline/walls/wall_segmentation.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 /// The ground has y to the north: a wall's left is that of the lattice.
@@ -137,4 +137,4 @@ TEST_F(MoveInward, GoesAsFarAsTheLimitLetsIt) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

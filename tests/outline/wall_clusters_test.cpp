@@ -9,7 +9,7 @@
 #include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 using test::ContourVector;
@@ -18,14 +18,14 @@ using test::TraceGrid;
 
 /// Contours of a grid without the roots, as detection leaves them.
 ContourVector without_roots(const test::ContourSet& set) {
-    std::vector<Contour> contours;
+    std::vector<contours::Contour> contours;
     std::int64_t roots = 0;
-    for (const Contour& contour : set.contours) {
+    for (const contours::Contour& contour : set.contours) {
         if (contour.key.level == 0) {
             ++roots;
             continue;
         }
-        Contour kept = contour;
+        contours::Contour kept = contour;
         kept.parent = kept.key.level == 1 ? -1 : kept.parent - roots;
         contours.push_back(kept);
     }
@@ -130,7 +130,7 @@ TEST_P(Village, AClusterAloneIsDrawnAsAmongAll) {
     const std::vector<ClusterPlan> clusters = wall_clusters(contours, usual);
     ASSERT_GT(clusters.size(), 2U);
     for (const ClusterPlan& cluster : clusters) {
-        std::vector<Contour> of_cluster;
+        std::vector<contours::Contour> of_cluster;
         for (std::size_t i = 0; i < cluster.numbers.size(); ++i) {
             of_cluster.push_back(contours.fetch(cluster.numbers[i]));
             of_cluster.back().parent = cluster.parents[i];
@@ -195,4 +195,4 @@ TEST(PackedOutline, GivesBackWhatWasPutIn) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

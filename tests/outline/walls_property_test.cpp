@@ -9,7 +9,7 @@
 #include "support/outline_checks.hpp"
 #include "support/random_grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 using test::one_sided;
@@ -166,4 +166,4 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RandomWalls, testing::Range(0U, 90U));
 INSTANTIATE_TEST_SUITE_P(StubbornSeeds, RandomWalls, testing::Values(1063U, 1123U, 1317U, 2112U, 2967U));
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -13,7 +13,7 @@
 #include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 using test::planar_area;
@@ -379,4 +379,4 @@ TEST(Walls, RightAnglesAreThoseOfTheGround) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -8,7 +8,7 @@
 #include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 using test::trace_grid;
@@ -102,4 +102,4 @@ TEST(WallsWork, EndsSoonAfterItIsAskedTo) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::outline

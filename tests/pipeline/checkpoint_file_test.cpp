@@ -9,7 +9,7 @@
 #include "support/error_of.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,4 +98,4 @@ TEST_F(CheckpointFileTest, AreOfOneStepTileAndPlan) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::tiles

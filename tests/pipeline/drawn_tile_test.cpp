@@ -5,13 +5,13 @@
 #include "pipeline/tiles/file_cache.hpp"
 #include "support/temporary_folder.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 namespace fs = std::filesystem;
 
-DrawnContour contour(std::int32_t level, std::int32_t row, std::size_t vertices = 4) {
-    DrawnContour drawn;
+features::DrawnContour contour(std::int32_t level, std::int32_t row, std::size_t vertices = 4) {
+    features::DrawnContour drawn;
     drawn.key = {level, {row, 7}};
     drawn.record.level = level;
     drawn.contour.emplace().parts.emplace_back().exterior.resize(vertices);
@@ -47,13 +47,13 @@ TEST_F(DrawnStreamTest, BlocksAreOfOneLevelAndOfBoundedSize) {
     drawn.finish();  // adds nothing
 
     // Two of them are more than the 128 KiB that end a block.
-    std::vector<ContourKey> first;
+    std::vector<contours::ContourKey> first;
     std::uint64_t bytes = 0;
     for (const DrawnBlock& block : drawn.blocks()) {
         first.push_back(block.first);
         bytes += block.bytes.size;
     }
-    EXPECT_EQ(first, (std::vector<ContourKey>{{1, {2, 7}}, {1, {4, 7}}, {2, {2, 7}}, {4, {1, 7}}}));
+    EXPECT_EQ(first, (std::vector<contours::ContourKey>{{1, {2, 7}}, {1, {4, 7}}, {2, {2, 7}}, {4, {1, 7}}}));
     EXPECT_EQ(bytes, drawn.bytes().size());
 }
 
@@ -66,7 +66,7 @@ TEST_F(DrawnStreamTest, GivesBackWhatWasDrawnInOrder) {
     DrawnStream stream(write(drawn), drawn.blocks());
     std::int32_t count = 0;
     for (; const auto key = stream.key(); ++count) {
-        EXPECT_EQ(*key, (ContourKey{1 + count / 1000, {count % 1000, 7}}));
+        EXPECT_EQ(*key, (contours::ContourKey{1 + count / 1000, {count % 1000, 7}}));
         EXPECT_EQ(stream.key(), key);
         EXPECT_EQ(stream.take().key, *key);
     }
@@ -79,7 +79,7 @@ TEST_F(DrawnStreamTest, ReadsNoBlockForItsKey) {
     drawn.finish();
     DrawnStream stream(write(drawn), drawn.blocks());
     fs::remove(folder_.path() / "0");
-    EXPECT_EQ(stream.key(), (ContourKey{1, {5, 7}}));
+    EXPECT_EQ(stream.key(), (contours::ContourKey{1, {5, 7}}));
     EXPECT_EQ(error_of(stream),
               "'" + (folder_.path() / "0").string() +
                   "' is damaged: it cannot be read any more; delete it and run 'draw' of tile 0 "
@@ -120,4 +120,4 @@ TEST_F(DrawnStreamTest, RefusesBytesOfNoContour) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::tiles

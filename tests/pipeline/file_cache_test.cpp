@@ -7,7 +7,7 @@
 
 #include "support/temporary_folder.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 class FileCacheTest : public testing::Test {
@@ -53,4 +53,4 @@ TEST_F(FileCacheTest, AreLookedForAgainWhereThereWasNone) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::tiles

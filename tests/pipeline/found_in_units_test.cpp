@@ -21,7 +21,7 @@ struct Scenery {
 };
 
 struct Found {
-    FoundBuildings buildings;
+    pipeline::FoundBuildings buildings;
     std::vector<Label> labels;
     MemoryRaster ground;
     MemoryRaster height;
@@ -29,7 +29,7 @@ struct Found {
     Context context;
 };
 
-void find(Scenery& scenery, const Options& options, const UnitSize& size, int threads, Found& found) {
+void find(Scenery& scenery, const Options& options, const detect::UnitSize& size, int threads, Found& found) {
     const RunPlan plan = make_run_plan(options, Layers::both);
     MemorySink features;
     found.context.threads = std::make_unique<Executor>(threads);
@@ -38,7 +38,7 @@ void find(Scenery& scenery, const Options& options, const UnitSize& size, int th
     const Sources sources{scenery.dem, scenery.terrain, scenery.mask, scenery.ndvi};
     const Sinks sinks{features, &found.ground, &found.height, &found.canopy};
     found.buildings =
-        find_buildings({plan, sources, sinks, reader, {window, {1, 1}, 1}, found.context}, size);
+        pipeline::find_buildings({plan, sources, sinks, reader, {window, {1, 1}, 1}, found.context}, size);
     found.labels = found.buildings.band({window.row, window.rows, window.cols}).labels;
 }
 
@@ -113,8 +113,8 @@ TEST_P(FoundInUnits, IsWhatIsFoundInTheWhole) {
     EXPECT_EQ(units.buildings.scene.slope.cells, whole.buildings.scene.slope.cells);
     EXPECT_EQ(units.buildings.scene.slope.steep_cells, whole.buildings.scene.slope.steep_cells);
     for (const auto& [label, same] : same_cells(whole, units)) {
-        const Footprint& a = whole.buildings.footprints[label];
-        const Footprint& b = units.buildings.footprints[same];
+        const features::Footprint& a = whole.buildings.footprints[label];
+        const features::Footprint& b = units.buildings.footprints[same];
         EXPECT_EQ(a.confidence, b.confidence);
         EXPECT_EQ(a.doubt, b.doubt);
         if (label != 0) {

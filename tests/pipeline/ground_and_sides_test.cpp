@@ -196,7 +196,7 @@ std::vector<double> after_taking_out(double step, const Window& seen, double met
     ElevationReader reader(source, context);
     (void)reader.survey({land_elevations, {1e9, 1e9}, 1, {}}, [](const ElevationBand&) {});
     {
-        UnitSurface surface(reader, seen, metres, *context.threads);
+        pipeline::UnitSurface surface(reader, seen, metres, *context.threads);
         EXPECT_EQ(surface.elevations().rows, seen.rows);
         Grid<std::uint8_t> flags(seen.rows, seen.cols, 1);
         flags.values[7] |= flag;

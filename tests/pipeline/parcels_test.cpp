@@ -69,8 +69,8 @@ Options options_of(double split_height = 0) {
 struct ParcelRun {
     explicit ParcelRun(const Options& options) {
         place_in_utm(dem, 1);
-        result.report =
-            run_in_units(options, {dem, nullptr, nullptr, nullptr, &parcels}, {result.sink}, {}, {});
+        result.report = pipeline::run_in_units(options, {dem, nullptr, nullptr, nullptr, &parcels},
+                                               {result.sink}, {}, {});
     }
     MemorySource dem = terraces().source();
     MadeParcels parcels{leaning};
@@ -149,7 +149,7 @@ TEST(Parcels, HousesShareTheirWallsVertexForVertex) {
     MemorySource dem = terraces().source();
     place_in_utm(dem, 1);
     Result blocks;
-    blocks.report = run_in_units(whole, {dem}, {blocks.sink}, {}, {});
+    blocks.report = pipeline::run_in_units(whole, {dem}, {blocks.sink}, {}, {});
     double expected = 0;
     for (const Feature& block : blocks.sink.features.at(buildings))
         expected += std::get<BuildingRecord>(block.record).area_m2;
@@ -204,9 +204,9 @@ TEST(Parcels, CutTheSameInTilesAsInOneRun) {
         place_in_utm(dem, 1);
         MadeParcels parcels(leaning);
         const Sources sources{dem, nullptr, nullptr, nullptr, &parcels};
-        const UnitSize units{0, 100};
+        const detect::UnitSize units{0, 100};
         Result whole;
-        whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
+        whole.report = pipeline::run_in_units(options, sources, {whole.sink}, {}, units);
         EXPECT_GT(whole.report.buildings, 40);
         for (const std::int32_t side : {1, 2}) {
             TemporaryFolder folder;
@@ -237,9 +237,9 @@ TEST(Parcels, SurfacesStayClosed) {
         MemorySurface solids{SurfaceForm::solids};
         const RunReport report = run(options, {dem, nullptr, nullptr, nullptr, &parcels},
                                      {sink, nullptr, nullptr, nullptr, nullptr, {&shell, &solids}});
-        EXPECT_EQ(fault_of(shell.parts), "");
+        EXPECT_EQ(surface::fault_of(shell.parts), "");
         for (const SurfacePart& solid : solids.parts)
-            EXPECT_EQ(fault_of({&solid, 1}), "");
+            EXPECT_EQ(surface::fault_of({&solid, 1}), "");
         EXPECT_EQ(static_cast<std::int64_t>(solids.parts.size()), report.buildings);
         EXPECT_LT(shell.parts.size(), solids.parts.size() / 2);
         EXPECT_EQ(solids.meta.fields.back().name, "parcel");

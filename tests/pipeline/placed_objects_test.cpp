@@ -2,7 +2,7 @@
 
 #include "pipeline/tiles/join_tiles.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 using Labels = std::vector<Label>;
@@ -12,21 +12,22 @@ using Labels = std::vector<Label>;
 class TwoTiles : public testing::Test {
   protected:
     TwoTiles() {
-        UnitEdges right;
+        detect::UnitEdges right;
         right.left = {Labels{0, 1, 1}, Labels{0, 1, 1}};
-        UnitEdges left;
+        detect::UnitEdges left;
         left.right = {Labels{0, 2, 2}, Labels{0, 2, 2}};
         // The later unit comes first, as it does where tiles have several rows of units.
         put(1, {seen(60), seen(40)}, {{0, 100, 10, 6}, {50, 150, 5, 8}}, right);
         put(0, {seen(25), seen(30)}, {{80, 10, 5, 5}, {0, 94, 10, 6}}, left);
         seams.compare_known();
-        UnitMerger::Merged merged = seams.merger().finish(1);
+        detect::UnitMerger::Merged merged = seams.merger().finish(1);
         placed.place(seams.take(), std::move(merged));
     }
-    static SeenObject seen(std::int64_t own_cells) {
-        return {{0.9, CounterEvidence::rough, own_cells}, true, 7, own_cells};
+    static detect::SeenObject seen(std::int64_t own_cells) {
+        return {{0.9, detect::CounterEvidence::rough, own_cells}, true, 7, own_cells};
     }
-    void put(std::int64_t unit, std::vector<SeenObject> objects, std::vector<Window> boxes, UnitEdges edges) {
+    void put(std::int64_t unit, std::vector<detect::SeenObject> objects, std::vector<Window> boxes,
+             detect::UnitEdges edges) {
         FoundUnit found{std::move(objects), std::move(boxes), {}, std::move(edges)};
         std::int64_t doubtful_ones = 0;
         const UnitObjects divided = divide_objects(found, {}, doubtful_ones);
@@ -35,7 +36,7 @@ class TwoTiles : public testing::Test {
         seams.compare_known();
     }
 
-    UnitGrid units{Window{0, 0, 100, 200}, CellSize{1, 1}, 64, UnitSize{0, 100}};
+    detect::UnitGrid units{Window{0, 0, 100, 200}, CellSize{1, 1}, 64, detect::UnitSize{0, 100}};
     TileGrid tiles{units, 1};
     InteriorObjects interior{std::make_unique<MemorySpool>(), 2};
     BorderObjects seams{2, 2};
@@ -68,4 +69,4 @@ TEST_F(TwoTiles, WhatAnotherTileDrawsIsOneMoreThanTheBuildings) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -39,13 +39,13 @@ TEST(Surfaces, bothFormsAreClosed) {
         const SurfaceRun town(options);
         EXPECT_TRUE(town.shell.finished);
         EXPECT_TRUE(town.solids.finished);
-        EXPECT_EQ(fault_of(town.shell.parts), "");
+        EXPECT_EQ(surface::fault_of(town.shell.parts), "");
         ASSERT_EQ(town.solids.parts.size(), 4U);  // the tower stands apart from its podium
         for (const SurfacePart& solid : town.solids.parts)
-            EXPECT_EQ(fault_of({&solid, 1}), "");
+            EXPECT_EQ(surface::fault_of({&solid, 1}), "");
         EXPECT_EQ(town.shell.parts.size(), 3U);
-        EXPECT_TRUE(twice_plan_area(town.shell.parts, FaceKind::roof) ==
-                    twice_plan_area(town.solids.parts, FaceKind::roof));
+        EXPECT_TRUE(surface::twice_plan_area(town.shell.parts, FaceKind::roof) ==
+                    surface::twice_plan_area(town.solids.parts, FaceKind::roof));
         ASSERT_TRUE(town.report.surface);
         EXPECT_EQ(town.report.surface->blocks, 3);
         EXPECT_EQ(town.report.surface->buildings, 4);

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 using Numbers = std::vector<std::int64_t>;
 
 /// Takes a contour of a tile down as FeatureWriter does, with the number that what stands on it gets.
 void take(TileIds& numbers, std::size_t tile, std::int64_t number, std::int64_t building = 0) {
-    AssignedIds& given = numbers.of(tile);
+    features::AssignedIds& given = numbers.of(tile);
     given.written.push_back(number);
     if (building > 0)
         given.buildings.push_back(building);
@@ -61,4 +61,4 @@ TEST(TileIds, AreNotPutAsideTwice) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -17,12 +17,14 @@
 #include "pipeline/run.hpp"
 #include "pipeline/tiles_case.hpp"
 
-namespace d2b::test {
+namespace d2b::tiles {
 namespace {
+
+using namespace test;
 
 namespace fs = std::filesystem;
 
-constexpr UnitSize many_units{0, 64};
+constexpr detect::UnitSize many_units{0, 64};
 
 /// A raster as its readers see it.
 struct Seen {
@@ -71,9 +73,9 @@ void compare_rasters(MemorySource& dem, Options options) {
     {
         const AuxiliarySinks sinks = open_auxiliary_sinks(options, dem.info());
         Result whole;
-        (void)run_in_units(options, {dem},
-                           {whole.sink, sinks.ground.get(), sinks.height.get(), sinks.canopy.get()}, {},
-                           many_units);
+        (void)pipeline::run_in_units(options, {dem},
+                                     {whole.sink, sinks.ground.get(), sinks.height.get(), sinks.canopy.get()},
+                                     {}, many_units);
     }
     for (const std::int32_t side : {1, 2}) {
         const fs::path work = folder.path() / ("work" + std::to_string(side));
@@ -201,4 +203,4 @@ TEST_F(RastersOfATown, HaveNamesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::tiles

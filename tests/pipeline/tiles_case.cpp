@@ -80,52 +80,52 @@ void expect_same(const RunReport& a, const RunReport& b) {
 }  // namespace
 
 std::int64_t StepsInTiles::count() {
-    PlannedSink sink(layers_);
-    return TileRun(work_, options_, sources_, sink, {}).tiles().count();
+    tiles::PlannedSink sink(layers_);
+    return tiles::TileRun(work_, options_, sources_, sink, {}).tiles().count();
 }
 
 void StepsInTiles::find(std::int64_t tile) {
-    PlannedSink sink(layers_);
-    TileRun run(work_, options_, sources_, sink, {});
-    find_tile(run, tile);
+    tiles::PlannedSink sink(layers_);
+    tiles::TileRun run(work_, options_, sources_, sink, {});
+    tiles::find_tile(run, tile);
 }
 
 void StepsInTiles::join() {
-    PlannedSink sink(layers_);
-    TileRun run(work_, options_, sources_, sink, {});
-    join_tiles(run);
+    tiles::PlannedSink sink(layers_);
+    tiles::TileRun run(work_, options_, sources_, sink, {});
+    tiles::join_tiles(run);
 }
 
 void StepsInTiles::draw(std::int64_t tile) {
-    PlannedSink sink(layers_);
-    TileRun run(work_, options_, sources_, sink, {});
-    draw_tile(run, tile);
+    tiles::PlannedSink sink(layers_);
+    tiles::TileRun run(work_, options_, sources_, sink, {});
+    tiles::draw_tile(run, tile);
 }
 
 void StepsInTiles::merge(Result& result) {
-    TileRun run(work_, options_, sources_, result.sink, {});
-    result.report = merge_tiles(run, result.sink);
+    tiles::TileRun run(work_, options_, sources_, result.sink, {});
+    result.report = tiles::merge_tiles(run, result.sink);
 }
 
 void StepsInTiles::number_and_write(Result& result) {
     {
-        PlannedSink sink(layers_);
-        TileRun run(work_, options_, sources_, sink, {});
-        EXPECT_FALSE(are_numbered(run));
-        result.report = number_tiles(run);
-        EXPECT_TRUE(are_numbered(run));
+        tiles::PlannedSink sink(layers_);
+        tiles::TileRun run(work_, options_, sources_, sink, {});
+        EXPECT_FALSE(tiles::are_numbered(run));
+        result.report = tiles::number_tiles(run);
+        EXPECT_TRUE(tiles::are_numbered(run));
     }
     for (std::int64_t tile = count(); tile-- > 0;) {
         MemorySink part;
-        TileRun run(work_, options_, sources_, part, {});
-        EXPECT_FALSE(written_totals(run, tile));
-        write_tile(run, tile, part);
+        tiles::TileRun run(work_, options_, sources_, part, {});
+        EXPECT_FALSE(tiles::written_totals(run, tile));
+        tiles::write_tile(run, tile, part);
         result.sink.features.resize(part.features.size());
         for (std::size_t layer = 0; layer < part.features.size(); ++layer)
             std::ranges::move(part.features[layer], std::back_inserter(result.sink.features[layer]));
         result.sink.provenance = part.provenance;
         result.sink.finished = part.finished;
-        const std::optional<NumberedWhole> whole = written_totals(run, tile);
+        const std::optional<tiles::NumberedWhole> whole = tiles::written_totals(run, tile);
         EXPECT_EQ(whole.has_value(), tile == 0);
         for (std::size_t layer = 0; whole && layer < whole->layers.size(); ++layer)
             EXPECT_EQ(whole->layers[layer].features, std::ssize(result.sink.features[layer]));
@@ -167,9 +167,9 @@ void expect_same(const Result& a, const Result& b) {
     expect_same(a.report, b.report);
 }
 
-void expect_same_in_tiles(const Sources& sources, const Options& options, const UnitSize& units,
+void expect_same_in_tiles(const Sources& sources, const Options& options, const detect::UnitSize& units,
                           const TileOrder& order, Result& whole) {
-    whole.report = run_in_units(options, sources, {whole.sink}, {}, units);
+    whole.report = pipeline::run_in_units(options, sources, {whole.sink}, {}, units);
     const TemporaryFolder folder;
     Result tiles;
     StepsInTiles steps(sources, options, {folder.path(), some_plan, 1, units});

@@ -25,7 +25,7 @@ struct TileOrder {
 class StepsInTiles {
   public:
     /// @param layers that the destination gets
-    StepsInTiles(const Sources& sources, Options options, TileRunParameters work,
+    StepsInTiles(const Sources& sources, Options options, tiles::TileRunParameters work,
                  Layers layers = Layers::both)
         : sources_(sources), options_(std::move(options)), work_(std::move(work)), layers_(layers) {}
 
@@ -46,7 +46,7 @@ class StepsInTiles {
 
     Sources sources_;
     Options options_;
-    TileRunParameters work_;
+    tiles::TileRunParameters work_;
     Layers layers_;
 };
 
@@ -65,7 +65,7 @@ std::string refusal(const Step& step) {
 void expect_same(const Result& a, const Result& b);
 
 /// Runs all steps and one run, whose result it compares with theirs and gives back.
-void expect_same_in_tiles(const Sources& sources, const Options& options, const UnitSize& units,
+void expect_same_in_tiles(const Sources& sources, const Options& options, const detect::UnitSize& units,
                           const TileOrder& order, Result& whole);
 
 }  // namespace d2b::test

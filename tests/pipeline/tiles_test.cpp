@@ -15,8 +15,10 @@
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles_case.hpp"
 
-namespace d2b::test {
+namespace d2b::tiles {
 namespace {
+
+using namespace test;
 
 Options options_of(unsigned seed) {
     Options options;
@@ -31,7 +33,8 @@ Options options_of(unsigned seed) {
     return options;
 }
 
-void compare(MemorySource& dem, const Options& options, const UnitSize& units, const TileOrder& order) {
+void compare(MemorySource& dem, const Options& options, const detect::UnitSize& units,
+             const TileOrder& order) {
     Result whole;
     expect_same_in_tiles({dem}, options, units, order, whole);
     EXPECT_GT(whole.report.buildings, 0);
@@ -70,7 +73,7 @@ TEST_P(RandomTownInTiles, IsThatOfOneRun) {
     const unsigned seed = GetParam();
     MemorySource dem = random_town(seed, {270, 330, 60, seed % 3 == 0, seed % 2 == 0});
     place_somehow(dem, seed);
-    const UnitSize units{0, std::array{64, 90, 150, 300}[seed % 4]};
+    const detect::UnitSize units{0, std::array{64, 90, 150, 300}[seed % 4]};
     const TileOrder order{std::array{1, 2, 5}[seed % 3], seed % 2 == 1, seed % 5 == 0,
                           1 + static_cast<int>(seed % 2)};
     compare(dem, options_of(seed), units, order);
@@ -118,11 +121,11 @@ TEST(Tiles, OfBlocksThatSeamsCut) {
     MemorySource dem = cut_town().source();
     place_in_utm(dem, 1);
     Options options = options_for_blocks();
-    const UnitSize units{0, 100};
+    const detect::UnitSize units{0, 100};
     for (const double split : {0.0, 3.0}) {
         options.detect.split_height = split;
         Result whole;
-        whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
+        whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, units);
         EXPECT_GE(whole.report.buildings, 7);
         for (const std::int32_t side : {1, 2, 5}) {
             TemporaryFolder folder;
@@ -149,7 +152,7 @@ TEST(Tiles, OfAClusterOverTwelveUnits) {
     options.detect.split_height = 2;
     const TemporaryFolder folder;
     Result whole;
-    whole.report = run_in_units(options, {dem}, {whole.sink}, {}, {0, 100});
+    whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, {0, 100});
     EXPECT_GE(whole.report.buildings, 60);
     Result tiles;
     StepsInTiles steps({dem}, options, {folder.path(), some_plan, 1, {0, 100}});
@@ -162,7 +165,7 @@ TEST(Tiles, OfAClusterOverTwelveUnits) {
 
 TEST(Tiles, OfRotatedGridsAndDegrees) {
     MemorySource dem = cut_town().source();
-    const UnitSize units{0, 100};
+    const detect::UnitSize units{0, 100};
     dem.edit().transform = {600000, 0.8, -0.6, 5800000, -0.6, -0.8};
     dem.edit().crs_wkt = Crs("EPSG:25832").wkt();
     Options options = options_for_blocks();
@@ -188,11 +191,11 @@ TEST(Tiles, OfContoursOrBuildingsAlone) {
     place_in_utm(dem, 1);
     Options options = options_for_blocks();
     options.detect.split_height = 3;
-    const UnitSize units{0, 100};
+    const detect::UnitSize units{0, 100};
     for (const Layers layers : {Layers::buildings, Layers::contours}) {
         options.write.layers = layers;
         Result whole;
-        whole.report = run_in_units(options, {dem}, {whole.sink}, {}, units);
+        whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, units);
         TemporaryFolder folder;
         Result tiles;
         StepsInTiles({dem}, options, {folder.path(), some_plan, 1, units}, layers).run({}, tiles);
@@ -208,7 +211,7 @@ TEST(Tiles, OfOneColumnAndOfNothing) {
         MemorySource dem(rows, cols, z);
         place_in_utm(dem, 1);
         Result whole;
-        whole.report = run_in_units(options_for_blocks(), {dem}, {whole.sink}, {}, {0, 64});
+        whole.report = pipeline::run_in_units(options_for_blocks(), {dem}, {whole.sink}, {}, {0, 64});
         TemporaryFolder folder;
         Result tiles;
         StepsInTiles({dem}, options_for_blocks(), {folder.path(), some_plan, 1, {0, 64}}).run({}, tiles);
@@ -294,11 +297,11 @@ TEST(Tiles, OfATerrainThatIsPartlyNone) {
     Options options;
     options.ground.mode = GroundMode::given;
     options.ground.terrain = "terrain";
-    const UnitSize units{0, 100};
+    const detect::UnitSize units{0, 100};
     Result whole;
     {
         DoubtfulTerrain terrain(sound);
-        whole.report = run_in_units(options, {dem, &terrain}, {whole.sink}, {}, units);
+        whole.report = pipeline::run_in_units(options, {dem, &terrain}, {whole.sink}, {}, units);
     }
     EXPECT_EQ(whole.report.counted(Reason::terrain_outside_range), 4 * 3 * 5);
     ASSERT_FALSE(whole.report.warnings.empty());
@@ -482,4 +485,4 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::tiles

@@ -428,7 +428,7 @@ TEST_F(ReadCutline, cannotBeReadToItsEnd) {
 }  // namespace
 }  // namespace d2b::test
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 constexpr ClipBox box{0, 0, 10, 10};
@@ -458,4 +458,4 @@ TEST(RingClip, farAwayIsFarAway) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::reading

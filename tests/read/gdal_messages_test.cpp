@@ -8,7 +8,7 @@
 #include "dem2buildings/open_sources.hpp"
 #include "read/gdal_setup.hpp"
 
-namespace d2b {
+namespace d2b::reading {
 namespace {
 
 void say(CPLErr level, const std::string& text) {
@@ -116,4 +116,4 @@ TEST(StartGdal, gdalIsSilentByItself) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::reading

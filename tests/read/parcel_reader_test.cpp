@@ -9,8 +9,10 @@
 #include "support/error_of.hpp"
 #include "support/vector_file.hpp"
 
-namespace d2b::test {
+namespace d2b::reading {
 namespace {
+
+using namespace test;
 
 std::vector<ParcelCell> burnt(const std::vector<PixelParcel>& parcels, const Window& part) {
     std::vector<ParcelCell> cells(static_cast<std::size_t>(part.points()));
@@ -196,4 +198,4 @@ TEST_F(ParcelReaderTest, refusesWhatItCannotTake) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::reading

@@ -12,8 +12,10 @@
 #include "support/error_of.hpp"
 #include "support/vector_file.hpp"
 
-namespace d2b::test {
+namespace d2b::reading {
 namespace {
+
+using namespace test;
 
 constexpr const char* square = "POLYGON((0 0,10 0,10 10,0 10,0 0))";
 
@@ -198,7 +200,7 @@ TEST_F(ValidCellsTest, leaveOutWhatHasNone) {
     write(path("a.tif"), holed);
     const ValidCells cells = valid_cells(path("a.tif"), heard_);
     ASSERT_EQ(cells.polygons.size(), 2U);
-    EXPECT_DOUBLE_EQ(area_of(cells.polygons), 2 * (24 - 1 - 1 - 4));
+    EXPECT_DOUBLE_EQ(score::area_of(cells.polygons), 2 * (24 - 1 - 1 - 4));
     const std::size_t holes = cells.polygons[0].interiors.size() + cells.polygons[1].interiors.size();
     EXPECT_EQ(holes, 1U);
 }
@@ -208,7 +210,7 @@ TEST_F(ValidCellsTest, followRotatedGrids) {
     rotated.transform = std::array<double, 6>{0, 3, 4, 0, 4, -3};
     set(rotated, 0, 0, -9999);
     write(path("a.tif"), rotated);
-    EXPECT_DOUBLE_EQ(area_of(valid_cells(path("a.tif"), heard_).polygons), 25 * 23.0);
+    EXPECT_DOUBLE_EQ(score::area_of(valid_cells(path("a.tif"), heard_).polygons), 25 * 23.0);
 }
 
 TEST_F(ValidCellsTest, warnOfAMissingCrs) {
@@ -231,4 +233,4 @@ TEST_F(ValidCellsTest, refuseARasterWithoutData) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::reading

@@ -25,7 +25,7 @@ class ReadMosaic : public ReadTest {
         std::vector<std::string> rasters;
         for (const std::string& name : names)
             rasters.push_back(path(name));
-        build_mosaic(path("source.vrt"), rasters, 1);
+        reading::build_mosaic(path("source.vrt"), rasters, 1);
         return values("source.vrt");
     }
     std::string refusal(const std::vector<std::string>& names) {
@@ -149,7 +149,7 @@ TEST_F(ReadMosaic, refusesWhatGdalLeavesOut) {
 TEST_F(ReadMosaic, isWrittenOrNot) {
     write(path("a.tif"), at(10, 20, {1, 2}));
     try {
-        build_mosaic("/nowhere/source.vrt", {path("a.tif")}, 1);
+        reading::build_mosaic("/nowhere/source.vrt", {path("a.tif")}, 1);
         ADD_FAILURE();
     } catch (const OutputError& error) {
         expect_has(error.what(), "'/nowhere/source.vrt' cannot be written: ");
@@ -160,7 +160,7 @@ TEST(ReadList, hasANameALine) {
     const std::string list = testing::TempDir() + "d2b_raster_list.txt";
     const auto read = [&](const std::string& text) {
         std::ofstream(list, std::ios::binary) << text;
-        return read_raster_list(list);
+        return reading::read_raster_list(list);
     };
     EXPECT_EQ(read("a.tif\r\n\n two words.tif \n/vsizip/b.zip/b.tif"),
               (std::vector<std::string>{"a.tif", " two words.tif", "/vsizip/b.zip/b.tif"}));
@@ -171,7 +171,7 @@ TEST(ReadList, hasANameALine) {
     for (const auto& [name, why] :
          {std::pair{list, "No such file or directory"}, std::pair{testing::TempDir(), "Is a directory"}})
         EXPECT_EQ(
-            error_of<InputError>([&file = name] { (void)read_raster_list(file); }),
+            error_of<InputError>([&file = name] { (void)reading::read_raster_list(file); }),
             "'" + name + "' cannot be read: " + why + "; give a text file with one raster name per line.");
 }
 
@@ -183,25 +183,27 @@ namespace {
 
 using Ends = std::vector<std::int32_t>;
 
-constexpr ColumnLimits narrow{3, 4, 1000};
+constexpr reading::ColumnLimits narrow{3, 4, 1000};
 
 TEST(MosaicColumns, EndWhereNoRasterIsCut) {
-    EXPECT_EQ(divide_columns({{0, 5}, {5, 10}, {10, 15}}, 15, narrow), (Ends{5, 10, 15}));
-    EXPECT_EQ(divide_columns({{10, 15}, {0, 6}, {5, 10}}, 15, narrow), (Ends{10, 15}));  // two overlap
-    EXPECT_EQ(divide_columns({{0, 5}, {5, 10}, {4, 12}}, 15, narrow), (Ends{15}));       // another row
-    EXPECT_EQ(divide_columns({{0, 20}, {5, 10}, {10, 15}}, 20, narrow), (Ends{20}));     // below all of them
-    EXPECT_EQ(divide_columns({{2, 5}, {8, 15}}, 15, narrow), (Ends{8, 15}));             // a gap
-    EXPECT_EQ(divide_columns({}, 15, narrow), (Ends{15}));
+    EXPECT_EQ(reading::divide_columns({{0, 5}, {5, 10}, {10, 15}}, 15, narrow), (Ends{5, 10, 15}));
+    EXPECT_EQ(reading::divide_columns({{10, 15}, {0, 6}, {5, 10}}, 15, narrow),
+              (Ends{10, 15}));                                                               // two overlap
+    EXPECT_EQ(reading::divide_columns({{0, 5}, {5, 10}, {4, 12}}, 15, narrow), (Ends{15}));  // another row
+    EXPECT_EQ(reading::divide_columns({{0, 20}, {5, 10}, {10, 15}}, 20, narrow),
+              (Ends{20}));                                                             // below all of them
+    EXPECT_EQ(reading::divide_columns({{2, 5}, {8, 15}}, 15, narrow), (Ends{8, 15}));  // a gap
+    EXPECT_EQ(reading::divide_columns({}, 15, narrow), (Ends{15}));
 }
 
 TEST(MosaicColumns, AreNeitherNarrowNorMany) {
-    std::vector<ColumnSpan> rasters;
+    std::vector<reading::ColumnSpan> rasters;
     for (std::int32_t col = 0; col < 24; col += 2)
         rasters.push_back({col, col + 2});
-    EXPECT_EQ(divide_columns(rasters, 24, {3, 100, 10000}), (Ends{4, 8, 12, 16, 20, 24}));
-    EXPECT_EQ(divide_columns(rasters, 24, {1, 3, 10000}), (Ends{8, 16, 24}));
-    EXPECT_EQ(divide_columns(rasters, 24, {1, 100, 26}), (Ends{12, 24}));  // 13 and 13 rasters
-    EXPECT_EQ(divide_columns(rasters, 24, {1, 100, 12}), (Ends{24}));
+    EXPECT_EQ(reading::divide_columns(rasters, 24, {3, 100, 10000}), (Ends{4, 8, 12, 16, 20, 24}));
+    EXPECT_EQ(reading::divide_columns(rasters, 24, {1, 3, 10000}), (Ends{8, 16, 24}));
+    EXPECT_EQ(reading::divide_columns(rasters, 24, {1, 100, 26}), (Ends{12, 24}));  // 13 and 13 rasters
+    EXPECT_EQ(reading::divide_columns(rasters, 24, {1, 100, 12}), (Ends{24}));
 }
 
 /// Three rasters side by side and two below them, wide enough to be read apart.
@@ -226,7 +228,7 @@ class ReadColumns : public ReadTest {
             names.push_back(path("part_" + std::to_string(names.size()) + ".tif"));
             write(names.back(), spec);
         }
-        build_mosaic(path("all.vrt"), names, 1);
+        reading::build_mosaic(path("all.vrt"), names, 1);
     }
     /// How many cells of many windows, read by four threads, are not as they should be.
     int wrong_cells(DemSource& source) {
@@ -248,9 +250,9 @@ class ReadColumns : public ReadTest {
 };
 
 TEST_F(ReadColumns, GiveEachThreadItsCells) {
-    const DatasetOwner mosaic(GDALOpen(path("all.vrt").c_str(), GA_ReadOnly));
+    const reading::DatasetOwner mosaic(GDALOpen(path("all.vrt").c_str(), GA_ReadOnly));
     ASSERT_NE(mosaic, nullptr);
-    EXPECT_EQ(ends_of_columns(mosaic.get(), 1), (Ends{4600, 7000}));
+    EXPECT_EQ(reading::ends_of_columns(mosaic.get(), 1), (Ends{4600, 7000}));
     const std::unique_ptr<DemSource> source = open("all.vrt");
     EXPECT_EQ(wrong_cells(*source), 0);
     EXPECT_TRUE(warnings_.empty());
@@ -274,9 +276,9 @@ TEST_F(ReadColumns, MayHaveTheSameRaster) {
                "<VRTDataset rasterXSize=\"6600\" rasterYSize=\"10\"><SRS>EPSG:25832</SRS>"
                "<GeoTransform>0,1,0,0,0,-1</GeoTransform><VRTRasterBand dataType=\"Float64\" band=\"1\">" +
                    sources + "</VRTRasterBand></VRTDataset>");
-    const DatasetOwner mosaic(GDALOpen(path("same.vrt").c_str(), GA_ReadOnly));
+    const reading::DatasetOwner mosaic(GDALOpen(path("same.vrt").c_str(), GA_ReadOnly));
     ASSERT_NE(mosaic, nullptr);
-    EXPECT_EQ(ends_of_columns(mosaic.get(), 1), (Ends{width, 2 * width, 3 * width}));
+    EXPECT_EQ(reading::ends_of_columns(mosaic.get(), 1), (Ends{width, 2 * width, 3 * width}));
     const std::unique_ptr<DemSource> source = open("same.vrt");
     std::atomic<int> wrong = 0;
     Executor(4).for_each(300, [&](std::size_t k) {
@@ -296,22 +298,22 @@ TEST_F(ReadColumns, AreReadByOneWhereTheMosaicIsGone) {
 }
 
 TEST_F(ReadColumns, AreNotThoseOfAnotherRaster) {
-    const DatasetOwner raster(GDALOpen(path("part_0.tif").c_str(), GA_ReadOnly));
+    const reading::DatasetOwner raster(GDALOpen(path("part_0.tif").c_str(), GA_ReadOnly));
     ASSERT_NE(raster, nullptr);
-    EXPECT_EQ(ends_of_columns(raster.get(), 1), (Ends{2200}));
-    const DatasetOwner mosaic(GDALOpen(path("all.vrt").c_str(), GA_ReadOnly));
-    EXPECT_EQ(ends_of_columns(mosaic.get(), 2), (Ends{7000}));
+    EXPECT_EQ(reading::ends_of_columns(raster.get(), 1), (Ends{2200}));
+    const reading::DatasetOwner mosaic(GDALOpen(path("all.vrt").c_str(), GA_ReadOnly));
+    EXPECT_EQ(reading::ends_of_columns(mosaic.get(), 2), (Ends{7000}));
 }
 
 TEST(CellBoxes, ThatShareCellsAreNotApart) {
-    EXPECT_TRUE(are_disjoint({}));
-    EXPECT_TRUE(are_disjoint({{{{0, 5}, {0, 5}}}}));
-    EXPECT_TRUE(
-        are_disjoint({{{{0, 5}, {0, 5}}}, {{{5, 9}, {0, 5}}}, {{{-4, 9}, {5, 6}}}, {{{0, 9}, {-3, 0}}}}));
-    EXPECT_FALSE(are_disjoint({{{{0, 5}, {0, 5}}}, {{{0, 5}, {0, 5}}}}));
-    EXPECT_FALSE(are_disjoint({{{{0, 9}, {0, 9}}}, {{{3, 4}, {3, 4}}}}));   // one within the other
-    EXPECT_FALSE(are_disjoint({{{{3, 4}, {0, 9}}}, {{{0, 9}, {3, 4}}}}));   // a cross
-    EXPECT_FALSE(are_disjoint({{{{0, 5}, {0, 5}}}, {{{4, 9}, {-3, 1}}}}));  // a corner
+    EXPECT_TRUE(reading::are_disjoint({}));
+    EXPECT_TRUE(reading::are_disjoint({{{{0, 5}, {0, 5}}}}));
+    EXPECT_TRUE(reading::are_disjoint(
+        {{{{0, 5}, {0, 5}}}, {{{5, 9}, {0, 5}}}, {{{-4, 9}, {5, 6}}}, {{{0, 9}, {-3, 0}}}}));
+    EXPECT_FALSE(reading::are_disjoint({{{{0, 5}, {0, 5}}}, {{{0, 5}, {0, 5}}}}));
+    EXPECT_FALSE(reading::are_disjoint({{{{0, 9}, {0, 9}}}, {{{3, 4}, {3, 4}}}}));   // one within the other
+    EXPECT_FALSE(reading::are_disjoint({{{{3, 4}, {0, 9}}}, {{{0, 9}, {3, 4}}}}));   // a cross
+    EXPECT_FALSE(reading::are_disjoint({{{{0, 5}, {0, 5}}}, {{{4, 9}, {-3, 1}}}}));  // a corner
 }
 
 TEST(CellBoxes, AreApartAsEveryTwoAre) {
@@ -319,22 +321,22 @@ TEST(CellBoxes, AreApartAsEveryTwoAre) {
     const auto pick = [&](int most) {
         return static_cast<double>(std::uniform_int_distribution(0, most)(random));
     };
-    const auto meet = [](const RasterBox& a, const RasterBox& b) {
+    const auto meet = [](const reading::RasterBox& a, const reading::RasterBox& b) {
         return a[0][0] < b[0][1] && b[0][0] < a[0][1] && a[1][0] < b[1][1] && b[1][0] < a[1][1];
     };
     int apart = 0;
     for (int round = 0; round < 2000; ++round) {
-        std::vector<RasterBox> boxes;
+        std::vector<reading::RasterBox> boxes;
         bool expected = true;
         for (int i = 0; i < 6; ++i) {
             const std::array<double, 2> at{pick(11), pick(11)};
-            const RasterBox box{{{at[0], at[0] + 1 + pick(3)}, {at[1], at[1] + 1 + pick(3)}}};
-            for (const RasterBox& other : boxes)
+            const reading::RasterBox box{{{at[0], at[0] + 1 + pick(3)}, {at[1], at[1] + 1 + pick(3)}}};
+            for (const reading::RasterBox& other : boxes)
                 expected = expected && !meet(box, other);
             boxes.push_back(box);
         }
         apart += expected ? 1 : 0;
-        EXPECT_EQ(are_disjoint(boxes), expected);
+        EXPECT_EQ(reading::are_disjoint(boxes), expected);
     }
     EXPECT_GT(apart, 100);
     EXPECT_LT(apart, 1900);

@@ -93,7 +93,7 @@ Window whole_rows(const DemSource& source, std::int32_t first, std::int32_t rows
 }
 
 void ReadTest::SetUpTestSuite() {
-    start_gdal();
+    reading::start_gdal();
 }
 
 void ReadTest::SetUp() {

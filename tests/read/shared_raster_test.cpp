@@ -17,14 +17,14 @@ namespace {
 
 using Stretches = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-Stretches added(RowCoverage& seen, std::int32_t row, std::int32_t begin, std::int32_t end) {
+Stretches added(reading::RowCoverage& seen, std::int32_t row, std::int32_t begin, std::int32_t end) {
     Stretches some;
     seen.add(row, begin, end, [&](std::int32_t from, std::int32_t to) { some.emplace_back(from, to); });
     return some;
 }
 
 TEST(RowCoverage, AreNewOnce) {
-    RowCoverage seen(3);
+    reading::RowCoverage seen(3);
     EXPECT_EQ(added(seen, 1, 10, 20), (Stretches{{10, 20}}));
     EXPECT_EQ(added(seen, 1, 10, 20), Stretches{});
     EXPECT_EQ(added(seen, 2, 10, 20), (Stretches{{10, 20}}));
@@ -37,7 +37,7 @@ TEST(RowCoverage, AreNewOnce) {
 
 TEST(RowCoverage, InAnyOrderEachCellIsNewOnce) {
     std::mt19937 random(3);
-    RowCoverage seen(1);
+    reading::RowCoverage seen(1);
     std::vector<bool> cells(200);
     for (int k = 0; k < 2000; ++k) {
         const auto begin = static_cast<std::int32_t>(random() % 200);

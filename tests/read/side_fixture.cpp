@@ -62,19 +62,19 @@ std::vector<double> SideTest::expected(const Surface& surface) const {
 }
 
 std::vector<double> SideTest::terrain(double dem_vertical_metres) {
-    const auto source = open_terrain(path("side.tif"), grid_, dem_vertical_metres,
-                                     land_elevations.times(1 / dem_vertical_metres), callbacks_);
+    const auto source = reading::open_terrain(path("side.tif"), grid_, dem_vertical_metres,
+                                              land_elevations.times(1 / dem_vertical_metres), callbacks_);
     std::vector<double> elevations = all_of(*source);
     outside_range_ = source->cells_outside_range();
     return elevations;
 }
 
 std::vector<double> SideTest::mask(const std::string& name, const std::string& layer) {
-    return all_of(*open_mask(path(name), layer, grid_, callbacks_));
+    return all_of(*reading::open_mask(path(name), layer, grid_, callbacks_));
 }
 
 std::vector<double> SideTest::ndvi() {
-    return all_of(*open_ndvi(path("side.tif"), grid_, callbacks_));
+    return all_of(*reading::open_ndvi(path("side.tif"), grid_, callbacks_));
 }
 
 void expect_near(const std::vector<double>& got, const std::vector<double>& expected, double tolerance) {

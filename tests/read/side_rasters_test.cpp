@@ -4,8 +4,10 @@
 #include "dem2buildings/error.hpp"
 #include "read/side_fixture.hpp"
 
-namespace d2b::test {
+namespace d2b::reading {
 namespace {
+
+using namespace test;
 
 class SideRefusal : public SideTest {
   protected:
@@ -354,4 +356,4 @@ TEST_F(Ndvi, refusedAtOnceWhereTheMiddleRowTells) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::reading

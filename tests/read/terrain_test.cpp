@@ -7,8 +7,10 @@
 #include "dem2buildings/error.hpp"
 #include "read/side_fixture.hpp"
 
-namespace d2b::test {
+namespace d2b::reading {
 namespace {
+
+using namespace test;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double millimetre = 0.001;
@@ -426,4 +428,4 @@ TEST_F(TerrainUnits, datumsThatDifferAreSaid) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::reading

@@ -7,8 +7,10 @@
 #include "score/shapes.hpp"
 #include "support/error_of.hpp"
 
-namespace d2b::test {
+namespace d2b::score {
 namespace {
+
+using namespace test;
 
 class MeasurePlaneTest : public testing::Test {
   protected:
@@ -101,4 +103,4 @@ TEST_F(MeasurePlaneTest, takesNoAreas) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::score

@@ -11,7 +11,7 @@
 
 #include "score/shapes.hpp"
 
-namespace d2b {
+namespace d2b::score {
 namespace {
 
 TEST(SquaredDistance, isToTheNearestPointOfASegment) {
@@ -120,10 +120,12 @@ TEST(OutlineSegments, mayBePointsOrNone) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::score
 
-namespace d2b::test {
+namespace d2b::score {
 namespace {
+
+using namespace test;
 
 TEST(Polis, isZeroForTheSame) {
     EXPECT_EQ(polis_distance(box(0, 0, 10, 10), box(0, 0, 10, 10)), 0);
@@ -158,4 +160,4 @@ TEST(Polis, countsCourtyards) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::score

@@ -8,8 +8,10 @@
 #include "score/objects.hpp"
 #include "score/shapes.hpp"
 
-namespace d2b::test {
+namespace d2b::score {
 namespace {
+
+using namespace test;
 
 TEST(Score, ofTheSameIsPerfect) {
     const Score result = score(side({box(0, 0, 10, 10)}), side({box(0, 0, 10, 10)}), {});
@@ -218,4 +220,4 @@ TEST(Reaches, bearsRounding) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::score

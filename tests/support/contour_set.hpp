@@ -12,17 +12,17 @@ namespace d2b::test {
 
 /// Contours of a run side by side, with what relates them.
 struct ContourSet {
-    std::vector<Contour> contours;
+    std::vector<contours::Contour> contours;
     std::vector<std::int64_t> building;   ///< a contour: index into `buildings`, -1 in level 0
     std::vector<std::int64_t> buildings;  ///< the contours of level 1, in order
     std::vector<RoofElevations> roofs;    ///< a building
-    std::shared_ptr<const StoredContours> list;
+    std::shared_ptr<const contours::StoredContours> list;
 };
 
-inline ContourSet fetch_set(std::shared_ptr<const StoredContours> list) {
+inline ContourSet fetch_set(std::shared_ptr<const contours::StoredContours> list) {
     ContourSet set;
     for (std::size_t i = 0; i < list->size(); ++i) {
-        StoredContours::Stored stored = list->fetch_stored(i);
+        contours::StoredContours::Stored stored = list->fetch_stored(i);
         set.contours.push_back(std::move(stored.contour));
         set.building.push_back(list->head(i).building);
         if (list->head(i).key.level == 1) {
@@ -35,19 +35,19 @@ inline ContourSet fetch_set(std::shared_ptr<const StoredContours> list) {
 }
 
 /// A list of contours in memory.
-class ContourVector : public ContourList {
+class ContourVector : public contours::ContourList {
   public:
-    explicit ContourVector(std::vector<Contour> list) : contours_(std::move(list)) {
-        for (const Contour& contour : contours_)
+    explicit ContourVector(std::vector<contours::Contour> list) : contours_(std::move(list)) {
+        for (const contours::Contour& contour : contours_)
             heads_.push_back({contour.key, contour.label, contour.parent});
     }
     [[nodiscard]] std::size_t size() const override { return contours_.size(); }
-    [[nodiscard]] const ContourHead& head(std::size_t i) const override { return heads_[i]; }
-    [[nodiscard]] Contour fetch(std::size_t i) const override { return contours_[i]; }
+    [[nodiscard]] const contours::ContourHead& head(std::size_t i) const override { return heads_[i]; }
+    [[nodiscard]] contours::Contour fetch(std::size_t i) const override { return contours_[i]; }
 
   private:
-    std::vector<Contour> contours_;
-    std::vector<ContourHead> heads_;
+    std::vector<contours::Contour> contours_;
+    std::vector<contours::ContourHead> heads_;
 };
 
 /// The records of all contours and of all buildings.
@@ -56,8 +56,8 @@ struct Records {
     std::vector<BuildingRecord> buildings;
 };
 
-inline Records make_records(const ContourSet& set, const AttributeContext& context) {
-    const RecordBuilder maker(*set.list, context);
+inline Records make_records(const ContourSet& set, const features::AttributeContext& context) {
+    const features::RecordBuilder maker(*set.list, context);
     Records records;
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
         records.contours.push_back(maker.contour(i, set.contours[i]));

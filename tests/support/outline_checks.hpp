@@ -55,13 +55,13 @@ inline double one_sided(const FineRing& from, const FineRing& to) {
 
 /// What is wrong where outlines do not stay valid, nested and disjoint, or lose a hole; else "". What is left
 /// of a parent has to be its area less its children's: they lie in it then and do not overlap.
-inline std::string nesting_fault(const ContourSet& set, const Outliner& outliner) {
+inline std::string nesting_fault(const ContourSet& set, const outline::Outliner& outliner) {
     constexpr double rounding = 1e-9;  // of areas of some hundred cells
     Geos geos;
     std::vector<std::vector<FinePolygon>> children(set.contours.size());
     std::vector<double> children_area(set.contours.size(), 0);
     for (std::size_t i = 0; i < set.contours.size(); ++i) {
-        const Contour& contour = set.contours[i];
+        const contours::Contour& contour = set.contours[i];
         const FinePolygon polygon = outliner.outline(i);
         std::string fault = geos.invalidity({unit_grid.polygon(polygon)});
         if (fault.empty() && contour.key.level <= 1)

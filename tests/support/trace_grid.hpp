@@ -50,52 +50,55 @@ struct TraceSettings {
 
 /// Some rows of a grid, as a band of a raster in which the grid begins at `origin`.
 template <typename Count>
-PointRows<Count> point_rows(const TraceGrid& grid, const LevelPlan& plan, LatticePoint origin,
-                            std::int32_t first_row, std::int32_t rows) {
+contours::PointRows<Count> point_rows(const TraceGrid& grid, const contours::LevelPlan& plan,
+                                      LatticePoint origin, std::int32_t first_row, std::int32_t rows) {
     const auto begin = static_cast<std::ptrdiff_t>(first_row) * grid.cols;
     const auto end = begin + static_cast<std::ptrdiff_t>(rows) * grid.cols;
     const BandShape shape{origin.row + first_row, rows, grid.cols};
     const auto elevations = std::make_shared<const ElevationBand>(
         ElevationBand{shape, {grid.z.begin() + begin, grid.z.begin() + end}});
     Context none;
-    LabelBand labels = detect_one_label(*elevations, none);
+    LabelBand labels = detect::detect_one_label(*elevations, none);
     if (!grid.labels.empty())
         labels.labels.assign(grid.labels.begin() + begin, grid.labels.begin() + end);
-    LevelBand<Count> levels = quantise<Count>(*elevations, labels, plan);
+    LevelBand<Count> levels = contours::quantise<Count>(*elevations, labels, plan);
     return {elevations, std::move(labels), std::move(levels)};
 }
 
 template <typename Count>
-ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const TraceSettings& settings,
+ContourSet trace_levels(const TraceGrid& grid, const contours::LevelPlan& plan, const TraceSettings& settings,
                         Context& context) {
     ElevationStatistics statistics;
     statistics.add({{0, grid.rows, grid.cols}, grid.z});
-    const NoiseRules noise{settings.noise_factor, settings.min_area, plan.footprints};
-    ContourArchive store({noise,
-                          [](LatticePoint) { return 1.0; },
-                          statistics.range(),
-                          statistics.fixed_point(),
-                          settings.keep_roots,
-                          false,
-                          {settings.min_building_height, settings.ground, 1}},
-                         context.make_spool(), context);
+    const contours::NoiseRules noise{settings.noise_factor, settings.min_area, plan.footprints};
+    contours::ContourArchive store({noise,
+                                    [](LatticePoint) { return 1.0; },
+                                    statistics.range(),
+                                    statistics.fixed_point(),
+                                    settings.keep_roots,
+                                    false,
+                                    {settings.min_building_height, settings.ground, 1}},
+                                   context.make_spool(), context);
     const Window window{settings.origin.row, settings.origin.col, grid.rows, grid.cols};
-    const TraceFrame frame{window, plan.level_count(), statistics.fixed_point(), statistics.range()};
-    Tracer tracer(frame, settings.mode, store);
+    const contours::TraceFrame frame{window, plan.level_count(), statistics.fixed_point(),
+                                     statistics.range()};
+    contours::Tracer tracer(frame, settings.mode, store);
     for (std::int32_t row = 0; row < grid.rows; row += settings.rows_a_band) {
         const std::int32_t rows = std::min(settings.rows_a_band, grid.rows - row);
-        const std::int32_t above = std::min(row, rows_above(settings.mode));
+        const std::int32_t above = std::min(row, contours::rows_above(settings.mode));
         const auto before = point_rows<Count>(grid, plan, settings.origin, row - above, above);
         const auto band = point_rows<Count>(grid, plan, settings.origin, row, rows);
-        std::vector<TraceLine> lines = split_into_runs(frame, settings.mode, before, band);
+        std::vector<contours::TraceLine> lines =
+            contours::split_into_runs(frame, settings.mode, before, band);
         if (!settings.linked_alone) {
             tracer.trace(std::move(lines));
             continue;
         }
-        ContourBatch batch;
+        contours::ContourBatch batch;
         Tally tally;
-        ContourWriter batch_writer = store.batch_writer(batch, tally);
-        LinkedBand linked = Tracer::link(frame, settings.mode, std::move(lines), batch_writer);
+        contours::ContourWriter batch_writer = store.batch_writer(batch, tally);
+        contours::LinkedBand linked =
+            contours::Tracer::link(frame, settings.mode, std::move(lines), batch_writer);
         context.report.merge(tally);
         tracer.join(std::move(linked), store.add(std::move(batch)));
     }
@@ -103,8 +106,8 @@ ContourSet trace_levels(const TraceGrid& grid, const LevelPlan& plan, const Trac
 }
 
 /// Traces a grid with thresholds a label.
-inline ContourSet trace_plan(const TraceGrid& grid, const LevelPlan& plan, const TraceSettings& settings,
-                             Context& context) {
+inline ContourSet trace_plan(const TraceGrid& grid, const contours::LevelPlan& plan,
+                             const TraceSettings& settings, Context& context) {
     if (plan.level_count() <= 255)
         return trace_levels<std::uint8_t>(grid, plan, settings, context);
     return trace_levels<std::uint16_t>(grid, plan, settings, context);
@@ -118,7 +121,7 @@ inline ContourSet trace_grid(const TraceGrid& grid, const std::vector<double>& t
     Label labels = 1;
     for (const Label label : grid.labels)
         labels = std::max(labels, label);
-    LevelPlan plan{statistics.minimum, std::vector<std::vector<double>>(labels + 1, thresholds)};
+    contours::LevelPlan plan{statistics.minimum, std::vector<std::vector<double>>(labels + 1, thresholds)};
     plan.thresholds[0].clear();
     return trace_plan(grid, plan, settings, context);
 }

@@ -11,7 +11,7 @@
 #include "surface/partition.hpp"
 #include "surface/resolve_nonmanifold.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 Int128 twice_area(const PartitionFace& face, const PlanarPartition& plan) {
@@ -21,7 +21,7 @@ Int128 twice_area(const PartitionFace& face, const PlanarPartition& plan) {
     rings.push_back(std::move(polygon.exterior));
     for (const FineRing& ring : rings)
         for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-            sum += turn(ring[0], ring[i], ring[i + 1]);
+            sum += outline::turn(ring[0], ring[i], ring[i + 1]);
     return sum;
 }
 
@@ -153,4 +153,4 @@ TEST(TriangulateFace, isTriedTurned) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -9,7 +9,7 @@
 
 #include "geometry/geos.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 using Cell = std::pair<int, int>;  // row, column
@@ -167,4 +167,4 @@ MadeSurfaces surfaces_of(const SurfaceCluster& cluster, const GapTolerances& gap
     return make_surfaces(cluster, {true, true, 0, gaps}, with_geos);
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -6,7 +6,7 @@
 
 #include "surface/make_surfaces.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// A town on a grid of cells of 1024 steps, written row by row from the north: each letter is a building,
 /// each digit a height above the ground in units of 10 steps, ' ' and '0' are ground.
@@ -35,4 +35,4 @@ struct LetterGrid {
 /// Both forms, with GEOS's triangulation.
 [[nodiscard]] MadeSurfaces surfaces_of(const SurfaceCluster& cluster, const GapTolerances& gaps = {});
 
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -13,7 +13,7 @@
 
 #include "surface/label_contours.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 std::vector<std::int64_t> tops(const SurfaceCluster& cluster) {
@@ -120,4 +120,4 @@ TEST(LevelRoofs, randomTowns) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

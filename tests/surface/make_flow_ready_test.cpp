@@ -19,7 +19,7 @@
 #include "surface/partition.hpp"
 #include "surface/resolve_nonmanifold.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// A step is a centimetre.
@@ -547,4 +547,4 @@ TEST(FlowReady, whatCannotBeMendedGetsNoCorners) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -7,7 +7,7 @@
 #include "surface/label_contours.hpp"
 #include "surface/surface_check.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 constexpr Int128 square = Int128{FinePoint::steps} * FinePoint::steps;
@@ -254,4 +254,4 @@ TEST(RandomGrids, stacks) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

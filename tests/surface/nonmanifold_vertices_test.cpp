@@ -12,7 +12,7 @@
 #include "surface/planar_partition.hpp"
 #include "surface/surface_check.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 struct Sums {
@@ -302,4 +302,4 @@ TEST(GapTolerances, areLengthsOnTheGround) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

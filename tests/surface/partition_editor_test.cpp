@@ -9,7 +9,7 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/partition.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 PartitionContour square(std::int64_t row, std::int64_t col, std::int64_t size) {
@@ -101,8 +101,9 @@ TEST(PartitionEditor, takesSplitsBack) {
 }
 
 bool is_in_triangle(FinePoint a, FinePoint b, FinePoint c, FinePoint point) {
-    const int s = side(a, b, c);
-    return s * side(a, b, point) >= 0 && s * side(b, c, point) >= 0 && s * side(c, a, point) >= 0;
+    const int s = outline::side(a, b, c);
+    return s * outline::side(a, b, point) >= 0 && s * outline::side(b, c, point) >= 0 &&
+           s * outline::side(c, a, point) >= 0;
 }
 
 /// All edges that meet a triangle or a box are found, wherever they lie.
@@ -116,7 +117,7 @@ TEST(EdgeGrid, findsAllThatMeets) {
     };
     for (const std::int64_t size : {3000, 30000, 300000}) {
         EdgeGrid grid;
-        std::vector<FineSegment> edges;
+        std::vector<outline::FineSegment> edges;
         for (std::uint32_t e = 0; e < 200; ++e) {
             edges.push_back({point(size), point(size)});
             grid.add(e, edges.back().a, edges.back().b);
@@ -131,9 +132,10 @@ TEST(EdgeGrid, findsAllThatMeets) {
                 return true;
             }));
             for (std::uint32_t e = 0; e < edges.size(); ++e)
-                if (segments_intersect(edges[e], {a, b}) || segments_intersect(edges[e], {b, c}) ||
-                    segments_intersect(edges[e], {c, a}) ||
-                    (side(a, b, c) != 0 && is_in_triangle(a, b, c, edges[e].a))) {
+                if (outline::segments_intersect(edges[e], {a, b}) ||
+                    outline::segments_intersect(edges[e], {b, c}) ||
+                    outline::segments_intersect(edges[e], {c, a}) ||
+                    (outline::side(a, b, c) != 0 && is_in_triangle(a, b, c, edges[e].a))) {
                     ASSERT_TRUE(found.contains(e)) << size << ' ' << i << ' ' << e;
                 }
         }
@@ -151,4 +153,4 @@ TEST(EdgeGrid, aLongEdgeIsInFewCells) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

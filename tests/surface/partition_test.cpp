@@ -7,7 +7,7 @@
 #include "surface/label_contours.hpp"
 #include "surface/surface_check.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Counter-clockwise with y up: rows run to the south.
@@ -94,4 +94,4 @@ TEST(MakeSurfaces, aBuildingThatCannotBeDivided) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

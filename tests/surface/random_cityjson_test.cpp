@@ -10,7 +10,7 @@
 #include "surface/surface_check.hpp"
 #include "write/surface/cityjson_sink.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 /// Solids of random grids, read again from the file that the sink wrote of them.
@@ -22,7 +22,8 @@ class RandomCityJson : public ::testing::Test {
         meta.frame.scale = {0.5, 0.25, 0.001};
         meta.lod = "1.2";
         meta.vertical_unit = "metre";
-        const auto sink = open_cityjson_sink(resolve_file_target({path_, true, {}, FileKind::surface}));
+        const auto sink = writing::open_cityjson_sink(
+            writing::resolve_file_target({path_, true, {}, writing::FileKind::surface}));
         sink->preflight(meta);
         sink->begin(meta);
         for (const SurfacePart& solid : made.solids)
@@ -73,4 +74,4 @@ TEST_F(RandomCityJson, blocksAndStacks) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 using Ring = std::vector<std::uint32_t>;
@@ -181,4 +181,4 @@ Int128 twice_plan_area(std::span<const SurfacePart> parts, FaceKind kind) {
     return sum < 0 ? -sum : sum;
 }
 
-}  // namespace d2b
+}  // namespace d2b::surface

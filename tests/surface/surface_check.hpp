@@ -7,7 +7,7 @@
 #include "core/int128.hpp"
 #include "dem2buildings/surfaces.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 
 /// What is wrong with surfaces that stand side by side, with corners of equal coordinates taken for one; ""
 /// where nothing is:
@@ -22,4 +22,4 @@ namespace d2b {
 /// Twice the area of faces of a kind as seen from above.
 [[nodiscard]] Int128 twice_plan_area(std::span<const SurfacePart> parts, FaceKind kind);
 
-}  // namespace d2b
+}  // namespace d2b::surface

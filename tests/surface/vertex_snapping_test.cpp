@@ -12,7 +12,7 @@
 #include "surface/partition.hpp"
 #include "surface/surface_check.hpp"
 
-namespace d2b {
+namespace d2b::surface {
 namespace {
 
 bool is_sound(const std::vector<PartitionContour>& contours) {
@@ -186,4 +186,4 @@ TEST(MergeNearNodes, aHouseOfAMillimetre) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::surface

@@ -134,25 +134,26 @@ std::string gdal_config(const char* key) {
 
 TEST(GdalSwitches, leaveAllElseAsItWas) {
     const Texts arguments{"-lod", "4", "a.tif", "", "-fl", "-1", "b.gpkg"};
-    EXPECT_EQ(apply_gdal_switches(arguments), arguments);
-    EXPECT_EQ(apply_gdal_switches({}), Texts{});
+    EXPECT_EQ(reading::apply_gdal_switches(arguments), arguments);
+    EXPECT_EQ(reading::apply_gdal_switches({}), Texts{});
 }
 
 TEST(GdalSwitches, setConfigurationOptionsInBothForms) {
-    EXPECT_EQ(apply_gdal_switches({"-q", "--config", "D2B_ONE", "1", "x"}), (Texts{"-q", "x"}));
+    EXPECT_EQ(reading::apply_gdal_switches({"-q", "--config", "D2B_ONE", "1", "x"}), (Texts{"-q", "x"}));
     EXPECT_EQ(gdal_config("D2B_ONE"), "1");
-    EXPECT_EQ(apply_gdal_switches({"--config", "D2B_TWO=2", "-q", "x"}), (Texts{"-q", "x"}));
+    EXPECT_EQ(reading::apply_gdal_switches({"--config", "D2B_TWO=2", "-q", "x"}), (Texts{"-q", "x"}));
     EXPECT_EQ(gdal_config("D2B_TWO"), "2");
-    EXPECT_EQ(apply_gdal_switches({"--config", "D2B_THREE=a=b", "--config", "D2B_FOUR", "c=d"}), Texts{});
+    EXPECT_EQ(reading::apply_gdal_switches({"--config", "D2B_THREE=a=b", "--config", "D2B_FOUR", "c=d"}),
+              Texts{});
     EXPECT_EQ(gdal_config("D2B_THREE"), "a=b");
     EXPECT_EQ(gdal_config("D2B_FOUR"), "c=d");
-    EXPECT_EQ(apply_gdal_switches({"--config", "D2B_TWO="}), Texts{});
+    EXPECT_EQ(reading::apply_gdal_switches({"--config", "D2B_TWO="}), Texts{});
     EXPECT_EQ(gdal_config("D2B_TWO"), "");
 }
 
 TEST(GdalSwitches, leaveOurVersionAndWhatFollowsTwoDashes) {
-    EXPECT_EQ(apply_gdal_switches({"--version"}), Texts{"-version"});
-    EXPECT_EQ(apply_gdal_switches({"a", "--", "--config", "--version"}),
+    EXPECT_EQ(reading::apply_gdal_switches({"--version"}), Texts{"-version"});
+    EXPECT_EQ(reading::apply_gdal_switches({"a", "--", "--config", "--version"}),
               (Texts{"a", "--", "--config", "--version"}));
 }
 
@@ -160,7 +161,7 @@ TEST(GdalSwitches, printAndAreDone) {
     for (const Texts& arguments :
          {Texts{"--formats"}, {"--format", "GTiff"}, {"--help-general"}, {"--build"}}) {
         testing::internal::CaptureStdout();
-        const auto left = apply_gdal_switches(arguments);
+        const auto left = reading::apply_gdal_switches(arguments);
         std::fflush(stdout);
         EXPECT_FALSE(left.has_value()) << arguments[0];
         EXPECT_NE(testing::internal::GetCapturedStdout(), "") << arguments[0];
@@ -169,7 +170,7 @@ TEST(GdalSwitches, printAndAreDone) {
 
 TEST(GdalSwitches, refuseWithTheReasonOfGdal) {
     const auto refusal_of_switches = [](const Texts& arguments) {
-        return error_of([&] { static_cast<void>(apply_gdal_switches(arguments)); });
+        return error_of([&] { static_cast<void>(reading::apply_gdal_switches(arguments)); });
     };
     EXPECT_EQ(refusal_of_switches({"--config", "A"}),
               "--config option given without a key and value argument.");
@@ -182,8 +183,9 @@ TEST(GdalSwitches, refuseWithTheReasonOfGdal) {
 TEST(GdalSwitches, knowTheVersionOfGdal) {
     int major = 0;
     int minor = 0;
-    ASSERT_EQ(std::sscanf(gdal_version().c_str(), "%d.%d.", &major, &minor), 2) << gdal_version();
-    EXPECT_TRUE(major > 3 || (major == 3 && minor >= 6)) << gdal_version();
+    ASSERT_EQ(std::sscanf(reading::gdal_version().c_str(), "%d.%d.", &major, &minor), 2)
+        << reading::gdal_version();
+    EXPECT_TRUE(major > 3 || (major == 3 && minor >= 6)) << reading::gdal_version();
 }
 
 std::string refused_with(const Texts& arguments) {

@@ -12,11 +12,11 @@ namespace d2b::test {
 namespace {
 
 std::string refusal(const char* library, const char* function) {
-    return error_of<OutputError>([&] { static_cast<void>(load_symbol(library, function)); });
+    return error_of<OutputError>([&] { static_cast<void>(view::load_symbol(library, function)); });
 }
 
 TEST(LazySymbol, CallsAFunctionOfALibrary) {
-    const auto cosine = reinterpret_cast<double (*)(double)>(load_symbol("libm.so.6", "cos"));
+    const auto cosine = reinterpret_cast<double (*)(double)>(view::load_symbol("libm.so.6", "cos"));
     EXPECT_EQ(cosine(0), 1);
 }
 

@@ -7,8 +7,8 @@
 namespace d2b::test {
 
 /// A raster of square cells of a metre, all of it looked at.
-inline MapArea field(std::int32_t rows, std::int32_t cols, const Crs& crs = {},
-                     const AffineTransform& transform = {0, 1, 0, 0, 0, -1}) {
+inline view::MapArea field(std::int32_t rows, std::int32_t cols, const Crs& crs = {},
+                           const AffineTransform& transform = {0, 1, 0, 0, 0, -1}) {
     DemInfo dem;
     dem.name = "field.tif";
     dem.rows = rows;

@@ -6,7 +6,7 @@
 
 #include "core/height_classes.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
 
 MapArea ground(const AffineTransform& transform, const CellSize& cell) {
@@ -66,4 +66,4 @@ TEST(HeightClasses, AHeightIsInTheClassThatBeginsBelowIt) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

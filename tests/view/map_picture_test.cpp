@@ -9,8 +9,10 @@
 #include "view/page.hpp"
 #include "view/pixels.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
+
+using namespace test;
 
 std::vector<TrialPicture> trials(const MapArea& ground, const SheetPlan& plan) {
     std::vector<TrialPicture> all;
@@ -18,7 +20,7 @@ std::vector<TrialPicture> trials(const MapArea& ground, const SheetPlan& plan) {
         const MapFrame frame(ground, map_size_on_sheet(ground, plan));
         MapPicture map{frame,
                        std::make_shared<Relief>(frame),
-                       FootprintDrawing(frame, PictureFormat::png),
+                       FootprintDrawing(frame, writing::PictureFormat::png),
                        "Height",
                        {}};
         const std::vector<float> level(
@@ -44,7 +46,7 @@ TEST(ContactSheet, IsAsLongAsAskedForAndItsMapsAreLegible) {
         for (const std::size_t count : {1U, 2U, 5U, 9U, 16U}) {
             const MapArea ground = field(rows, cols, Crs("EPSG:25833"));
             const SheetPlan plan = plan_sheet(count, 1, 1600);
-            const Pixels sheet(draw_contact_sheet(trials(ground, plan), plan, PictureFormat::png));
+            const Pixels sheet(draw_contact_sheet(trials(ground, plan), plan, writing::PictureFormat::png));
             EXPECT_EQ(std::max(sheet.width(), sheet.height()), 1600);
             const PixelSize map = map_size_on_sheet(ground, plan);
             EXPECT_GE(std::max(map.width, map.height), 240) << count << " of " << rows << " x " << cols;
@@ -56,7 +58,7 @@ TEST(ContactSheet, HasACaptionAboveEachMap) {
     const MapArea ground = field(30, 30, Crs("EPSG:25833"));
     const SheetPlan plan = plan_sheet(5, 1, 1200);
     ASSERT_EQ(plan.columns, 3);
-    const Pixels sheet(draw_contact_sheet(trials(ground, plan), plan, PictureFormat::png));
+    const Pixels sheet(draw_contact_sheet(trials(ground, plan), plan, writing::PictureFormat::png));
     const PixelSize map = map_size_on_sheet(ground, plan);
     int maps = 0;
     for (int i = 0; i < 6; ++i) {
@@ -203,4 +205,4 @@ TEST(Relief, WhatIsSmallerThanAPixelIsAveraged) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

@@ -20,8 +20,10 @@
 #include "write/write_fixture.hpp"
 #include "write/zlib.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
+
+using namespace test;
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
@@ -88,7 +90,7 @@ TEST(Base64, asTheStandardHasIt) {
 
 TEST(Deflated, isInflatedAgain) {
     const std::string text(100000, 'x');
-    const std::string packed = zlib_compressed(text);
+    const std::string packed = writing::zlib_compressed(text);
     EXPECT_LT(packed.size(), 1000U);
     std::size_t size = 0;
     const std::unique_ptr<void, decltype(&VSIFree)> bytes(
@@ -201,8 +203,8 @@ class PageTest : public WriteTest {
         if (page_parts() == nullptr)
             GTEST_SKIP() << "built without pages";
     }
-    [[nodiscard]] FileDestination place(const std::string& name, bool overwrite = false) const {
-        return resolve_file_target({path(name), overwrite, {}, FileKind::page});
+    [[nodiscard]] writing::FileDestination place(const std::string& name, bool overwrite = false) const {
+        return writing::resolve_file_target({path(name), overwrite, {}, writing::FileKind::page});
     }
     static SurfacePart part(std::int64_t id) {
         SurfacePart part;
@@ -234,7 +236,7 @@ std::string between(const std::string& text, const std::string& begin, const std
 
 TEST_F(PageTest, namesAreTextAndNothingComesFromOutside) {
     const std::string page = written("<script>alert(1)&.html");
-    EXPECT_TRUE(looks_like_page(page));
+    EXPECT_TRUE(writing::looks_like_page(page));
     EXPECT_EQ(between(page, "<title>", "</title>"), "&lt;script&gt;alert(1)&amp;");
     EXPECT_EQ(page.find("<script>alert"), std::string::npos);
     EXPECT_EQ(std::ranges::count(page, '@'), std::ranges::count(std::string(page_parts()->script), '@') +
@@ -325,13 +327,14 @@ TEST_F(WriteTest, pagesNeedThePartsOfTheBuild) {
     if (page_parts() != nullptr)
         GTEST_SKIP() << "built with pages";
     const DemInfo dem;
-    EXPECT_EQ(thrown<OptionError>([&] {
-                  static_cast<void>(
-                      open_page(resolve_file_target({path("a.html"), false, {}, FileKind::page}), {dem}));
-              }),
-              "This dem2buildings was built without pages; leave -page out, or build it with -D "
-              "D2B_BUILD_PAGE=ON.");
+    EXPECT_EQ(
+        thrown<OptionError>([&] {
+            static_cast<void>(open_page(
+                writing::resolve_file_target({path("a.html"), false, {}, writing::FileKind::page}), {dem}));
+        }),
+        "This dem2buildings was built without pages; leave -page out, or build it with -D "
+        "D2B_BUILD_PAGE=ON.");
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

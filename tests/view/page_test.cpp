@@ -4,8 +4,10 @@
 
 #include "view/pixels.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
+
+using namespace test;
 
 /// All that pages are made of: an image, shapes of another surface, text. What is drawn of other surfaces
 /// outlives the page, as maps do.
@@ -16,7 +18,7 @@ class All {
         cairo_rectangle(pen.get(), 10, 10, 50, 50);
         cairo_fill(pen.get());
     }
-    [[nodiscard]] std::string page(PictureFormat format, PixelSize size = {100, 80}) const {
+    [[nodiscard]] std::string page(writing::PictureFormat format, PixelSize size = {100, 80}) const {
         return draw_page(size, format, [&](cairo_t* pen) {
             cairo_set_source_surface(pen, image_.get(), 0, 0);
             cairo_paint(pen);
@@ -33,29 +35,30 @@ class All {
 };
 
 TEST(PictureFormat, IsThatOfTheExtension) {
-    EXPECT_EQ(picture_format_of("a/map.png"), PictureFormat::png);
-    EXPECT_EQ(picture_format_of("MAP.SVG"), PictureFormat::svg);
-    EXPECT_EQ(picture_format_of("map.v2.pdf"), PictureFormat::pdf);
-    EXPECT_FALSE(picture_format_of("map.jpg"));
-    EXPECT_FALSE(picture_format_of("png"));
-    EXPECT_FALSE(begins_a_picture("GIF89a"));
-    EXPECT_FALSE(begins_a_picture(""));
+    EXPECT_EQ(writing::picture_format_of("a/map.png"), writing::PictureFormat::png);
+    EXPECT_EQ(writing::picture_format_of("MAP.SVG"), writing::PictureFormat::svg);
+    EXPECT_EQ(writing::picture_format_of("map.v2.pdf"), writing::PictureFormat::pdf);
+    EXPECT_FALSE(writing::picture_format_of("map.jpg"));
+    EXPECT_FALSE(writing::picture_format_of("png"));
+    EXPECT_FALSE(writing::begins_a_picture("GIF89a"));
+    EXPECT_FALSE(writing::begins_a_picture(""));
 }
 
 TEST(Page, HasTheFormatTheSizeAndTheSameBytesTwice) {
-    for (const PictureFormat format : {PictureFormat::png, PictureFormat::svg, PictureFormat::pdf}) {
+    for (const writing::PictureFormat format :
+         {writing::PictureFormat::png, writing::PictureFormat::svg, writing::PictureFormat::pdf}) {
         const std::string page = All().page(format);
-        EXPECT_TRUE(begins_a_picture(page.substr(0, 1024)));
+        EXPECT_TRUE(writing::begins_a_picture(page.substr(0, 1024)));
         EXPECT_EQ(All().page(format), page);
     }
-    const Pixels png(All().page(PictureFormat::png));
+    const Pixels png(All().page(writing::PictureFormat::png));
     EXPECT_EQ(png.width(), 100);
     EXPECT_EQ(png.height(), 80);
     EXPECT_EQ(png.at(99, 0), paper);
     expect_near(png.at(30, 30), {128, 128, 128});
-    const std::string svg = All().page(PictureFormat::svg);
+    const std::string svg = All().page(writing::PictureFormat::svg);
     EXPECT_NE(svg.find("width=\"100px\" height=\"80px\""), std::string::npos);
-    const std::string pdf = All().page(PictureFormat::pdf);
+    const std::string pdf = All().page(writing::PictureFormat::pdf);
     // Cairo 1.18 compresses the objects that hold the size of a page.
     const bool is_compressed = pdf.find("/ObjStm") != std::string::npos;
     EXPECT_NE(is_compressed, std::regex_search(pdf, std::regex(R"(MediaBox \[ 0 0 75 60 \])")));
@@ -64,7 +67,7 @@ TEST(Page, HasTheFormatTheSizeAndTheSameBytesTwice) {
 
 /// Each number that is referred to is that of one thing.
 TEST(Page, NumbersOfAnSvgAgree) {
-    const std::string svg = All().page(PictureFormat::svg);
+    const std::string svg = All().page(writing::PictureFormat::svg);
     const std::regex used("[(\"]#([a-z0-9-]+)");
     int count = 0;
     for (std::sregex_iterator at(svg.begin(), svg.end(), used), end; at != end; ++at, ++count) {
@@ -77,7 +80,7 @@ TEST(Page, NumbersOfAnSvgAgree) {
 }
 
 TEST(Page, TooLargeForCairoIsAnOutputError) {
-    EXPECT_THROW(static_cast<void>(All().page(PictureFormat::png, {100000, 100000})), OutputError);
+    EXPECT_THROW(static_cast<void>(All().page(writing::PictureFormat::png, {100000, 100000})), OutputError);
 }
 
 TEST(PageText, AnyScriptIsDrawnAndBytesThatAreNoneToo) {
@@ -103,4 +106,4 @@ TEST(PageText, KeepsToItsRoomAndItsPlace) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

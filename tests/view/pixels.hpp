@@ -17,11 +17,11 @@ namespace d2b::test {
 class Pixels {
   public:
     /// What is drawn on white paper.
-    Pixels(PixelSize size, const std::function<void(cairo_t* pen)>& draw)
-        : surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)) {
-        const CairoPtr pen(cairo_create(surface_.get()));
-        set_colour(pen.get(), paper);
-        cairo_paint(pen.get());
+    Pixels(view::PixelSize size, const std::function<void(cairo_t* pen)>& draw)
+        : surface_(view::cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)) {
+        const view::CairoPtr pen(view::cairo_create(surface_.get()));
+        view::set_colour(pen.get(), view::paper);
+        view::cairo_paint(pen.get());
         draw(pen.get());
     }
     explicit Pixels(std::string png) {
@@ -38,19 +38,20 @@ class Pixels {
             return CAIRO_STATUS_SUCCESS;
         };
         surface_.reset(cairo_image_surface_create_from_png_stream(read, &rest));
-        EXPECT_EQ(cairo_surface_status(surface_.get()), CAIRO_STATUS_SUCCESS);
+        EXPECT_EQ(view::cairo_surface_status(surface_.get()), CAIRO_STATUS_SUCCESS);
     }
 
     [[nodiscard]] int width() const { return cairo_image_surface_get_width(surface_.get()); }
     [[nodiscard]] int height() const { return cairo_image_surface_get_height(surface_.get()); }
-    [[nodiscard]] Colour at(int x, int y) const {
-        cairo_surface_flush(surface_.get());
+    [[nodiscard]] view::Colour at(int x, int y) const {
+        view::cairo_surface_flush(surface_.get());
         std::uint32_t pixel = 0;
-        std::memcpy(&pixel,
-                    cairo_image_surface_get_data(surface_.get()) +
-                        static_cast<std::ptrdiff_t>(y) * cairo_image_surface_get_stride(surface_.get()) +
-                        std::ptrdiff_t{4} * x,
-                    sizeof pixel);
+        std::memcpy(
+            &pixel,
+            view::cairo_image_surface_get_data(surface_.get()) +
+                static_cast<std::ptrdiff_t>(y) * view::cairo_image_surface_get_stride(surface_.get()) +
+                std::ptrdiff_t{4} * x,
+            sizeof pixel);
         return {static_cast<std::uint8_t>(pixel >> 16U), static_cast<std::uint8_t>(pixel >> 8U),
                 static_cast<std::uint8_t>(pixel)};
     }
@@ -64,10 +65,10 @@ class Pixels {
     }
 
   private:
-    SurfacePtr surface_;
+    view::SurfacePtr surface_;
 };
 
-inline void expect_near(Colour one, Colour other, int tolerance = 3) {
+inline void expect_near(view::Colour one, view::Colour other, int tolerance = 3) {
     for (std::size_t i = 0; i < one.size(); ++i)
         EXPECT_NEAR(one[i], other[i], tolerance) << "band " << i;
 }

@@ -10,8 +10,10 @@
 #include "view/page.hpp"
 #include "view/pixels.hpp"
 
-namespace d2b::test {
+namespace d2b::view {
 namespace {
+
+using namespace test;
 
 LayerSpec layer(const std::string& name, const std::string& order) {
     LayerSpec spec;
@@ -42,7 +44,7 @@ class PreviewTest : public ::testing::Test {
   protected:
     MapPicture picture(const std::vector<LayerSpec>& layers,
                        const std::vector<std::pair<std::size_t, Feature>>& features,
-                       PictureFormat format = PictureFormat::png) {
+                       writing::PictureFormat format = writing::PictureFormat::png) {
         const MapArea ground = field(20, 20, {}, {0, 1, 0, 20, 0, -1});
         inner.finished = false;
         std::optional<MapPicture> map;
@@ -114,7 +116,7 @@ TEST_F(PreviewTest, BuildingsHaveColoursAndTheirPartsLines) {
 }
 
 TEST_F(PreviewTest, PartsAloneAreDrawnFromLowToHigh) {
-    for (const PictureFormat format : {PictureFormat::png, PictureFormat::svg}) {
+    for (const writing::PictureFormat format : {writing::PictureFormat::png, writing::PictureFormat::svg}) {
         const MapPicture map = picture({layer("contours", "level")},
                                        {{0, square(5, 10, 6, 12)}, {0, square(6, 11, 2, 25)}}, format);
         EXPECT_EQ(map.legend, "Height of contours");
@@ -143,7 +145,8 @@ TEST_F(PreviewTest, WhatHasNoHeightIsNotDrawn) {
 }
 
 TEST_F(PreviewTest, AMapIsAPageInEveryFormat) {
-    for (const PictureFormat format : {PictureFormat::png, PictureFormat::svg, PictureFormat::pdf}) {
+    for (const writing::PictureFormat format :
+         {writing::PictureFormat::png, writing::PictureFormat::svg, writing::PictureFormat::pdf}) {
         const auto draw = [&] {
             return draw_map_page(picture({layer("buildings", "")}, {{0, square(5, 10, 5, 12)}}, format),
                                  "lod 4", format, size);
@@ -155,8 +158,8 @@ TEST_F(PreviewTest, AMapIsAPageInEveryFormat) {
 TEST_F(PreviewTest, ThePageIsAsLongAsAskedFor) {
     for (const int longest : {300, 601, 1600}) {
         size = longest;
-        const Pixels page(
-            draw_map_page(picture({layer("buildings", "")}, {}), "lod 4", PictureFormat::png, longest));
+        const Pixels page(draw_map_page(picture({layer("buildings", "")}, {}), "lod 4",
+                                        writing::PictureFormat::png, longest));
         EXPECT_EQ(std::max(page.width(), page.height()), longest);
     }
 }
@@ -172,4 +175,4 @@ TEST(MapPage, FitsMapsOfAnyForm) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::view

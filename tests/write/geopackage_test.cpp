@@ -121,13 +121,14 @@ TEST_F(GeoPackageTest, OverwriteAddsToAFileOfOthers) {
 
 /// One that holds rasters alone does not open as a dataset of vectors, but for writing.
 TEST_F(GeoPackageTest, LayersAreAddedToRasters) {
-    const DatasetOwner memory(GDALCreate(GDALGetDriverByName("MEM"), "", 50, 40, 1, GDT_Byte, nullptr));
+    const reading::DatasetOwner memory(
+        GDALCreate(GDALGetDriverByName("MEM"), "", 50, 40, 1, GDT_Byte, nullptr));
     std::array<double, 6> transform{400000, 1, 0, 5000000, 0, -1};
     GDALSetGeoTransform(memory.get(), transform.data());
     GDALFillRaster(GDALGetRasterBand(memory.get(), 1), 7, 0);
     const auto make = [&] {
-        const DatasetOwner raster(GDALCreateCopy(GDALGetDriverByName("GPKG"), path("r.gpkg").c_str(),
-                                                 memory.get(), FALSE, nullptr, nullptr, nullptr));
+        const reading::DatasetOwner raster(GDALCreateCopy(GDALGetDriverByName("GPKG"), path("r.gpkg").c_str(),
+                                                          memory.get(), FALSE, nullptr, nullptr, nullptr));
         ASSERT_TRUE(raster);
     };
     for (const bool append : {true, false}) {

@@ -39,7 +39,7 @@ class GeoTiffTest : public WriteTest {
         meta_.metadata = {{"source", "dem.tif"}};
     }
     std::unique_ptr<RasterSink> sink(const std::string& name, bool overwrite = false, Names in_use = {}) {
-        return open_geotiff_sink({path(name), overwrite, std::move(in_use)}, grid_, meta_);
+        return writing::open_geotiff_sink({path(name), overwrite, std::move(in_use)}, grid_, meta_);
     }
     [[nodiscard]] std::size_t size(int rows) const {
         return static_cast<std::size_t>(rows) * static_cast<std::size_t>(grid_.window.cols);
@@ -84,7 +84,7 @@ class GeoTiffTest : public WriteTest {
     }
 
     DemInfo grid_;
-    RasterMetadata meta_;
+    writing::RasterMetadata meta_;
 };
 
 TEST_F(GeoTiffTest, ValuesAndWhatIsSaidOfThem) {
@@ -285,7 +285,9 @@ TEST_F(GeoTiffTest, ALinkStaysALink) {
 
 TEST_F(GeoTiffTest, InVirtualFileSystems) {
     const std::string name = "/vsimem/geotiff_sink/a.tif";
-    const auto to = [&](bool overwrite) { return open_geotiff_sink({name, overwrite, {}}, grid_, meta_); };
+    const auto to = [&](bool overwrite) {
+        return writing::open_geotiff_sink({name, overwrite, {}}, grid_, meta_);
+    };
     to(false)->write(grid_.window, values());
     EXPECT_EQ(VSIReadDir("/vsimem/geotiff_sink"), nullptr);
     write_all(*to(false));

@@ -7,8 +7,10 @@
 #include "dem2buildings/open_sinks.hpp"
 #include "write/write_fixture.hpp"
 
-namespace d2b::test {
+namespace d2b::writing {
 namespace {
+
+using namespace test;
 
 std::uint64_t number_at(const std::vector<std::byte>& bytes, std::size_t at, int length) {
     std::uint64_t value = 0;
@@ -141,4 +143,4 @@ TEST_F(SpatialIndexTest, TakesAnyNameOfALayer) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::writing

@@ -29,14 +29,15 @@ namespace fs = std::filesystem;
 
 class StagingTest : public WriteTest {
   protected:
-    static void put_in(const StagingFolder& staging, const std::string& name, const std::string& text) {
+    static void put_in(const writing::StagingFolder& staging, const std::string& name,
+                       const std::string& text) {
         std::ofstream(staging.folder() / name) << text;
     }
 };
 
 TEST_F(StagingTest, TheFolderIsHiddenAndGoes) {
     {
-        const StagingFolder staging("name", path("a.txt"));
+        const writing::StagingFolder staging("name", path("a.txt"));
         ASSERT_EQ(entries().size(), 1u);
         EXPECT_EQ(entries().front().find(".dem2buildings."), 0u);
         put_in(staging, "a.txt", "new");
@@ -49,7 +50,7 @@ TEST_F(StagingTest, ASetOfFilesComesAsAWhole) {
     put("a.idx", "old index");
     put("a.more", "old sidecar");
     {
-        StagingFolder staging("name", path("a.txt"));
+        writing::StagingFolder staging("name", path("a.txt"));
         put_in(staging, "a.txt", "new");
         put_in(staging, "a.idx", "new index");
         staging.seal();
@@ -68,7 +69,7 @@ TEST_F(StagingTest, ASetOfFilesGoesBackAsAWhole) {
     put("a.idx", "old index");
     put("a.tab", "another's");
     {
-        StagingFolder staging("name", path("a.txt"));
+        writing::StagingFolder staging("name", path("a.txt"));
         for (const char* name : {"a.txt", "a.idx", "a.tab"})
             put_in(staging, name, "new");
         staging.seal();
@@ -84,7 +85,7 @@ TEST_F(StagingTest, ASetOfFilesGoesBackAsAWhole) {
 }
 
 TEST_F(StagingTest, WhatIsMissingIsSaid) {
-    StagingFolder staging("name", path("a.txt"));
+    writing::StagingFolder staging("name", path("a.txt"));
     EXPECT_EQ(thrown<OutputError>([&] { staging.seal(); }),
               "Cannot write \"name\": the driver did not write a file of this name.");
     EXPECT_EQ(thrown<OutputError>([&] { staging.copy_in({path("gone.txt")}); }),
@@ -99,7 +100,7 @@ TEST_F(StagingTest, AResultThatShowsCanBeTakenBack) {
     put("a.more", "old sidecar");
     for (const bool keeps : {false, true}) {
         {
-            StagingFolder staging("name", path("a.txt"));
+            writing::StagingFolder staging("name", path("a.txt"));
             put_in(staging, "a.txt", "new");
             put_in(staging, "a.idx", "new index");
             staging.seal();
@@ -118,7 +119,7 @@ TEST_F(StagingTest, AResultThatShowsCanBeTakenBack) {
 TEST_F(StagingTest, AFolderThatShowsCanBeTakenBack) {
     fs::create_directory(path("a"));
     {
-        StagingFolder staging("name", path("a"));
+        writing::StagingFolder staging("name", path("a"));
         fs::create_directory(staging.dataset());
         put_in(staging, "a/new", "1");
         staging.seal();
@@ -138,7 +139,7 @@ TEST_F(StagingTest, WhatCannotBeTakenBackIsSaidAndKept) {
     put("a.txt", "old");
     std::string folder;
     {
-        StagingFolder staging("name", path("a.txt"));
+        writing::StagingFolder staging("name", path("a.txt"));
         put_in(staging, "a.txt", "new");
         staging.seal();
         staging.publish({path("a.txt")});
@@ -149,7 +150,7 @@ TEST_F(StagingTest, WhatCannotBeTakenBackIsSaidAndKept) {
     EXPECT_EQ(bytes(fs::path(folder).filename().string() + "/a.txt"), "old");
     fs::remove_all(folder);
     {
-        StagingFolder staging("name", path("b.txt"));
+        writing::StagingFolder staging("name", path("b.txt"));
         put_in(staging, "b.txt", "new");
         staging.seal();
         staging.publish({});
@@ -165,7 +166,7 @@ TEST_F(StagingTest, PlacesAreExchanged) {
     put("a/one", "1");
     put("b/two", "2");
     {
-        RenameTransaction moves;
+        writing::RenameTransaction moves;
         moves.replace(path("a"), path("b"), path("spare"));
         EXPECT_EQ(entries("a"), Names{"two"});
         EXPECT_EQ(entries("b"), Names{"one"});
@@ -178,26 +179,27 @@ TEST_F(StagingTest, PlacesAreExchanged) {
 
 TEST_F(StagingTest, MissingFeaturesAreNoticed) {
     write(to("a.gpkg"), 3);
-    const WriteTarget target{.name = "name", .hidden_folder = ""};
-    const VectorFormat format = format_for(to("a.gpkg"));
-    EXPECT_NO_THROW(verify_counts(target, format, path("a.gpkg"), {{"buildings", 3}, {"contours", 3}}));
+    const writing::WriteTarget target{.name = "name", .hidden_folder = ""};
+    const writing::VectorFormat format = writing::format_for(to("a.gpkg"));
+    EXPECT_NO_THROW(
+        writing::verify_counts(target, format, path("a.gpkg"), {{"buildings", 3}, {"contours", 3}}));
     EXPECT_EQ(thrown<OutputError>([&] {
-                  verify_counts(target, format, path("a.gpkg"), {{"buildings", 4}});
+                  writing::verify_counts(target, format, path("a.gpkg"), {{"buildings", 4}});
               }),
               "Cannot write \"name\": layer \"buildings\" holds 3 features when read back instead of 4.");
     const Dataset dataset = open_dataset(path("a.gpkg"));
-    EXPECT_NO_THROW(check_counts(target, dataset.get(), {{"contours", 3}}));
+    EXPECT_NO_THROW(writing::check_counts(target, dataset.get(), {{"contours", 3}}));
     EXPECT_EQ(thrown<OutputError>([&] {
-                  check_counts(target, dataset.get(), {{"contours", 2}});
+                  writing::check_counts(target, dataset.get(), {{"contours", 2}});
               }),
               "Cannot write \"name\": layer \"contours\" holds 3 features when read back instead of 2.");
     EXPECT_EQ(thrown<OutputError>([&] {
-                  check_counts(target, dataset.get(), {{"no \"such", 2}});
+                  writing::check_counts(target, dataset.get(), {{"no \"such", 2}});
               }).find("Cannot write \"name\": counting the features of layer \"no \"such\" failed ("),
               0u);
     put("b.gpkg", "text");
     EXPECT_EQ(thrown<OutputError>([&] {
-                  verify_counts(target, format, path("b.gpkg"), {});
+                  writing::verify_counts(target, format, path("b.gpkg"), {});
               }).find("Cannot write \"name\": reading the result back failed ("),
               0u);
 }
@@ -278,19 +280,19 @@ namespace {
 
 class PictureTest : public WriteTest {
   protected:
-    [[nodiscard]] FileTarget picture(const std::string& name, bool overwrite = false) const {
-        return {path(name), overwrite, {}, FileKind::picture};
+    [[nodiscard]] writing::FileTarget picture(const std::string& name, bool overwrite = false) const {
+        return {path(name), overwrite, {}, writing::FileKind::picture};
     }
 };
 
-void publish(PictureFile& file) {
+void publish(writing::PictureFile& file) {
     CommitList commit;
     file.prepare(commit);
     commit.publish();
 }
 
 TEST_F(PictureTest, IsThereWhenItIsPublishedAndNotBefore) {
-    const auto file = open_picture(picture("a.png"));
+    const auto file = writing::open_picture(picture("a.png"));
     EXPECT_EQ(entries(), Names{});
     file->write("bytes");
     EXPECT_FALSE(std::filesystem::exists(path("a.png")));
@@ -300,16 +302,16 @@ TEST_F(PictureTest, IsThereWhenItIsPublishedAndNotBefore) {
 }
 
 TEST_F(PictureTest, ItsNameSaysItsFormat) {
-    EXPECT_EQ(open_picture(picture("a.PNG"))->format(), PictureFormat::png);
-    EXPECT_EQ(open_picture(picture("a.svg"))->format(), PictureFormat::svg);
-    EXPECT_EQ(open_picture(picture("a.b.pdf"))->format(), PictureFormat::pdf);
-    EXPECT_EQ(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.jpg")); }),
+    EXPECT_EQ(writing::open_picture(picture("a.PNG"))->format(), writing::PictureFormat::png);
+    EXPECT_EQ(writing::open_picture(picture("a.svg"))->format(), writing::PictureFormat::svg);
+    EXPECT_EQ(writing::open_picture(picture("a.b.pdf"))->format(), writing::PictureFormat::pdf);
+    EXPECT_EQ(thrown<OptionError>([&] { std::ignore = writing::open_picture(picture("a.jpg")); }),
               "Pictures are written as PNG, SVG or PDF; give \"" + path("a.jpg") +
                   "\" a name that ends in .png, .svg or .pdf.");
 }
 
 TEST_F(PictureTest, AnAbandonedOneLeavesNothing) {
-    open_picture(picture("a.png"))->write("bytes");
+    writing::open_picture(picture("a.png"))->write("bytes");
     EXPECT_EQ(entries(), Names{});
 }
 
@@ -321,7 +323,7 @@ TEST_F(PictureTest, AFullDiskLeavesNothingAndSaysWhy) {
         ::setrlimit(RLIMIT_FSIZE, &room);
         std::string message;
         try {
-            open_picture(picture("a.svg"))->write(std::string(100'000, ' '));
+            writing::open_picture(picture("a.svg"))->write(std::string(100'000, ' '));
         } catch (const OutputError& error) {
             message = error.what();
         }
@@ -335,20 +337,23 @@ TEST_F(PictureTest, AFullDiskLeavesNothingAndSaysWhy) {
 
 TEST_F(PictureTest, AnotherFileIsNotReplaced) {
     put("a.png", "text");
-    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.png")); }).find("-overwrite"),
+    EXPECT_NE(thrown<OptionError>([&] {
+                  std::ignore = writing::open_picture(picture("a.png"));
+              }).find("-overwrite"),
               std::string::npos);
     EXPECT_NE(thrown<OptionError>([&] {
-                  std::ignore = open_picture(picture("a.png", true));
+                  std::ignore = writing::open_picture(picture("a.png", true));
               }).find("is not a PNG, SVG or PDF"),
               std::string::npos);
-    EXPECT_NE(thrown<OptionError>([&] { std::ignore = open_picture(picture("a.tif")); }).find(".png"),
-              std::string::npos);
+    EXPECT_NE(
+        thrown<OptionError>([&] { std::ignore = writing::open_picture(picture("a.tif")); }).find(".png"),
+        std::string::npos);
     EXPECT_EQ(bytes("a.png"), "text");
 }
 
 TEST_F(PictureTest, AnOldPictureIsReplaced) {
     for (int i = 0; i < 2; ++i) {
-        const auto file = open_picture(picture("a.png", true));
+        const auto file = writing::open_picture(picture("a.png", true));
         file->write(i == 0 ? "%PDF-1.5 old" : "<svg>new</svg>");
         publish(*file);
     }

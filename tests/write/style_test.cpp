@@ -5,9 +5,11 @@
 #include "write/qgis/qgis_style.hpp"
 #include "write/write_fixture.hpp"
 
-namespace d2b::test {
+namespace d2b::writing {
 
 namespace {
+
+using namespace test;
 
 class StyleTest : public WriteTest {
   protected:
@@ -212,4 +214,4 @@ TEST(Qml, MetadataHoldsWhatXmlWouldTakeForMarkup) {
 
 }  // namespace
 
-}  // namespace d2b::test
+}  // namespace d2b::writing

@@ -18,11 +18,11 @@ class SurfaceSinkCase : public WriteTest {
         meta_.frame.origin = {1000, 2010, 7};
         meta_.provenance.metadata = {{"D2B_SOURCE", "a\nb\\.tif"}};
     }
-    [[nodiscard]] FileDestination place(const std::string& name, bool overwrite = false) const {
-        return resolve_file_target({path(name), overwrite, {}, FileKind::surface});
+    [[nodiscard]] writing::FileDestination place(const std::string& name, bool overwrite = false) const {
+        return writing::resolve_file_target({path(name), overwrite, {}, writing::FileKind::surface});
     }
-    [[nodiscard]] FileDestination materials(const std::string& name, bool overwrite = false) const {
-        return resolve_file_target({path(name), overwrite, {}, FileKind::materials});
+    [[nodiscard]] writing::FileDestination materials(const std::string& name, bool overwrite = false) const {
+        return writing::resolve_file_target({path(name), overwrite, {}, writing::FileKind::materials});
     }
     /// Half of a tetrahedron, in two buildings: what is in it is not looked at.
     static SurfacePart part(std::int64_t id) {

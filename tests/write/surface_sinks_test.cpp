@@ -12,8 +12,10 @@
 #include "write/surface/surface_sink.hpp"
 #include "write/surface_sink_case.hpp"
 
-namespace d2b::test {
+namespace d2b::writing {
 namespace {
+
+using namespace test;
 
 /// Of each format.
 class EachSurfaceSink : public SurfaceSinkCase, public ::testing::WithParamInterface<std::string> {
@@ -480,9 +482,9 @@ TEST_F(StlSinkTest, writesNoFileWithoutBuildings) {
 }
 
 }  // namespace
-}  // namespace d2b::test
+}  // namespace d2b::writing
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 /// With a point, whatever the locale says.
@@ -543,4 +545,4 @@ TEST(LocalCoordinateFormatter, roundsFeet) {
 }
 
 }  // namespace
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -108,7 +108,7 @@ TEST(WithoutDatabase, TakesItOffTheNamesOfTablesAlone) {
               "SELECT 'main.buildings', domain.buildings, main.buildings2 FROM main"},
              {"SELECT 'it''s main.buildings', \"a", "SELECT 'it''s main.buildings', \"a"},
              {"main.", "main."}})
-        EXPECT_EQ(strip_database_name(sql, tables), bare);
+        EXPECT_EQ(writing::strip_database_name(sql, tables), bare);
 }
 
 TEST_F(DependentObjects, AViewOnAViewIsLookedAtToo) {

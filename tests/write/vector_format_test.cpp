@@ -17,9 +17,11 @@
 #include "write/vector/layer_names.hpp"
 #include "write/write_fixture.hpp"
 
-namespace d2b::test {
+namespace d2b::writing {
 
 namespace {
+
+using namespace test;
 
 WriteOptions named(const std::string& destination, const std::string& format = "") {
     WriteOptions options;
@@ -114,7 +116,7 @@ TEST_F(FormatTest, AskedLayersAreTakenWhereTheyFit) {
 }
 
 std::string name_of(const WriteOptions& options, LayerRole role, Layers layers) {
-    return d2b::name_of(options, format_for(options), role, layers);
+    return writing::name_of(options, format_for(options), role, layers);
 }
 
 TEST_F(FormatTest, LayerNames) {
@@ -255,7 +257,7 @@ TEST_F(FormatTest, DoubtfulBuildingsNeedALayerOfTheirOwn) {
 
 }  // namespace
 
-}  // namespace d2b::test
+}  // namespace d2b::writing
 
 namespace {
 

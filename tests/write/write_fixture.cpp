@@ -64,7 +64,7 @@ std::string WriteTest::bytes(const std::string& name) const {
 }
 
 std::string WriteTest::buildings_layer(const WriteOptions& options) {
-    return name_of(options, format_for(options), LayerRole::buildings, layers_for(options));
+    return writing::name_of(options, writing::format_for(options), LayerRole::buildings, layers_for(options));
 }
 
 std::int64_t WriteTest::write(const WriteOptions& options, int n) {
@@ -127,7 +127,7 @@ Feature square(std::int64_t id) {
 }
 
 Layers layers_for(const WriteOptions& options) {
-    return resolve_layers(options, format_for(options));
+    return writing::resolve_layers(options, writing::format_for(options));
 }
 
 Provenance provenance() {

@@ -21,7 +21,7 @@
 namespace d2b::test {
 
 struct CloseDataset {
-    void operator()(void* dataset) const { d2b::close_dataset(dataset); }
+    void operator()(void* dataset) const { d2b::reading::close_dataset(dataset); }
 };
 using Dataset = std::unique_ptr<void, CloseDataset>;
 using Names = std::vector<std::string>;

@@ -42,7 +42,7 @@ OwnStdout::OwnStdout() : on_broken_pipe_(std::signal(SIGPIPE, SIG_IGN)) {
     }
     buffer_ = std::make_unique<Buffer>(file_.get());
     before_ = std::cout.rdbuf(buffer_.get());
-    set_standard_output(file_.get());
+    writing::set_standard_output(file_.get());
 }
 
 OwnStdout::~OwnStdout() {
@@ -50,7 +50,7 @@ OwnStdout::~OwnStdout() {
     if (!buffer_)
         return;
     std::cout.rdbuf(before_);
-    set_standard_output(stdout);
+    writing::set_standard_output(stdout);
     static_cast<void>(std::fflush(stdout));
     static_cast<void>(dup2(fileno(file_.get()), STDOUT_FILENO));
 }
@@ -61,7 +61,7 @@ bool OwnStdout::is_written() {
 
 void OwnStdout::finish() {
     if (!is_written())
-        throw_stdout_failure();
+        writing::throw_stdout_failure();
 }
 
 void OwnStdout::finish_aside() {

@@ -30,7 +30,7 @@ class OwnStdout {
     /// makes it
     template <typename Report>
     [[nodiscard]] ReportReader<Report> reader(std::function<std::string(const Report&)> text) {
-        return {[text](const Report& report) { require_stdout_space(text(report).size()); },
+        return {[text](const Report& report) { writing::require_stdout_space(text(report).size()); },
                 [this, text](const Report& report) { print(text(report)); }};
     }
 

@@ -32,7 +32,7 @@ int run(const std::vector<std::string>& arguments, const Tool& tool) {
         std::cerr << tool.short_usage();
         return exit_code::wrong_usage;
     }
-    const auto left = apply_gdal_switches(arguments);
+    const auto left = reading::apply_gdal_switches(arguments);
     return left ? tool.run(*left) : exit_code::done;
 }
 
@@ -54,7 +54,7 @@ int run_guarded(int argc, const char* const* argv, const Tool& tool) {
         // What cannot be written, a report say, must not look as if it had been.
         // The second condition holds where GDAL could not write to /vsistdout/, of which it says nothing.
         if (!std::cout.flush() || std::ferror(stdout) != 0)
-            throw_stdout_failure();
+            writing::throw_stdout_failure();
         return status;
     } catch (const OptionError& error) {
         print_line("ERROR: ", error.what());

@@ -40,15 +40,16 @@ void process(const Request& request) {
     };
     callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
     callbacks.stop = interrupted;
-    start_gdal();
+    reading::start_gdal();
     if (!request.tool.sweep.empty()) {
         const Inputs inputs = open_inputs(options, callbacks);
-        run_sweep(options, inputs.sources(), request.tool.sweep_plan, callbacks,
-                  own_stdout.reader<std::vector<Trial>>([&](const std::vector<Trial>& trials) {
-                      if (!quiet)
-                          progress.update(1);
-                      return request.tool.json ? sweep_json(trials) : sweep_table(trials);
-                  }));
+        run_sweep(
+            options, inputs.sources(), request.tool.sweep_plan, callbacks,
+            own_stdout.reader<std::vector<pipeline::Trial>>([&](const std::vector<pipeline::Trial>& trials) {
+                if (!quiet)
+                    progress.update(1);
+                return request.tool.json ? sweep_json(trials) : sweep_table(trials);
+            }));
         return;
     }
     const RunReport report = extract_file(

@@ -21,18 +21,19 @@ std::string aligned(const std::string& text) {
 }
 
 /// Draws a trial.
-class TrialMap final : public TrialView {
+class TrialMap final : public pipeline::TrialView {
   public:
-    TrialMap(FeatureSink& nothing, const MapFrame& frame, PictureFormat format, PreviewSink::OnMap taken)
+    TrialMap(FeatureSink& nothing, const view::MapFrame& frame, writing::PictureFormat format,
+             view::PreviewSink::OnMap taken)
         : sink_(nothing, frame, format, std::move(taken)) {}
     [[nodiscard]] FeatureSink& features() override { return sink_; }
     [[nodiscard]] RasterSink& elevations() override { return sink_.relief(); }
 
   private:
-    PreviewSink sink_;
+    view::PreviewSink sink_;
 };
 
-std::string caption_of(const TrialValues& values, const SweepPlan& plan) {
+std::string caption_of(const pipeline::TrialValues& values, const SweepPlan& plan) {
     std::string caption = "lod " + std::to_string(values.lod) + ", nf " + std::to_string(values.noise_factor);
     if (!plan.details.empty())
         caption += ", detail " + number_text(values.detail);
@@ -41,12 +42,12 @@ std::string caption_of(const TrialValues& values, const SweepPlan& plan) {
 
 }  // namespace
 
-std::string sweep_table(const std::vector<Trial>& trials) {
+std::string sweep_table(const std::vector<pipeline::Trial>& trials) {
     std::string text;
     for (const char* title :
          {"lod", "nf", "detail", "buildings", "contours", "points", "rmse [m]", "seconds"})
         text += aligned(title);
-    for (const Trial& trial : trials) {
+    for (const pipeline::Trial& trial : trials) {
         const RunReport& report = trial.report;
         text += "\n" + aligned(std::to_string(trial.values.lod)) +
                 aligned(std::to_string(trial.values.noise_factor)) +
@@ -57,9 +58,9 @@ std::string sweep_table(const std::vector<Trial>& trials) {
     return text + "\n";
 }
 
-std::string sweep_json(const std::vector<Trial>& trials) {
+std::string sweep_json(const std::vector<pipeline::Trial>& trials) {
     Json rows = Json::array();
-    for (const Trial& trial : trials)
+    for (const pipeline::Trial& trial : trials)
         rows.push_back(Json{{"lod", trial.values.lod},
                             {"nf", trial.values.noise_factor},
                             {"detail", trial.values.detail},
@@ -72,30 +73,32 @@ std::string sweep_json(const std::vector<Trial>& trials) {
 }
 
 void run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
-               const Callbacks& callbacks, const ReportReader<std::vector<Trial>>& reader) {
+               const Callbacks& callbacks, const ReportReader<std::vector<pipeline::Trial>>& reader) {
     CommitList commit;
     if (options.write.preview.empty()) {
-        const std::vector<Trial> trials = run_trials(options, sources, plan, {}, callbacks);
+        const std::vector<pipeline::Trial> trials =
+            pipeline::run_trials(options, sources, plan, {}, callbacks);
         reader.prepare(trials);
         commit.publish([&] { reader.show(trials); });
         return;
     }
-    const std::unique_ptr<PictureFile> file = open_picture(picture_target(options));
-    const SheetPlan sheet = plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
-    const MapArea ground = map_area_of(options, sources.dem.info());
-    const MapFrame frame(ground, map_size_on_sheet(ground, sheet));
-    std::vector<TrialPicture> pictures;
-    const std::vector<Trial> trials = run_trials(
+    const std::unique_ptr<writing::PictureFile> file = writing::open_picture(view::picture_target(options));
+    const view::SheetPlan sheet =
+        view::plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
+    const view::MapArea ground = view::map_area_of(options, sources.dem.info());
+    const view::MapFrame frame(ground, view::map_size_on_sheet(ground, sheet));
+    std::vector<view::TrialPicture> pictures;
+    const std::vector<pipeline::Trial> trials = pipeline::run_trials(
         options, sources, plan,
-        [&](FeatureSink& nothing, const TrialValues& values) {
+        [&](FeatureSink& nothing, const pipeline::TrialValues& values) {
             return std::make_unique<TrialMap>(
                 nothing, frame, file->format(),
-                [&pictures, caption = caption_of(values, plan)](MapPicture map) {
+                [&pictures, caption = caption_of(values, plan)](view::MapPicture map) {
                     pictures.push_back({caption, std::move(map)});
                 });
         },
         callbacks);
-    file->write(draw_contact_sheet(pictures, sheet, file->format()));
+    file->write(view::draw_contact_sheet(pictures, sheet, file->format()));
     file->prepare(commit);
     reader.prepare(trials);
     commit.publish([&] {

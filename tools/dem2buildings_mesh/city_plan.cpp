@@ -14,8 +14,8 @@
 namespace d2b::mesh {
 namespace {
 
-std::vector<PartitionContour> contours_of(const CityModel& city) {
-    std::vector<PartitionContour> contours;
+std::vector<surface::PartitionContour> contours_of(const CityModel& city) {
+    std::vector<surface::PartitionContour> contours;
     for (std::size_t i = 0; i < city.buildings.size(); ++i)
         for (const CityRoof& roof : city.buildings[i].roofs)
             contours.push_back({roof.outline, -1, static_cast<std::int32_t>(i), roof.z});
@@ -28,8 +28,8 @@ void level_bases(const CityModel& city, CityPlan& result) {
     const auto building = [&](std::int32_t region) {
         return static_cast<std::uint32_t>(result.regions[static_cast<std::size_t>(region)].building);
     };
-    for (const PartitionEdge& edge : result.plan.edges)
-        if (edge.left != open_ground && edge.right != open_ground)
+    for (const surface::PartitionEdge& edge : result.plan.edges)
+        if (edge.left != surface::open_ground && edge.right != surface::open_ground)
             static_cast<void>(blocks.join(building(edge.left), building(edge.right)));
     std::vector<std::int64_t> lowest(city.buildings.size(), std::numeric_limits<std::int64_t>::max());
     for (std::uint32_t i = 0; i < blocks.size(); ++i) {
@@ -40,14 +40,15 @@ void level_bases(const CityModel& city, CityPlan& result) {
         region.base = lowest[blocks.find(static_cast<std::uint32_t>(region.building))];
 }
 
-void take_apart(const CityModel& city, const std::vector<PartitionContour>& contours,
-                const GapTolerances& gaps, CityPlan& result) {
-    const ResolvedVertices taken = resolve_nonmanifold_vertices(result.plan, contours, {0, gaps});
-    for (const VertexRepair& mend : taken.repairs)
+void take_apart(const CityModel& city, const std::vector<surface::PartitionContour>& contours,
+                const surface::GapTolerances& gaps, CityPlan& result) {
+    const surface::ResolvedVertices taken =
+        surface::resolve_nonmanifold_vertices(result.plan, contours, {0, gaps});
+    for (const surface::VertexRepair& mend : taken.repairs)
         result.pinches.push_back(mend.place);
     if (taken.unresolved.empty())
         return;
-    const PartitionContour& contour = contours[taken.unresolved.front()];
+    const surface::PartitionContour& contour = contours[taken.unresolved.front()];
     throw InputError("'" + city.name + "' has " +
                      city.buildings[static_cast<std::size_t>(contour.building)].name + ", near " +
                      place_text(city, contour.outline.exterior.front()) +
@@ -64,11 +65,11 @@ void require_height(const CityModel& city, const Region& region) {
 
 }  // namespace
 
-CityPlan make_city_plan(const CityModel& city, const GapTolerances& gaps) {
-    const std::vector<PartitionContour> contours = contours_of(city);
-    PartitionResult partition = make_partition(contours);
+CityPlan make_city_plan(const CityModel& city, const surface::GapTolerances& gaps) {
+    const std::vector<surface::PartitionContour> contours = contours_of(city);
+    surface::PartitionResult partition = surface::make_partition(contours);
     if (!partition.conflicting.empty()) {
-        const PartitionContour& other = contours[*std::ranges::min_element(partition.conflicting)];
+        const surface::PartitionContour& other = contours[*std::ranges::min_element(partition.conflicting)];
         throw InputError("'" + city.name + "' has two roofs over one place, or roofs that cross, near " +
                          place_text(city, other.outline.exterior.front()) + " (" +
                          city.buildings[static_cast<std::size_t>(other.building)].name +
@@ -76,7 +77,7 @@ CityPlan make_city_plan(const CityModel& city, const GapTolerances& gaps) {
     }
     CityPlan result{std::move(partition.plan), {}, {}};
     take_apart(city, contours, gaps, result);
-    for (const PartitionContour& contour : contours)
+    for (const surface::PartitionContour& contour : contours)
         result.regions.push_back({contour.building, contour.top, 0});
     level_bases(city, result);
     for (const Region& region : result.regions)

@@ -19,7 +19,7 @@ struct Region {
 /// The roofs of a city as a partition of the plane, exactly on the steps of its file. Sides of an edge are
 /// regions, or open_ground.
 struct CityPlan {
-    PlanarPartition plan;
+    surface::PlanarPartition plan;
     std::vector<Region> regions;
     std::vector<FinePoint> pinches;  ///< places where it was changed by a few steps
 };
@@ -29,6 +29,6 @@ struct CityPlan {
 /// Where a vertical edge would have more than two walls, corners move apart, as -surface has it: a file that
 /// -surface has written has no such place. @throws InputError two roofs over one place, no room to move
 /// corners
-[[nodiscard]] CityPlan make_city_plan(const CityModel& city, const GapTolerances& gaps);
+[[nodiscard]] CityPlan make_city_plan(const CityModel& city, const surface::GapTolerances& gaps);
 
 }  // namespace d2b::mesh

@@ -26,7 +26,7 @@ void make_mesh(const MeshCommand& command) {
         warnings.push_back(text);
         print_line("Warning: ", text);
     };
-    start_gdal();
+    reading::start_gdal();
     ReportReader<MeshReport> reader;
     if (command.json)
         reader = own_stdout.reader<MeshReport>(

@@ -43,10 +43,10 @@ Crs crs_of(const CityModel& city) {
     return crs;
 }
 
-GapTolerances gaps_of(const CityModel& city, const Crs& crs) {
+surface::GapTolerances gaps_of(const CityModel& city, const Crs& crs) {
     const auto unit = crs.horizontal_unit();
     const double metres = FinePoint::steps * (unit ? unit->metres : 1);
-    return gap_tolerances({city.scale[0] * metres, city.scale[1] * metres});
+    return surface::gap_tolerances({city.scale[0] * metres, city.scale[1] * metres});
 }
 
 PlanFrame frame_of(const CityModel& city, const CityPlan& plan, const Crs& crs) {
@@ -146,7 +146,7 @@ void require_closed(const CityModel& city, const Shell& shell, const SurfaceFram
 
 MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks,
                      const ReportReader<MeshReport>& reader) {
-    SurfaceFile file(locate_mesh(request));
+    writing::SurfaceFile file(locate_mesh(request));
     const CityModel city = read_city(request.city);
     if (city.buildings.empty())
         throw InputError("'" + city.name + "' has no buildings; there is nothing to mesh.");

@@ -31,19 +31,19 @@ const MeshFormat* format_of(std::string name) {
 
 }  // namespace
 
-FileDestination locate_mesh(const MeshRequest& request) {
+writing::FileDestination locate_mesh(const MeshRequest& request) {
     if (format_of(request.destination) == nullptr)
         throw OptionError("Meshes are written as STL, OBJ and CityJSON; give '" + request.destination +
                           "' a name that ends in .stl, .obj or .city.json.");
-    return resolve_file_target(
-        {request.destination, request.overwrite, {request.city, request.ground}, FileKind::surface});
+    return writing::resolve_file_target(
+        {request.destination, request.overwrite, {request.city, request.ground}, writing::FileKind::surface});
 }
 
 bool is_local(const std::string& destination) {
     return format_of(destination)->local;
 }
 
-void write_mesh(const NamedShell& shell, const std::string& destination, SurfaceFile& file) {
+void write_mesh(const NamedShell& shell, const std::string& destination, writing::SurfaceFile& file) {
     format_of(destination)->write(shell, [&](const std::string& text) { file.write(text); });
 }
 

@@ -21,12 +21,12 @@ struct NamedShell {
 
 /// Where it is to go. @throws OptionError: not .stl, .obj or .city.json, exists, is read by this run.
 /// @throws OutputError
-[[nodiscard]] FileDestination locate_mesh(const MeshRequest& request);
+[[nodiscard]] writing::FileDestination locate_mesh(const MeshRequest& request);
 
 /// Whether local coordinates are written, in metres from an origin.
 [[nodiscard]] bool is_local(const std::string& destination);
 
 /// Writes it. @param file is prepared to be shown, whole or not at all @throws OutputError
-void write_mesh(const NamedShell& shell, const std::string& destination, SurfaceFile& file);
+void write_mesh(const NamedShell& shell, const std::string& destination, writing::SurfaceFile& file);
 
 }  // namespace d2b::mesh

@@ -90,7 +90,7 @@ void for_each_object(
 
 void write_stl(const NamedShell& shell, const TextSink& sink) {
     for_each_object(shell, [&](const std::string& name, std::span<const ShellTriangle> triangles) {
-        sink("solid " + name + " origin " + origin_text(shell.frame) + "\n");
+        sink("solid " + name + " origin " + writing::origin_text(shell.frame) + "\n");
         for (const ShellTriangle& triangle : triangles) {
             std::string text = "facet normal";
             for (const double part : unit_normal(shell.frame, shell.shell, triangle))
@@ -106,7 +106,7 @@ void write_stl(const NamedShell& shell, const TextSink& sink) {
 
 void write_obj(const NamedShell& shell, const TextSink& sink) {
     sink("# dem2buildings_mesh: metres from the origin, x to the east, y to the north, z up\n");
-    sink("# origin: " + origin_text(shell.frame) + "\n");
+    sink("# origin: " + writing::origin_text(shell.frame) + "\n");
     for (const SurfacePoint& point : shell.shell.points)
         sink("v " + local_text(shell.frame, point) + "\n");
     for_each_object(shell, [&](const std::string& name, std::span<const ShellTriangle> triangles) {

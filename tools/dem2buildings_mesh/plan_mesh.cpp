@@ -9,11 +9,11 @@ namespace d2b::mesh {
 
 double fewest_points(const PlanDrawing& drawing, double most) {
     const auto is_divided = [&](std::int32_t region) {
-        return region >= 0 || (drawing.with_ground && region == open_ground) ? 1 : 0;
+        return region >= 0 || (drawing.with_ground && region == surface::open_ground) ? 1 : 0;
     };
     double twice_area = 0;
     double length = 0;
-    for (const PartitionEdge& edge : drawing.edges) {
+    for (const surface::PartitionEdge& edge : drawing.edges) {
         const Position& a = drawing.nodes[edge.from];
         const Position& b = drawing.nodes[edge.to];
         twice_area += (a.x * b.y - a.y * b.x) * (is_divided(edge.left) - is_divided(edge.right));
@@ -24,12 +24,12 @@ double fewest_points(const PlanDrawing& drawing, double most) {
 }
 
 void split_long_edges(PlanDrawing& drawing, double most) {
-    std::vector<PartitionEdge> edges;
-    for (const PartitionEdge& edge : drawing.edges) {
+    std::vector<surface::PartitionEdge> edges;
+    for (const surface::PartitionEdge& edge : drawing.edges) {
         const Position a = drawing.nodes[edge.from];
         const Position b = drawing.nodes[edge.to];
         const int parts = static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y) / most));
-        PartitionEdge part = edge;
+        surface::PartitionEdge part = edge;
         for (int i = 1; i < parts; ++i) {
             const double share = static_cast<double>(i) / parts;
             part.to = static_cast<std::uint32_t>(drawing.nodes.size());

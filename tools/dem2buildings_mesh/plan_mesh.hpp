@@ -20,13 +20,13 @@ inline constexpr std::int32_t beyond = -2;
 /// east and y to the north.
 struct PlanDrawing {
     std::vector<Position> nodes;
-    std::vector<PartitionEdge> edges;  ///< sides are regions, open_ground or beyond
-    bool with_ground = false;          ///< whether open ground is divided, too
+    std::vector<surface::PartitionEdge> edges;  ///< sides are regions, open_ground or beyond
+    bool with_ground = false;                   ///< whether open ground is divided, too
 };
 
 struct PlanTriangle {
     std::array<std::uint32_t, 3> nodes{};  ///< counter-clockwise
-    std::int32_t region = open_ground;
+    std::int32_t region = surface::open_ground;
 };
 
 struct PlanMesh {

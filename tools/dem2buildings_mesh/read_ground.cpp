@@ -83,8 +83,8 @@ GroundGrid read_ground(const std::string& path, const CityModel& city, const Crs
     options.source = path;
     const DemInfo grid = grid_of(open_dem(options)->info(), city, crs);
     const double unit = frame.surface.vertical_metres;
-    const std::unique_ptr<DemSource> source =
-        open_terrain(path, grid, unit, land_elevations.times(1 / unit), callbacks, {TerrainGaps::expected});
+    const std::unique_ptr<DemSource> source = reading::open_terrain(
+        path, grid, unit, land_elevations.times(1 / unit), callbacks, {reading::TerrainGaps::expected});
     std::vector<double> elevations(static_cast<std::size_t>(grid.window.points()));
     source->read(grid.window, elevations);
     for (const std::string& warning : source->take_warnings())

@@ -156,7 +156,7 @@ void PlanRefiner::insert_nodes() {
 }
 
 void PlanRefiner::insert_edges() {
-    for (const PartitionEdge& edge : drawing_.edges)
+    for (const surface::PartitionEdge& edge : drawing_.edges)
         try {
             cdt_.insert_constraint(vertices_[edge.from], vertices_[edge.to]);
         } catch (const Triangulation::Intersection_of_constraints_exception&) {
@@ -202,10 +202,10 @@ void PlanRefiner::seed(const Face& face, std::int32_t region, std::vector<Face>&
 void PlanRefiner::label_faces() {
     for (const Face& face : cdt_.all_face_handles())
         face->info() = not_known;
-    const std::int32_t outside = drawing_.with_ground ? beyond : open_ground;
+    const std::int32_t outside = drawing_.with_ground ? beyond : surface::open_ground;
     std::vector<Face> front;
     seed(cdt_.infinite_face(), outside, front);
-    for (const PartitionEdge& edge : drawing_.edges) {
+    for (const surface::PartitionEdge& edge : drawing_.edges) {
         seed(left_face(vertices_[edge.from], vertices_[edge.to]), edge.left, front);
         seed(left_face(vertices_[edge.to], vertices_[edge.from]), edge.right, front);
     }
@@ -220,8 +220,9 @@ void PlanRefiner::label_faces() {
 
 void PlanRefiner::mark_domain() {
     for (const Face& face : cdt_.all_face_handles())
-        face->set_in_domain(!cdt_.is_infinite(face) &&
-                            (face->info() >= 0 || (drawing_.with_ground && face->info() == open_ground)));
+        face->set_in_domain(
+            !cdt_.is_infinite(face) &&
+            (face->info() >= 0 || (drawing_.with_ground && face->info() == surface::open_ground)));
 }
 
 PlanMesh PlanRefiner::refine(const RefineRules& rules) {
@@ -255,7 +256,7 @@ PlanMesh PlanRefiner::take() {
         mesh.nodes.push_back({vertex->point().x(), vertex->point().y()});
     }
     for (const Face face : cdt_.finite_face_handles()) {
-        if (face->info() < 0 && !(drawing_.with_ground && face->info() == open_ground))
+        if (face->info() < 0 && !(drawing_.with_ground && face->info() == surface::open_ground))
             continue;
         PlanTriangle& triangle = mesh.triangles.emplace_back();
         triangle.region = face->info();

@@ -30,8 +30,8 @@ Position cell_size(const GroundGrid& grid, const PlanFrame& frame) {
 
 std::vector<std::array<Position, 2>> outlines(const PlanDrawing& drawing) {
     std::vector<std::array<Position, 2>> edges;
-    for (const PartitionEdge& edge : drawing.edges)
-        if ((edge.left == open_ground) != (edge.right == open_ground))
+    for (const surface::PartitionEdge& edge : drawing.edges)
+        if ((edge.left == surface::open_ground) != (edge.right == surface::open_ground))
             edges.push_back({drawing.nodes[edge.from], drawing.nodes[edge.to]});
     return edges;
 }
@@ -67,7 +67,7 @@ std::size_t lay_ground(PlanDrawing& drawing, GroundGrid& grid, double margin_met
     const auto first = static_cast<std::uint32_t>(drawing.nodes.size());
     for (std::uint32_t i = 0; i < frame_corners.size(); ++i) {
         drawing.nodes.push_back(frame_corners[i]);
-        drawing.edges.push_back({first + i, first + (i + 1) % 4, open_ground, beyond});
+        drawing.edges.push_back({first + i, first + (i + 1) % 4, surface::open_ground, beyond});
     }
     drawing.with_ground = true;
     return outside;
@@ -112,7 +112,7 @@ PlanHeights heights_over(const PlanMesh& mesh, std::vector<Region> regions, cons
     std::int64_t lowest = std::numeric_limits<std::int64_t>::max();
     for (const PlanTriangle& triangle : mesh.triangles)
         for (const std::uint32_t node : triangle.nodes)
-            if (triangle.region == open_ground) {
+            if (triangle.region == surface::open_ground) {
                 beside[node] = true;
                 lowest = std::min(lowest, heights.terrain[node]);
             }
@@ -144,7 +144,7 @@ void measure_terrain(const PlanMesh& mesh, const PlanHeights& heights, const Gro
                      const MeshRequest& request, const PlanFrame& frame, MeshReport& report) {
     double largest = 0;
     for (const PlanTriangle& triangle : mesh.triangles) {
-        if (triangle.region != open_ground)
+        if (triangle.region != surface::open_ground)
             continue;
         std::array<double, 3> z{};
         for (std::size_t i = 0; i < 3; ++i)

@@ -23,7 +23,7 @@ void measure(const ScoreCommand& request) {
         warnings.push_back(text);
         print_line("Warning: ", text);
     };
-    start_gdal();
+    reading::start_gdal();
     const ScoreRun run = compare_datasets(request, callbacks);
     std::cout << (request.json ? score_json(request, run, warnings)
                                : score_text(request, run, request.quiet));

@@ -26,7 +26,7 @@ void process(const TileCommand& command) {
     callbacks.on_progress = [](double) { return !interrupted(); };
     callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
     callbacks.stop = interrupted;
-    start_gdal();
+    reading::start_gdal();
     run_step(command, own_stdout, callbacks);
     own_stdout.finish_aside();
 }

@@ -68,7 +68,7 @@ Json json_of(const TilePlan& plan, const TileCost& cost) {
     for (const std::string& word : plan.words)
         words.push_back(to_json(word));
     Json files = Json::array();
-    for (const SourceFile& file : plan.files)
+    for (const reading::SourceFile& file : plan.files)
         files.push_back({{"name", to_json(file.name)}, {"bytes", file.size}, {"modified", file.modified}});
     return {{"program", program},
             {"version", version},
@@ -151,7 +151,7 @@ void write_plan(const std::filesystem::path& work, const TilePlan& plan, const T
     std::filesystem::create_directories(work, error);
     if (error)
         refuse_folder(work, error);
-    write_text_file(path_of(work), plan_text(plan, cost));
+    writing::write_text_file(path_of(work), plan_text(plan, cost));
 }
 
 KnownPlan read_plan(const std::filesystem::path& work) {
@@ -183,7 +183,7 @@ KnownPlan plan_from(const std::filesystem::path& work, const std::string& bytes)
         refuse(path, no_plan);
     }
     known.work = {
-        work, digest_of(std::as_bytes(std::span(bytes))), known.plan.side, {}, known.plan.undeclared};
+        work, tiles::digest_of(std::as_bytes(std::span(bytes))), known.plan.side, {}, known.plan.undeclared};
     return known;
 }
 

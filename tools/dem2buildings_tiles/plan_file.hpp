@@ -22,7 +22,7 @@ struct TilePlan {
     std::int32_t side = 1;           ///< units of a tile in a row, and rows
     std::int64_t tiles = 0;
     Window window;  ///< of the source
-    std::vector<SourceFile> files;
+    std::vector<reading::SourceFile> files;
     UndeclaredNodata undeclared = {};  ///< of the source
 };
 
@@ -41,7 +41,7 @@ void write_plan(const std::filesystem::path& work, const TilePlan& plan, const T
 /// A plan that is there, and its digest.
 struct KnownPlan {
     TilePlan plan;
-    TileRunParameters work;
+    tiles::TileRunParameters work;
 };
 /// @throws InputError where there is none, or it is of another version, or damaged
 [[nodiscard]] KnownPlan read_plan(const std::filesystem::path& work);

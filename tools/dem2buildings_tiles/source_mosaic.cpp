@@ -34,7 +34,7 @@ void refuse_other_plan(const fs::path& work) {
 }
 
 SourceMosaic::SourceMosaic(const std::string& list, const fs::path& work, int band) {
-    const std::vector<std::string> rasters = read_raster_list(list);
+    const std::vector<std::string> rasters = reading::read_raster_list(list);
     std::error_code error;
     if (!fs::exists(work, error))
         folder_.path = work;
@@ -44,7 +44,7 @@ SourceMosaic::SourceMosaic(const std::string& list, const fs::path& work, int ba
     const fs::path path = mosaic_of_list(work.string());
     // Beside its place, since the names in it are relative to its folder.
     const Passing hidden(work / (".source." + std::to_string(::getpid()) + ".vrt"));
-    build_mosaic(hidden.path.string(), rasters, band);
+    reading::build_mosaic(hidden.path.string(), rasters, band);
     if (fs::exists(path, error) && bytes_of(path) == bytes_of(hidden.path))
         return;
     if (fs::exists(work / "plan.json", error))

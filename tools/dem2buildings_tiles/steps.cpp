@@ -32,12 +32,12 @@ constexpr std::int64_t memory_bytes = 30;  // per point that it sees
 /// A float a point, as most rasters have it.
 constexpr std::int64_t point_bytes = 4;
 
-TileCost cost_of(const TileGrid& tiles) {
+TileCost cost_of(const tiles::TileGrid& tiles) {
     TileCost cost;
     std::int64_t seen = 0;
     std::int64_t own = 0;
     for (std::int64_t tile = 0; tile < tiles.count(); ++tile) {
-        const Unit whole = tiles.whole(tile);
+        const detect::Unit whole = tiles.whole(tile);
         seen += whole.seen.points();
         own += whole.own.points();
         cost.memory_bytes = std::max(cost.memory_bytes, memory_bytes * whole.seen.points());
@@ -63,9 +63,9 @@ std::string spoken(const TilePlan& plan, const TileCost& cost, const std::string
 }
 
 /// All that the steps read beside each other's files.
-std::vector<SourceFile> files_behind(const Options& options) {
-    std::vector<SourceFile> files = source_files(options.read);
-    std::ranges::copy(list_auxiliary_files(options), std::back_inserter(files));
+std::vector<reading::SourceFile> files_behind(const Options& options) {
+    std::vector<reading::SourceFile> files = reading::source_files(options.read);
+    std::ranges::copy(reading::list_auxiliary_files(options), std::back_inserter(files));
     return files;
 }
 
@@ -81,8 +81,8 @@ void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
 
 void plan(const TileCommand& command, const Callbacks& callbacks) {
     const Options& options = command.request.options;
-    require_tileable(options);
-    const bool parts = writes_parts(options.write);
+    tiles::require_tileable(options);
+    const bool parts = writing::writes_parts(options.write);
     if (parts && (options.write.append || options.write.overwrite))
         throw OptionError(
             "The folder to which tiles add their files must be new; give another name, or delete it, and "
@@ -90,12 +90,12 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
     const std::filesystem::path work(command.work);
     std::optional<SourceMosaic> mosaic;
     if (!std::filesystem::exists(work / "plan.json"))
-        require_raster_names(options);
+        tiles::require_raster_names(options);
     if (!command.list.empty())
         mosaic.emplace(command.list, work, options.read.band);
     const Inputs inputs = open_inputs(options, callbacks);
     const auto sink = open_sink(options.write, callbacks);
-    TileRun run({work, 0, command.side, {}, {}}, options, inputs.sources(), *sink, callbacks);
+    tiles::TileRun run({work, 0, command.side, {}, {}}, options, inputs.sources(), *sink, callbacks);
     const TilePlan plan{command.words,
                         std::filesystem::current_path().string(),
                         run.setup().plan.layers,
@@ -123,8 +123,8 @@ struct Planned {
 };
 
 void require_same_source(const TilePlan& plan, const Options& options, const DemInfo& dem) {
-    const std::vector<SourceFile> files = files_behind(options);
-    for (const SourceFile& file : files)
+    const std::vector<reading::SourceFile> files = files_behind(options);
+    for (const reading::SourceFile& file : files)
         if (std::ranges::find(plan.files, file) == plan.files.end())
             throw InputError("'" + file.name +
                              "' has changed since the plan was made; plan again, with a new work folder.");
@@ -154,10 +154,10 @@ Planned open_planned(const TileCommand& command, const Callbacks& callbacks) {
 
 /// What a step works with. @param features the destination, or in its place a PlannedSink
 /// @throws InputError where the plan is not what is made of its options
-std::unique_ptr<TileRun> begin_step(const Planned& planned, FeatureSink& features,
-                                    const Callbacks& callbacks) {
-    auto run = std::make_unique<TileRun>(planned.known.work, planned.options, planned.inputs.sources(),
-                                         features, callbacks);
+std::unique_ptr<tiles::TileRun> begin_step(const Planned& planned, FeatureSink& features,
+                                           const Callbacks& callbacks) {
+    auto run = std::make_unique<tiles::TileRun>(planned.known.work, planned.options, planned.inputs.sources(),
+                                                features, callbacks);
     if (run->tiles().count() != planned.known.plan.tiles)
         throw InputError("'" + (planned.known.work.folder / "plan.json").string() +
                          "' has been changed: it has " + std::to_string(planned.known.plan.tiles) +
@@ -178,29 +178,30 @@ void on_tiles(const TileCommand& command, const Callbacks& callbacks, const Step
     for (const std::int64_t tile : command.tiles)
         require_tile(tile, planned.known.plan);
     for (const std::int64_t tile : command.tiles) {
-        PlannedSink nowhere(planned.known.plan.layers);
+        tiles::PlannedSink nowhere(planned.known.plan.layers);
         step(*begin_step(planned, nowhere, callbacks), tile);
     }
 }
 
 void join(const TileCommand& command, const Callbacks& callbacks) {
     const Planned planned = open_planned(command, callbacks);
-    PlannedSink nowhere(planned.known.plan.layers);
-    join_tiles(*begin_step(planned, nowhere, callbacks));
+    tiles::PlannedSink nowhere(planned.known.plan.layers);
+    tiles::join_tiles(*begin_step(planned, nowhere, callbacks));
 }
 
 /// Other files would have been written over; and what merge has numbered it does not number again.
 RunReport merged(const Planned& planned, const ReportReader<RunReport>& reader, const Callbacks& callbacks) {
     const auto sink = open_sink(planned.options.write, callbacks);
     const auto run = begin_step(planned, *sink, callbacks);
-    return planned.known.plan.parts ? number_tiles(*run, reader) : merge_tiles(*run, *sink, reader);
+    return planned.known.plan.parts ? tiles::number_tiles(*run, reader)
+                                    : tiles::merge_tiles(*run, *sink, reader);
 }
 
 bool has_numbers(const Planned& planned) {
     if (!planned.known.plan.parts)
         return false;
-    PlannedSink nowhere(planned.known.plan.layers);
-    return are_numbered(*begin_step(planned, nowhere, {}));
+    tiles::PlannedSink nowhere(planned.known.plan.layers);
+    return tiles::are_numbered(*begin_step(planned, nowhere, {}));
 }
 
 void merge(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& callbacks) {
@@ -225,24 +226,24 @@ void merge(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& c
 }
 
 /// Where all parts are there, each layer is shown as one.
-void show_parts(const TileRun& run, std::int64_t after) {
-    const std::optional<NumberedWhole> whole = written_totals(run, after);
+void show_parts(const tiles::TileRun& run, std::int64_t after) {
+    const std::optional<tiles::NumberedWhole> whole = tiles::written_totals(run, after);
     if (!whole)
         return;
-    const RunSetup& setup = run.setup();
+    const features::RunSetup& setup = run.setup();
     CommitList commit;
     std::vector<std::unique_ptr<PendingResult>> files;
     for (std::size_t i = 0; i < setup.layers.layers.size(); ++i) {
-        const NumberedLayer& layer = whole->layers.at(i);
-        LayerMosaic mosaic{setup.layers.layers[i],
-                           setup.written().wkt(),
-                           layer.features,
-                           layer.least,
-                           layer.most,
-                           layer.tiles};
+        const tiles::NumberedLayer& layer = whole->layers.at(i);
+        writing::LayerMosaic mosaic{setup.layers.layers[i],
+                                    setup.written().wkt(),
+                                    layer.features,
+                                    layer.least,
+                                    layer.most,
+                                    layer.tiles};
         if (mosaic.parts.empty() || mosaic.parts.front() != 0)
             mosaic.parts.insert(mosaic.parts.begin(), 0);
-        files.push_back(prepare_layer_mosaic(setup.plan.asked.write, mosaic));
+        files.push_back(writing::prepare_layer_mosaic(setup.plan.asked.write, mosaic));
         commit.add(*files.back());
     }
     commit.publish();
@@ -257,9 +258,9 @@ void write(const TileCommand& command, const Callbacks& callbacks) {
     for (const std::int64_t tile : command.tiles)
         require_tile(tile, planned.known.plan);
     for (const std::int64_t tile : command.tiles) {
-        const auto sink = open_part_sink(planned.options.write, tile, callbacks);
+        const auto sink = writing::open_part_sink(planned.options.write, tile, callbacks);
         const auto run = begin_step(planned, *sink, callbacks);
-        write_tile(*run, tile, *sink);
+        tiles::write_tile(*run, tile, *sink);
         if (tile == command.tiles.back())
             show_parts(*run, tile);
     }
@@ -275,11 +276,11 @@ void run_step(const TileCommand& command, OwnStdout& own_stdout, const Callbacks
         case TileCommandKind::plan:
             return plan(command, callbacks);
         case TileCommandKind::find:
-            return on_tiles(command, silent, find_tile);
+            return on_tiles(command, silent, tiles::find_tile);
         case TileCommandKind::join:
             return join(command, silent);
         case TileCommandKind::draw:
-            return on_tiles(command, silent, draw_tile);
+            return on_tiles(command, silent, tiles::draw_tile);
         case TileCommandKind::merge:
             return merge(command, own_stdout, callbacks);
         case TileCommandKind::write:

@@ -43,7 +43,9 @@ struct SpoolEntry {
     std::uint64_t size = 0;
 };
 
+namespace reading {
 class TemporaryFile;
+}
 
 /// Spool that starts in memory and moves to an unnamed temporary file when it grows. The file disappears with
 /// the process, even after a crash, because it has no name.
@@ -68,7 +70,7 @@ class FileSpool : public Spool {
     std::string folder_;
     std::size_t most_in_memory_;
     mutable std::mutex mutex_;
-    std::unique_ptr<TemporaryFile> file_;
+    std::unique_ptr<reading::TemporaryFile> file_;
     std::vector<std::byte> memory_;  ///< follows the bytes in the file
 };
 

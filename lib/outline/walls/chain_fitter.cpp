@@ -9,7 +9,7 @@
 
 #include "outline/walls/chain_polyline.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Composes a chain from stretches of walls and stretches that follow the trace more closely. A wall extends
 /// to the point that corresponds to the first step of the next stretch.
@@ -393,7 +393,7 @@ ChainFitter::ChainFitter(const Chain& chain, const WallOptions& options)
       parameters_(parameters_for(chain, options)),
       limit_(parameters_.tolerance - rounding_error),
       walls_(chain, options.shape),
-      turning_points_(d2b::turning_points(samples(), staircase_tolerance)),
+      turning_points_(outline::turning_points(samples(), staircase_tolerance)),
       midpoints_(samples(), shape_, origin_, chain.node_steps, limit_) {
     if (chain.closed)
         parameters_.price =
@@ -450,4 +450,4 @@ ChainPolyline ChainFitter::draw(ChainFitMode& mode, const std::optional<ChainEnd
     return drawn;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

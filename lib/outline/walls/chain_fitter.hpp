@@ -11,7 +11,7 @@
 #include "outline/walls/wall_clusters.hpp"
 #include "outline/walls/wall_segmentation.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Degrees of fidelity to the trace, from fully regularized to conflict-free: as long as the ends of arcs
 /// keep their traced positions, two stretches of the last mode only share points that their traces share.
@@ -154,4 +154,4 @@ class ChainFitter {
     std::optional<ChainEnds> ends_of_planned_;  // ends for which that was drawn
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 /// Step in [low, high] nearest to a point.
@@ -253,4 +253,4 @@ ChainPolyline draw_walls(const TraceSums& samples, const WallParameters& paramet
     return std::move(drawer.chain());
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

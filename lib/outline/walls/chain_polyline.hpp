@@ -7,7 +7,7 @@
 #include "core/lattice.hpp"
 #include "outline/walls/wall_segmentation.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Polyline that replaces the trace of a chain.
 struct ChainPolyline {
@@ -81,4 +81,4 @@ struct ChainEnds {
                                        const std::vector<WallSegment>& segments,
                                        const std::optional<ChainEnds>& ends);
 
-}  // namespace d2b
+}  // namespace d2b::outline

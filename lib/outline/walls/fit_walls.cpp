@@ -16,7 +16,7 @@
 #include "outline/walls/wall_check.hpp"
 #include "outline/walls/wall_layout.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Assembles an outline from drawn chains, ring by ring, and measures its difference from the trace.
 class OutlineBuilder {
@@ -424,7 +424,7 @@ namespace {
 
 bool has_higher_levels(const WallCluster& cluster) {
     return std::ranges::any_of(cluster.contours,
-                               [](const Contour* contour) { return contour->key.level > 1; });
+                               [](const contours::Contour* contour) { return contour->key.level > 1; });
 }
 
 }  // namespace
@@ -444,7 +444,7 @@ ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options
     return result;
 }
 
-RegularizedOutlines::RegularizedOutlines(const ContourList& contours, const WallOptions& options,
+RegularizedOutlines::RegularizedOutlines(const contours::ContourList& contours, const WallOptions& options,
                                          std::unique_ptr<Spool> spool, Executor& executor)
     : contours_(contours),
       spool_(std::move(spool)),
@@ -507,4 +507,4 @@ FinePolygon RegularizedOutlines::traced(std::size_t contour) const {
     return fine(corners(cluster_of_[contour])->noded(traced_polygon(contours_.fetch(contour))));
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

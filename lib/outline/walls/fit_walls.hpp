@@ -14,7 +14,7 @@
 #include "outline/arc_graph.hpp"
 #include "outline/walls/wall_clusters.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Measures of the difference between a fitted outline and its trace.
 struct WallQuality {
@@ -66,8 +66,8 @@ struct ClusterOutlines {
 class RegularizedOutlines {
   public:
     /// @param contours must outlive this @throws Cancelled
-    RegularizedOutlines(const ContourList& contours, const WallOptions& options, std::unique_ptr<Spool> spool,
-                        Executor& executor);
+    RegularizedOutlines(const contours::ContourList& contours, const WallOptions& options,
+                        std::unique_ptr<Spool> spool, Executor& executor);
 
     /// Outline of a contour; neighbours and other levels share vertices exactly.
     [[nodiscard]] FinePolygon polygon(std::size_t contour) const { return fetch(outlines_[contour]); }
@@ -99,7 +99,7 @@ class RegularizedOutlines {
     [[nodiscard]] SpooledOutline spool_outline(const WallOutline& outline);
     [[nodiscard]] FinePolygon fetch(const SpooledOutline& kept) const;
 
-    const ContourList& contours_;
+    const contours::ContourList& contours_;
     std::unique_ptr<Spool> spool_;
     std::vector<ClusterPlan> clusters_;
     std::vector<std::uint32_t> cluster_of_;  // per contour
@@ -108,4 +108,4 @@ class RegularizedOutlines {
     std::unique_ptr<LargeClusters> large_clusters_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

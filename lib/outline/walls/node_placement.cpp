@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 constexpr double min_node_spacing = 1.0 / 16;  // cells between nodes
@@ -32,7 +32,7 @@ PlacedPolyline::PlacedPolyline(ChainPolyline drawn, const Chain& chain, const Ch
     begins_.reserve(vertices_.size() + 1);
     begins_.push_back(0);
     for (std::size_t k = 0; k + (closed_ ? 0 : 1) < vertices_.size(); ++k)
-        begins_.push_back(begins_.back() + d2b::length(vertex(k + 1) - vertex(k)));
+        begins_.push_back(begins_.back() + outline::length(vertex(k + 1) - vertex(k)));
     nodes_.resize(chain.nodes.size() - (closed_ ? 1 : 0));
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         nodes_[k].step = chain.node_steps[k];
@@ -88,10 +88,11 @@ double PlacedPolyline::preferred_position(const PlacedNode& node, const std::opt
     for (std::size_t v = edge > 0 ? edge - 1 : 0; v < std::min(edge + 3, edges()); ++v) {
         const auto parallel = [&](std::size_t e) {
             const Vec2 along = vertex(e + 1) - vertex(e);
-            return std::abs(cross(along, wall->along)) < 0.3 * d2b::length(along);
+            return std::abs(cross(along, wall->along)) < 0.3 * outline::length(along);
         };
         const bool inner = v > 0 && (parallel(v - 1) != parallel(v));
-        if (inner && d2b::length(vertex(v) - traced) < std::min(max_corner_displacement, max_displacement_))
+        if (inner &&
+            outline::length(vertex(v) - traced) < std::min(max_corner_displacement, max_displacement_))
             return begins_[v];
     }
     double best = foot_on(edge);
@@ -100,10 +101,10 @@ double PlacedPolyline::preferred_position(const PlacedNode& node, const std::opt
         const Vec2 from = vertex(e);
         const Vec2 along = vertex(e + 1) - from;
         const double sine = cross(along, wall->along);
-        if (std::abs(sine) < 0.3 * d2b::length(along))
+        if (std::abs(sine) < 0.3 * outline::length(along))
             continue;
         const double share = cross(wall->through - from, wall->along) / sine;
-        const double away = d2b::length(from + share * along - traced);
+        const double away = outline::length(from + share * along - traced);
         if (share >= 0 && share <= 1 && away < nearest) {
             nearest = away;
             best = begins_[e] + share * (begins_[e + 1] - begins_[e]);
@@ -165,7 +166,8 @@ void PlacedPolyline::place(std::size_t k, const std::optional<Line2>& wall) {
     if (std::abs(*(vertex_at - 1) - at) <= std::abs(*vertex_at - at))
         --vertex_at;
     const auto v = static_cast<std::size_t>(vertex_at - begins_.begin());
-    if (std::abs(*vertex_at - at) < snap_distance && d2b::length(vertex(v) - node.traced) < max_displacement_)
+    if (std::abs(*vertex_at - at) < snap_distance &&
+        outline::length(vertex(v) - node.traced) < max_displacement_)
         at = *vertex_at;
     set_position(node, std::max(low, std::min(high, at)));
     placed_.insert(k);
@@ -303,4 +305,4 @@ std::optional<ChainEnds> NodePositions::place_ends(std::uint32_t c) {
                      place_node(chain.end_node(true), wall_at_end(c, true))};
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

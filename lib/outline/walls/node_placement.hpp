@@ -10,7 +10,7 @@
 #include "outline/walls/chain_polyline.hpp"
 #include "outline/walls/wall_graph.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// A drawn chain and the positions of the nodes on it.
 class PlacedPolyline {
@@ -110,4 +110,4 @@ class NodePositions {
     CellShape shape_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

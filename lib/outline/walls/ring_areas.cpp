@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 constexpr double max_area_change = 0.02;
@@ -30,7 +30,7 @@ RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const S
       stop_(stop),
       areas_(arcs.size()) {
     for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
-        const Contour& contour = *cluster_.contours[c];
+        const contours::Contour& contour = *cluster_.contours[c];
         const ArcGraph::Outline& outline = graph_.graph.outlines[c];
         first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
         rings_.push_back({&outline.exterior, contour.exterior.area(),
@@ -161,4 +161,4 @@ void RingAreas::tighten_highest_rank(const Ring& ring) {
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

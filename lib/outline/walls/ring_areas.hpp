@@ -11,7 +11,7 @@
 #include "outline/walls/wall_clusters.hpp"
 #include "outline/walls/wall_layout.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Preserves the areas of the rings of a cluster while their arcs are drawn.
 class RingAreas {
@@ -70,4 +70,4 @@ class RingAreas {
     std::set<Wall> moved_;  // walls moved in this round
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace d2b {
+namespace d2b::outline {
 
 FinePoint CellShape::to_fine(Vec2 place, LatticePoint origin) const {
     const double scale = FinePoint::steps / cross(col, row);
@@ -292,4 +292,4 @@ std::optional<Circle> circle_through(Vec2 a, Vec2 b, Vec2 c) {
     return Circle{a + centre, radius};
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

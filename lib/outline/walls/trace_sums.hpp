@@ -10,7 +10,7 @@
 
 #include "core/lattice.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// A 2-D vector, point or direction, in cell units that preserve the angles of the ground. x is from columns,
 /// y from rows.
@@ -173,4 +173,4 @@ struct Circle {
 /// Circle through three points; nullopt if they are collinear.
 [[nodiscard]] std::optional<Circle> circle_through(Vec2 a, Vec2 b, Vec2 c);
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 /// Returns true if edge a lies east of edge b. Both run downwards across a common row and do not cross.
@@ -290,4 +290,4 @@ void WallCheck::check_node(std::uint32_t node, WallConflicts& found) {
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

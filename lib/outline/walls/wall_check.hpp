@@ -11,7 +11,7 @@
 #include "outline/segment_grid.hpp"
 #include "outline/walls/wall_graph.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Pairs of conflicting edges; an edge may conflict with itself.
 using WallConflicts = std::vector<std::pair<SegmentGrid::Edge, SegmentGrid::Edge>>;
@@ -117,4 +117,4 @@ class WallCheck {
     ContainmentCheck containment_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

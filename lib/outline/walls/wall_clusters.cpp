@@ -7,7 +7,7 @@
 
 #include "core/disjoint_sets.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 /// Half-open range of lattice rows.
@@ -21,7 +21,7 @@ class TraceEdgeGrid {
   public:
     TraceEdgeGrid(LatticePoint reach, RowRange rows) : reach_(reach), rows_(rows) {}
 
-    void add(const Contour& contour, std::uint32_t number);
+    void add(const contours::Contour& contour, std::uint32_t number);
     /// Joins the groups of edges that are near each other.
     void join(DisjointSets& groups);
 
@@ -62,7 +62,7 @@ LatticeBox buffered(LatticePoint from, LatticePoint to, LatticePoint reach) {
         {std::max(from.row, to.row) + (reach.row + 1) / 2, std::max(from.col, to.col) + (reach.col + 1) / 2}};
 }
 
-void TraceEdgeGrid::add(const Contour& contour, std::uint32_t number) {
+void TraceEdgeGrid::add(const contours::Contour& contour, std::uint32_t number) {
     add(contour.exterior, number);
     for (const PackedRing& ring : contour.interiors)
         add(ring, number);
@@ -130,13 +130,13 @@ void TraceEdgeGrid::join(DisjointSets& groups) {
 }
 
 /// Only traces of levels 0 and 1 can be near those of other groups, because higher levels lie within them.
-bool is_low(const ContourHead& head) {
+bool is_low(const contours::ContourHead& head) {
     return head.key.level <= 1 || head.parent < 0;
 }
 
 /// Joins contours that are near each other, one strip of rows at a time.
-void join_neighbours(const ContourList& contours, const WallOptions& options, std::int64_t rows_per_strip,
-                     DisjointSets& groups, const StopToken& stop) {
+void join_neighbours(const contours::ContourList& contours, const WallOptions& options,
+                     std::int64_t rows_per_strip, DisjointSets& groups, const StopToken& stop) {
     const LatticePoint reach = conflict_distance(options);
     const auto first_row = [&](std::uint32_t i) {
         return std::int64_t{contours.head(i).key.first.row} - reach.row;
@@ -155,7 +155,7 @@ void join_neighbours(const ContourList& contours, const WallOptions& options, st
         std::vector<std::uint32_t> still_open;
         const auto add = [&](std::uint32_t i) {
             stop.check();
-            const Contour contour = contours.fetch(i);
+            const contours::Contour contour = contours.fetch(i);
             buckets.add(contour, i);
             if (contour.exterior.box().high.row + reach.row >= rows.end)
                 still_open.push_back(i);
@@ -178,7 +178,7 @@ LatticePoint conflict_distance(const WallOptions& options) {
     return {steps(options.shape.col), steps(options.shape.row)};
 }
 
-std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
+std::vector<ClusterPlan> wall_clusters(const contours::ContourList& contours, const WallOptions& options,
                                        const StopToken& stop, std::int64_t rows_per_strip) {
     DisjointSets groups(static_cast<std::uint32_t>(contours.size()));
     for (std::uint32_t i = 0; i < contours.size(); ++i)
@@ -206,7 +206,8 @@ std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOp
     return clusters;
 }
 
-FetchedCluster::FetchedCluster(const ContourList& contours, const ClusterPlan& plan, const StopToken& stop) {
+FetchedCluster::FetchedCluster(const contours::ContourList& contours, const ClusterPlan& plan,
+                               const StopToken& stop) {
     contours_.reserve(plan.numbers.size());
     for (const std::uint32_t number : plan.numbers) {
         stop.check();
@@ -216,4 +217,4 @@ FetchedCluster::FetchedCluster(const ContourList& contours, const ClusterPlan& p
     cluster_.parents = plan.parents;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -8,7 +8,7 @@
 #include "dem2buildings/options.hpp"
 #include "outline/walls/trace_sums.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Parameters of wall fitting.
 struct WallOptions {
@@ -21,7 +21,7 @@ struct WallOptions {
 
 /// Contours whose walls are fitted together.
 struct WallCluster {
-    std::vector<const Contour*> contours;  ///< parents before children
+    std::vector<const contours::Contour*> contours;  ///< parents before children
     std::vector<std::int32_t>
         parents;  ///< index of the parent of each contour; -1 if it is not in the cluster
 };
@@ -41,15 +41,16 @@ struct ClusterPlan {
 /// of one strip are in memory.
 /// @param rows_per_strip rows processed together
 /// @return sorted by their first contours @throws Cancelled
-[[nodiscard]] std::vector<ClusterPlan> wall_clusters(const ContourList& contours, const WallOptions& options,
-                                                     const StopToken& stop = {},
+[[nodiscard]] std::vector<ClusterPlan> wall_clusters(const contours::ContourList& contours,
+                                                     const WallOptions& options, const StopToken& stop = {},
                                                      std::int64_t rows_per_strip = 4096);
 
 /// Contours of a cluster in memory.
 class FetchedCluster {
   public:
     /// @throws Cancelled
-    FetchedCluster(const ContourList& contours, const ClusterPlan& plan, const StopToken& stop = {});
+    FetchedCluster(const contours::ContourList& contours, const ClusterPlan& plan,
+                   const StopToken& stop = {});
     FetchedCluster(const FetchedCluster&) = delete;
     FetchedCluster& operator=(const FetchedCluster&) = delete;
     ~FetchedCluster() = default;
@@ -57,8 +58,8 @@ class FetchedCluster {
     [[nodiscard]] const WallCluster& cluster() const { return cluster_; }
 
   private:
-    std::vector<Contour> contours_;
+    std::vector<contours::Contour> contours_;
     WallCluster cluster_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

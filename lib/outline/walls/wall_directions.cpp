@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 constexpr double quarter_turn = std::numbers::pi / 2;
@@ -145,4 +145,4 @@ std::vector<double> single_directions(const TraceSums& samples, const std::vecto
     return found;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

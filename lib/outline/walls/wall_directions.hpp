@@ -6,7 +6,7 @@
 
 #include "outline/walls/trace_sums.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Directions in which the walls of a chain may run, in radians modulo 90 degrees.
 struct WallDirections {
@@ -47,4 +47,4 @@ void align_frames(const TraceSums& samples, const std::vector<std::size_t>& poin
                                                     const std::vector<double>& frames, double min_length,
                                                     std::size_t most);
 
-}  // namespace d2b
+}  // namespace d2b::outline

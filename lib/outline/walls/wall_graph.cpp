@@ -11,7 +11,7 @@
 
 #include "core/disjoint_sets.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Normalizes the order of the arcs of chains and derives their traces, nodes and steps. The result does not
 /// depend on the division of a chain into arcs.
@@ -340,4 +340,4 @@ WallGraph build_wall_graph(const WallCluster& cluster, const StopToken& stop) {
     return walls;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -8,7 +8,7 @@
 #include "outline/arc_graph.hpp"
 #include "outline/walls/wall_clusters.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// A sequence of arcs fitted at once: a ring, or a path between two nodes. It does not depend on the chains
 /// that end on it. An open chain begins at its smaller end. A closed one begins at its first point in scan
@@ -76,4 +76,4 @@ struct WallGraph {
 /// O(n log n) in the number of corners. @throws Cancelled
 [[nodiscard]] WallGraph build_wall_graph(const WallCluster& cluster, const StopToken& stop);
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -10,7 +10,7 @@
 
 #include "outline/walls/wall_graph.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Chain whose direction another chain follows: the one on which it ends, or else the outline of the
 /// footprint below it. Its rank is lower.
@@ -334,4 +334,4 @@ void WallLayout::shift(Wall wall, double cells) {
     state.pending = true;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

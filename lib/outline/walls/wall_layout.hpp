@@ -6,7 +6,7 @@
 #include "outline/walls/node_placement.hpp"
 #include "outline/walls/wall_clusters.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Draws the chains of a graph by rank, lowest first. Chains that end on another chain end on its drawn form.
 class WallLayout {
@@ -79,4 +79,4 @@ class WallLayout {
     bool first_ = true;                ///< before the first call of draw()
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -10,7 +10,7 @@
 
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -771,4 +771,4 @@ double align_frames(const TraceSums& samples, const std::vector<WallSegment>& wa
     return largest;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -9,7 +9,7 @@
 #include "outline/walls/wall_directions.hpp"
 #include "outline/walls/wall_segmentation.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// Divides a chain into walls by a shortest path: each step of the trace gets a line, which is one of a few
 /// directions and an offset. The least sum wins of the distances of the steps from their lines, a price per
@@ -37,4 +37,4 @@ namespace d2b {
 double align_frames(const TraceSums& samples, const std::vector<WallSegment>& walls,
                     WallDirections& directions);
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -16,7 +16,7 @@
 #include "outline/walls/chain_polyline.hpp"
 #include "outline/walls/wall_path.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 namespace {
 
@@ -432,4 +432,4 @@ std::vector<std::size_t> ChainWalls::movable_walls(std::size_t begin, std::size_
     return walls;
 }
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -11,7 +11,7 @@
 #include "outline/walls/wall_directions.hpp"
 #include "outline/walls/wall_graph.hpp"
 
-namespace d2b {
+namespace d2b::outline {
 
 /// A range of steps of a traced chain that is drawn as one straight wall or circular arc.
 struct WallSegment {
@@ -106,4 +106,4 @@ class ChainWalls {
     std::vector<Shift> shifts_;  // per wall
 };
 
-}  // namespace d2b
+}  // namespace d2b::outline

@@ -14,7 +14,7 @@
 #include "dem2buildings/version.hpp"
 #include "pipeline/tiles/file_cache.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 constexpr std::array<char, 8> magic{'d', '2', 'b', '-', 't', 'i', 'l', 'e'};
@@ -245,4 +245,4 @@ ByteReader read_block(const CheckpointFile& file, std::uint64_t begin, const Pay
     return ByteReader(std::move(bytes));
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -13,7 +13,7 @@
 #include "core/byte_stream.hpp"
 #include "dem2buildings/error.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 class OpenFile;
 class FileHandleCache;
@@ -133,4 +133,4 @@ class PayloadBlocks {
 [[nodiscard]] ByteReader read_block(const CheckpointFile& file, std::uint64_t begin,
                                     const PayloadBlocks::Block& block);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

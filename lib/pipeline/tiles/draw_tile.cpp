@@ -20,7 +20,7 @@
 #include "pipeline/tiles/tile_steps.hpp"
 #include "pipeline/trace_contours.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Labels of the buildings that a tile draws, and of other buildings near them, whichever tile found them.
 class TileLabels {
@@ -29,12 +29,13 @@ class TileLabels {
     TileLabels(const TileRun& run, const JoinedTile& joined);
 
     /// Returns the labels of the tile's own buildings.
-    [[nodiscard]] LabelRows own(Context& context) const;
+    [[nodiscard]] detect::LabelRows own(Context& context) const;
     /// Marks, by label - 1, buildings with another tile's building within reach. @param reach rows and
     /// columns
     [[nodiscard]] std::vector<bool> near_other_tiles(LatticePoint reach) const;
     /// Returns the cells within reach of the wanted buildings, row by row. @param wanted by label - 1
-    [[nodiscard]] std::vector<RowSpan> cells_near(const std::vector<bool>& wanted, LatticePoint reach) const;
+    [[nodiscard]] std::vector<features::RowSpan> cells_near(const std::vector<bool>& wanted,
+                                                            LatticePoint reach) const;
 
   private:
     /// Returns the runs of a row of the window, from left to right.
@@ -92,8 +93,8 @@ std::span<const LabelRun> TileLabels::row(std::int32_t row) const {
     return std::span(runs_).subspan(first_[i], first_[i + 1] - first_[i]);
 }
 
-LabelRows TileLabels::own(Context& context) const {
-    LabelRows rows(context.make_spool(), window_);
+detect::LabelRows TileLabels::own(Context& context) const {
+    detect::LabelRows rows(context.make_spool(), window_);
     for (std::int32_t first = window_.row; first < window_.end_row(); first += rows_per_read) {
         const Window part{first, window_.col, std::min(rows_per_read, window_.end_row() - first),
                           window_.cols};
@@ -129,8 +130,9 @@ std::vector<bool> TileLabels::near_other_tiles(LatticePoint reach) const {
     return near;
 }
 
-std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted, LatticePoint reach) const {
-    std::vector<RowSpan> expanded;
+std::vector<features::RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted,
+                                                      LatticePoint reach) const {
+    std::vector<features::RowSpan> expanded;
     for (const LabelRun& run : runs_) {
         if (run.label > buildings_ || !wanted[run.label - 1])
             continue;
@@ -139,9 +141,9 @@ std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted, Lat
             expanded.push_back({r, std::max(run.begin - reach.col, window_.col),
                                 std::min(run.end + reach.col, window_.end_col())});
     }
-    std::ranges::sort(expanded, {}, [](const RowSpan& s) { return std::pair(s.row, s.begin); });
-    std::vector<RowSpan> spans;
-    for (const RowSpan& span : expanded) {
+    std::ranges::sort(expanded, {}, [](const features::RowSpan& s) { return std::pair(s.row, s.begin); });
+    std::vector<features::RowSpan> spans;
+    for (const features::RowSpan& span : expanded) {
         if (!spans.empty() && spans.back().row == span.row && span.begin <= spans.back().end)
             spans.back().end = std::max(spans.back().end, span.end);
         else
@@ -155,8 +157,8 @@ namespace {
 /// Contours of a tile, divided into those that can be drawn now and those left to the merge step, because
 /// their outlines depend on other tiles.
 struct DividedContours {
-    std::unique_ptr<StoredContours> whole;
-    std::unique_ptr<StoredContours> left;
+    std::unique_ptr<contours::StoredContours> whole;
+    std::unique_ptr<contours::StoredContours> left;
 };
 
 class TileDrawing {
@@ -167,12 +169,12 @@ class TileDrawing {
     [[nodiscard]] DrawnTile draw(DrawnBlocks& blocks);
 
   private:
-    [[nodiscard]] FoundBuildings found() const;
-    [[nodiscard]] LevelPlan global_levels() const;
-    [[nodiscard]] DividedContours divide(const StoredContours& contours);
-    void draw_whole(const StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
-                    DrawnBlocks& blocks);
-    void defer(const StoredContours& contours, DrawnTile& drawn);
+    [[nodiscard]] pipeline::FoundBuildings found() const;
+    [[nodiscard]] contours::LevelPlan global_levels() const;
+    [[nodiscard]] DividedContours divide(const contours::StoredContours& contours);
+    void draw_whole(const contours::StoredContours& contours, const pipeline::FoundBuildings& found,
+                    DrawnTile& drawn, DrawnBlocks& blocks);
+    void defer(const contours::StoredContours& contours, DrawnTile& drawn);
     void read_cells(DrawnTile& drawn);
 
     TileRun& run_;
@@ -184,7 +186,7 @@ class TileDrawing {
     SubwindowSource part_;
     ElevationReader reader_;
     LatticePoint reach_;
-    Tiers tiers_;
+    pipeline::Tiers tiers_;
     std::vector<bool> deferred_buildings_;  ///< by label - 1
 };
 
@@ -200,8 +202,8 @@ TileDrawing::TileDrawing(TileRun& run, const JoinedTile& joined)
       reach_(draw_reach(run.setup(), context_)),
       deferred_buildings_(joined.buildings.size()) {}
 
-FoundBuildings TileDrawing::found() const {
-    FoundBuildings found;
+pipeline::FoundBuildings TileDrawing::found() const {
+    pipeline::FoundBuildings found;
     found.labels = labels_.own(context_);
     found.buildings = joined_.sure();
     for (const JoinedBuilding& building : joined_.buildings)
@@ -211,17 +213,17 @@ FoundBuildings TileDrawing::found() const {
 }
 
 /// Uses a scratch context because dropped levels are counted once for all tiles.
-LevelPlan TileDrawing::global_levels() const {
+contours::LevelPlan TileDrawing::global_levels() const {
     Context uncounted;
-    return plan_global_levels(frame_.survey.statistics, run_.setup().plan.asked.levels,
-                              run_.setup().plan.levels, uncounted);
+    return contours::plan_global_levels(frame_.survey.statistics, run_.setup().plan.asked.levels,
+                                        run_.setup().plan.levels, uncounted);
 }
 
-DividedContours TileDrawing::divide(const StoredContours& contours) {
+DividedContours TileDrawing::divide(const contours::StoredContours& contours) {
     const std::vector<bool> near = labels_.near_other_tiles(reach_);
     std::vector<bool> is_deferred(contours.size());
     for (const std::vector<std::uint32_t>& group :
-         outline_dependencies_of(contours, run_.setup(), context_).groups) {
+         features::outline_dependencies_of(contours, run_.setup(), context_).groups) {
         const bool left =
             std::ranges::any_of(group, [&](std::uint32_t i) { return near[contours.head(i).label - 1]; });
         for (const std::uint32_t i : group) {
@@ -230,12 +232,12 @@ DividedContours TileDrawing::divide(const StoredContours& contours) {
                 deferred_buildings_[contours.head(i).label - 1] = true;
         }
     }
-    ContourMerger whole(context_.make_spool());
-    ContourMerger left(context_.make_spool());
+    contours::ContourMerger whole(context_.make_spool());
+    contours::ContourMerger left(context_.make_spool());
     std::vector<std::int64_t> place(contours.size());
     for (std::size_t i = 0; i < contours.size(); ++i) {
-        ContourMerger& merger = is_deferred[i] ? left : whole;
-        ContourHead head = contours.head(i);
+        contours::ContourMerger& merger = is_deferred[i] ? left : whole;
+        contours::ContourHead head = contours.head(i);
         if (head.parent >= 0)
             head.parent = place[static_cast<std::size_t>(head.parent)];
         place[i] = static_cast<std::int64_t>(merger.size());
@@ -244,28 +246,29 @@ DividedContours TileDrawing::divide(const StoredContours& contours) {
     return {whole.finish(), left.finish()};
 }
 
-void TileDrawing::draw_whole(const StoredContours& contours, const FoundBuildings& found, DrawnTile& drawn,
-                             DrawnBlocks& blocks) {
-    const RunSetup& setup = run_.setup();
-    const RecordBuilder records(contours, {tiers_.plan, fixed_, found.footprints, run_.metres(),
-                                           lattice_frame(run_.window(), setup.plan.trace)});
-    const Outliner outliner = draw_outlines(contours, setup, context_);
-    const FeatureInput input{setup, contours, outliner, found.buildings, fixed_};
-    ContourDrawer drawer(input, records, context_);
-    DrawnStack stack(context_.make_spool(), joined_.window);
-    drawer.draw_all([&](std::size_t, const DrawnContour& contour) {
+void TileDrawing::draw_whole(const contours::StoredContours& contours, const pipeline::FoundBuildings& found,
+                             DrawnTile& drawn, DrawnBlocks& blocks) {
+    const features::RunSetup& setup = run_.setup();
+    const features::RecordBuilder records(contours,
+                                          {tiers_.plan, fixed_, found.footprints, run_.metres(),
+                                           features::lattice_frame(run_.window(), setup.plan.trace)});
+    const outline::Outliner outliner = features::draw_outlines(contours, setup, context_);
+    const features::FeatureInput input{setup, contours, outliner, found.buildings, fixed_};
+    features::ContourDrawer drawer(input, records, context_);
+    features::DrawnStack stack(context_.make_spool(), joined_.window);
+    drawer.draw_all([&](std::size_t, const features::DrawnContour& contour) {
         if (drawer.returns_cells())
-            add_to_stack(contour, setup.layers.indices, stack);
+            features::add_to_stack(contour, setup.layers.indices, stack);
         blocks.add(contour);
     });
     blocks.finish();
-    for (PolygonMaker& maker : drawer.makers())
+    for (features::PolygonMaker& maker : drawer.makers())
         context_.report.merge(maker.tally());
     if (drawer.returns_cells())
-        drawn.error = measure_stack(stack, fixed_, reader_);
+        drawn.error = pipeline::measure_stack(stack, fixed_, reader_);
 }
 
-void TileDrawing::defer(const StoredContours& contours, DrawnTile& drawn) {
+void TileDrawing::defer(const contours::StoredContours& contours, DrawnTile& drawn) {
     std::vector<Label> number(joined_.buildings.size());
     for (std::size_t i = 0; i < deferred_buildings_.size(); ++i)
         if (deferred_buildings_[i]) {
@@ -274,7 +277,7 @@ void TileDrawing::defer(const StoredContours& contours, DrawnTile& drawn) {
         }
     for (std::size_t i = 0; i < contours.size(); ++i) {
         drawn.left.push_back({contours.head(i), contours.fetch_stored(i)});
-        ContourHead& head = drawn.left.back().head;
+        contours::ContourHead& head = drawn.left.back().head;
         head.label = number[head.label - 1];
     }
     drawn.cells.runs = labels_.cells_near(deferred_buildings_, reach_);
@@ -294,18 +297,19 @@ void TileDrawing::read_cells(DrawnTile& drawn) {
 }
 
 DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
-    const RunSetup& setup = run_.setup();
+    const features::RunSetup& setup = run_.setup();
     // The survey is run only for its side effect of filtering invalid elevations.
     (void)reader_.survey(
         run_.validity_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});
-    const FoundBuildings buildings = found();
-    tiers_ = plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
-    const TraceFrame frame{joined_.window, tiers_.plan.level_count(), fixed_,
-                           frame_.survey.statistics.range()};
-    const auto contours = trace_contours(reader_, frame, tiers_, &buildings, setup, context_);
+    const pipeline::FoundBuildings buildings = found();
+    tiers_ =
+        pipeline::plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
+    const contours::TraceFrame frame{joined_.window, tiers_.plan.level_count(), fixed_,
+                                     frame_.survey.statistics.range()};
+    const auto contours = pipeline::trace_contours(reader_, frame, tiers_, &buildings, setup, context_);
     DrawnTile drawn;
     drawn.levels = tiers_.plan.level_count();
-    drawn.buildings = static_cast<std::int64_t>(buildings_up_to(buildings.buildings, *contours));
+    drawn.buildings = static_cast<std::int64_t>(pipeline::buildings_up_to(buildings.buildings, *contours));
     const DividedContours divided = divide(*contours);
     draw_whole(*divided.whole, buildings, drawn, blocks);
     if (divided.left->size() > 0)
@@ -335,4 +339,4 @@ void draw_tile(TileRun& run, std::int64_t tile) {
     write_checkpoint(path, seal, writer.bytes(), blocks.bytes());
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

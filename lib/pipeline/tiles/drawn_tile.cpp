@@ -9,17 +9,18 @@
 #include "contours/contour_archive.hpp"
 #include "detect/detection.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
-constexpr std::array doubts{
-    CounterEvidence::rough, CounterEvidence::no_step,         CounterEvidence::steep, CounterEvidence::pieces,
-    CounterEvidence::green, CounterEvidence::no_right_angles, CounterEvidence::ragged};
+constexpr std::array doubts{detect::CounterEvidence::rough, detect::CounterEvidence::no_step,
+                            detect::CounterEvidence::steep, detect::CounterEvidence::pieces,
+                            detect::CounterEvidence::green, detect::CounterEvidence::no_right_angles,
+                            detect::CounterEvidence::ragged};
 
 std::uint8_t number_of(std::string_view doubt) {
     std::uint8_t number = 0;
-    for (const CounterEvidence known : doubts) {
-        if (counter_evidence_name(known) == doubt)
+    for (const detect::CounterEvidence known : doubts) {
+        if (detect::counter_evidence_name(known) == doubt)
             break;
         ++number;
     }
@@ -51,7 +52,7 @@ WorldPolygon load_part(ByteReader& reader) {
     return part;
 }
 
-void save(const FeaturePolygon& polygon, ByteWriter& writer) {
+void save(const features::FeaturePolygon& polygon, ByteWriter& writer) {
     writer.put(static_cast<std::uint64_t>(polygon.parts.size()));
     for (const WorldPolygon& part : polygon.parts)
         save(part, writer);
@@ -64,8 +65,8 @@ void save(const FeaturePolygon& polygon, ByteWriter& writer) {
     writer.put(static_cast<std::uint8_t>(polygon.split_by_projection ? 1 : 0));
 }
 
-FeaturePolygon load_polygon(ByteReader& reader) {
-    FeaturePolygon polygon;
+features::FeaturePolygon load_polygon(ByteReader& reader) {
+    features::FeaturePolygon polygon;
     polygon.parts.resize(reader.take_count(sizeof(std::uint64_t)));
     for (WorldPolygon& part : polygon.parts)
         part = load_part(reader);
@@ -80,13 +81,13 @@ FeaturePolygon load_polygon(ByteReader& reader) {
     return polygon;
 }
 
-void save(const std::optional<FeaturePolygon>& polygon, ByteWriter& writer) {
+void save(const std::optional<features::FeaturePolygon>& polygon, ByteWriter& writer) {
     writer.put(static_cast<std::uint8_t>(polygon ? 1 : 0));
     if (polygon)
         save(*polygon, writer);
 }
 
-std::optional<FeaturePolygon> load_optional_polygon(ByteReader& reader) {
+std::optional<features::FeaturePolygon> load_optional_polygon(ByteReader& reader) {
     if (reader.take<std::uint8_t>() == 0)
         return {};
     return load_polygon(reader);
@@ -94,7 +95,7 @@ std::optional<FeaturePolygon> load_optional_polygon(ByteReader& reader) {
 
 }  // namespace
 
-void save(const DrawnContour& drawn, ByteWriter& writer) {
+void save(const features::DrawnContour& drawn, ByteWriter& writer) {
     writer.put(drawn.key);
     writer.put(drawn.parent);
     writer.put(drawn.building_index);
@@ -112,9 +113,9 @@ void save(const DrawnContour& drawn, ByteWriter& writer) {
     save(drawn.contour, writer);
 }
 
-DrawnContour load_drawn_contour(ByteReader& reader) {
-    DrawnContour drawn;
-    drawn.key = reader.take<ContourKey>();
+features::DrawnContour load_drawn_contour(ByteReader& reader) {
+    features::DrawnContour drawn;
+    drawn.key = reader.take<contours::ContourKey>();
     drawn.parent = reader.take<std::int64_t>();
     drawn.building_index = reader.take<std::int64_t>();
     drawn.is_low_confidence = reader.take<std::uint8_t>() != 0;
@@ -127,7 +128,7 @@ DrawnContour load_drawn_contour(ByteReader& reader) {
         drawn.building_record.status = OutlineStatus::traced;
         drawn.building_record.parcel = {};  // restored later from its number
         drawn.building_record.doubt =
-            doubt < doubts.size() ? counter_evidence_name(doubts[doubt]) : std::string_view();
+            doubt < doubts.size() ? detect::counter_evidence_name(doubts[doubt]) : std::string_view();
     }
     drawn.building = load_optional_polygon(reader);
     drawn.contour = load_optional_polygon(reader);
@@ -152,14 +153,14 @@ DeferredBuilding load_deferred_building(ByteReader& reader) {
 
 void save(const DeferredContour& left, ByteWriter& writer) {
     writer.put(left.head);
-    save(left.stored, left.head.key.level, writer);
+    contours::save(left.stored, left.head.key.level, writer);
 }
 
 /// @param tile its contours loaded so far
 DeferredContour load_deferred_contour(ByteReader& reader, const DrawnTile& tile) {
     DeferredContour left;
-    left.head = reader.take<ContourHead>();
-    const ContourHead& head = left.head;
+    left.head = reader.take<contours::ContourHead>();
+    const contours::ContourHead& head = left.head;
     const auto before = static_cast<std::int64_t>(tile.left.size());
     if (head.label == 0 || head.label > tile.deferred_buildings.size() || head.parent < -1 ||
         head.parent >= before || head.key.level < 1 || (head.key.level > 1) != (head.parent >= 0))
@@ -169,7 +170,7 @@ DeferredContour load_deferred_contour(ByteReader& reader, const DrawnTile& tile)
     if (head.parent >= 0 &&
         tile.left[static_cast<std::size_t>(head.parent)].head.key.level != head.key.level - 1)
         throw CorruptRecord("a contour stands on one that is not the level below it");
-    left.stored = load_stored(head.key.level, reader);
+    left.stored = contours::load_stored(head.key.level, reader);
     return left;
 }
 
@@ -195,17 +196,17 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
     tile.tally = reader.take<Tally>();
     tile.levels = reader.take<std::int32_t>();
     tile.buildings = reader.take<std::int64_t>();
-    tile.error = reader.take<StackError>();
+    tile.error = reader.take<features::StackError>();
     tile.deferred_buildings.resize(reader.take_count(sizeof(JoinedBuilding)));
     for (DeferredBuilding& building : tile.deferred_buildings)
         building = load_deferred_building(reader);
-    const std::size_t left = reader.take_count(sizeof(ContourHead));
+    const std::size_t left = reader.take_count(sizeof(contours::ContourHead));
     for (std::size_t i = 0; i < left; ++i)
         tile.left.push_back(load_deferred_contour(reader, tile));
-    tile.cells.runs = reader.take_list<RowSpan>();
+    tile.cells.runs = reader.take_list<features::RowSpan>();
     tile.cells.elevations = reader.take_list<double>();
     std::uint64_t cells = 0;
-    for (const RowSpan& run : tile.cells.runs) {
+    for (const features::RowSpan& run : tile.cells.runs) {
         if (run.begin >= run.end)
             throw CorruptRecord("a run of cells is empty");
         cells += static_cast<std::uint64_t>(std::int64_t{run.end} - run.begin);
@@ -215,7 +216,7 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
     return tile;
 }
 
-void DrawnBlocks::add(const DrawnContour& drawn) {
+void DrawnBlocks::add(const features::DrawnContour& drawn) {
     if (block_.bytes().empty())
         first_ = drawn.key;
     else if (block_.bytes().size() >= usual_bytes || drawn.key.level != first_.level) {
@@ -232,7 +233,7 @@ void DrawnBlocks::finish() {
     blocks_.push_back({payload_.blocks().back(), first_});
 }
 
-std::optional<ContourKey> DrawnStream::key() {
+std::optional<contours::ContourKey> DrawnStream::key() {
     if (next_)
         return next_->key;
     if (block_) {
@@ -244,12 +245,12 @@ std::optional<ContourKey> DrawnStream::key() {
     return {};
 }
 
-DrawnContour DrawnStream::take() {
+features::DrawnContour DrawnStream::take() {
     if (!block_)
         load_block();
     if (!next_)
         load_next();
-    DrawnContour drawn = std::move(*next_);
+    features::DrawnContour drawn = std::move(*next_);
     next_.reset();
     if (block_->left() == 0)
         block_.reset();
@@ -267,7 +268,7 @@ void DrawnStream::load_block() {
 
 void DrawnStream::load_next() {
     try {
-        next_ = std::make_unique<DrawnContour>(load_drawn_contour(*block_));
+        next_ = std::make_unique<features::DrawnContour>(load_drawn_contour(*block_));
     } catch (const CorruptRecord& broken) {
         throw InputError(file_.damaged(broken.what()));
     }
@@ -332,4 +333,4 @@ NumberedWhole load_numbered_whole(ByteReader& reader, std::int64_t tiles) {
     return whole;
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -19,12 +19,12 @@
 #include "pipeline/tiles/checkpoint_file.hpp"
 #include "pipeline/tiles/found_tile.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Serialises a drawn contour without the cells of the contour.
-void save(const DrawnContour& drawn, ByteWriter& writer);
+void save(const features::DrawnContour& drawn, ByteWriter& writer);
 /// Deserialises a contour. @throws CorruptRecord
-[[nodiscard]] DrawnContour load_drawn_contour(ByteReader& reader);
+[[nodiscard]] features::DrawnContour load_drawn_contour(ByteReader& reader);
 
 /// Building whose outlines depend on those of another tile.
 struct DeferredBuilding {
@@ -34,14 +34,14 @@ struct DeferredBuilding {
 
 /// Contour of such a building.
 struct DeferredContour {
-    ContourHead head;  ///< label: index of its building in deferred_buildings, plus one; parent: index of an
-                       ///< earlier contour
-    StoredContours::Stored stored;
+    contours::ContourHead head;  ///< label: index of its building in deferred_buildings, plus one; parent:
+                                 ///< index of an earlier contour
+    contours::StoredContours::Stored stored;
 };
 
 /// Elevations of the cells needed to draw such buildings.
 struct DeferredCells {
-    std::vector<RowSpan> runs;
+    std::vector<features::RowSpan> runs;
     std::vector<double> elevations;  ///< values of all runs, one run after the other
 };
 
@@ -50,7 +50,7 @@ struct DrawnTile {
     Tally tally;
     std::int32_t levels = 1;     ///< number of levels of the tallest stack, including the root
     std::int64_t buildings = 0;  ///< footprints that are buildings with certainty
-    StackError error;            ///< error of the drawn stacks
+    features::StackError error;  ///< error of the drawn stacks
     std::vector<DeferredBuilding> deferred_buildings;
     std::vector<DeferredContour> left;
     DeferredCells cells;
@@ -62,7 +62,7 @@ void save(const DrawnTile& tile, ByteWriter& writer);
 /// Consecutive contours of one level drawn by a tile.
 struct DrawnBlock {
     PayloadBlocks::Block bytes;
-    ContourKey first;  ///< key of its first contour
+    contours::ContourKey first;  ///< key of its first contour
 };
 
 /// Contours drawn by a tile, in blocks that are read one at a time. Contours are ordered by level, then by
@@ -71,7 +71,7 @@ struct DrawnBlock {
 class DrawnBlocks {
   public:
     /// Adds a contour. @pre contours come in the order of their keys
-    void add(const DrawnContour& drawn);
+    void add(const features::DrawnContour& drawn);
     /// Ends the last block.
     void finish();
     [[nodiscard]] const std::vector<DrawnBlock>& blocks() const { return blocks_; }
@@ -81,7 +81,7 @@ class DrawnBlocks {
   private:
     static constexpr std::size_t usual_bytes = std::size_t{1} << 17;
     ByteWriter block_;
-    ContourKey first_;
+    contours::ContourKey first_;
     PayloadBlocks payload_;
     std::vector<DrawnBlock> blocks_;
 };
@@ -94,9 +94,9 @@ class DrawnStream {
 
     /// Returns the key of the next contour, or nothing at the end, without reading a block. @throws
     /// InputError
-    [[nodiscard]] std::optional<ContourKey> key();
+    [[nodiscard]] std::optional<contours::ContourKey> key();
     /// Returns the next contour. @pre key() @throws InputError
-    [[nodiscard]] DrawnContour take();
+    [[nodiscard]] features::DrawnContour take();
 
   private:
     void load_next();
@@ -107,14 +107,14 @@ class DrawnStream {
     std::size_t next_block_ = 0;
     std::uint64_t begin_ = 0;          ///< start of that block in the payload
     std::optional<ByteReader> block_;  ///< current block, while contours are left in it
-    std::unique_ptr<DrawnContour> next_;
-    std::optional<ContourKey> last_;
+    std::unique_ptr<features::DrawnContour> next_;
+    std::optional<contours::ContourKey> last_;
 };
 
 /// Results of step merge for a tile whose features go into separate files. Contours of the tile drawn by
 /// merge, with their numbers, follow in the payload of the file.
 struct NumberedTile {
-    AssignedIds numbers;  ///< numbers of the contours drawn by step draw
+    features::AssignedIds numbers;  ///< numbers of the contours drawn by step draw
     std::vector<DrawnBlock> left;
 };
 void save(const NumberedTile& tile, ByteWriter& writer);
@@ -141,4 +141,4 @@ void save(const NumberedWhole& whole, ByteWriter& writer);
 /// @param tiles number of tiles of the plan @throws CorruptRecord
 [[nodiscard]] NumberedWhole load_numbered_whole(ByteReader& reader, std::int64_t tiles);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

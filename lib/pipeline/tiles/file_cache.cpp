@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace d2b {
+namespace d2b::tiles {
 
 OpenFile::OpenFile(const std::filesystem::path& path, int flags)
     : file_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
@@ -73,4 +73,4 @@ std::shared_ptr<const OpenFile> FileHandleCache::open(const std::filesystem::pat
     return file;
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

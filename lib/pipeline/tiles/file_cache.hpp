@@ -10,7 +10,7 @@
 #include <string>
 #include <unordered_map>
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Open file descriptor. If is_open() is false, errno gives the reason.
 class OpenFile {
@@ -61,4 +61,4 @@ class FileHandleCache {
     std::unordered_map<std::string, std::list<Recent>::iterator> places_;  ///< by path
 };
 
-}  // namespace d2b
+}  // namespace d2b::tiles

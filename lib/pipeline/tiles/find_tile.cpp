@@ -6,7 +6,7 @@
 #include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 /// Reads the extent of a tile's units and filters invalid elevations. Reads one cell more on each side,
@@ -21,10 +21,10 @@ ElevationSurvey survey(ElevationReader& reader, const TileRun& run, const Window
         own);
 }
 
-FoundUnit found_unit(const Unit& unit, FoundInUnit&& here) {
+FoundUnit found_unit(const detect::Unit& unit, pipeline::FoundInUnit&& here) {
     std::vector<LabelRun> runs = label_runs(unit, here.labels);
     std::vector<Window> boxes = boxes_of(here.objects.size(), runs);
-    return {std::move(here.objects), std::move(boxes), std::move(runs), edges_of(unit, here.labels)};
+    return {std::move(here.objects), std::move(boxes), std::move(runs), detect::edges_of(unit, here.labels)};
 }
 
 void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, ElevationReader& reader,
@@ -34,12 +34,12 @@ void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, Elevatio
     PlannedSink nowhere(run.setup().plan.layers);
     AuxiliarySinks rasters = open_tile_rasters(run, tile);
     const Sinks sinks{nowhere, rasters.ground.get(), rasters.height.get(), rasters.canopy.get()};
-    const UnitSearch search{
+    const pipeline::UnitSearch search{
         run.setup().plan, sources, sinks, reader, {run.window(), run.setup().cell, run.metres()},
         run.context()};
     FoundFacts& facts = found.facts;
     for (const NumberedUnit& placed : run.tiles().units_of(tile)) {
-        FoundInUnit here = find_in_unit(search, placed.unit);
+        pipeline::FoundInUnit here = pipeline::find_in_unit(search, placed.unit);
         facts.scene.merge(here.scene);
         found.units.push_back(found_unit(placed.unit, std::move(here)));
     }
@@ -57,16 +57,16 @@ void find_tile(TileRun& run, std::int64_t tile) {
         return;
     Context& context = run.context();
     FoundTile found{run.empty_facts(), {}};
-    const Unit whole = run.tiles().whole(tile);
+    const detect::Unit whole = run.tiles().whole(tile);
     SubwindowSource part(run.sources().dem, expanded(whole.seen, 1, 1, run.window()));
     ElevationReader reader(part, context);
     found.facts.survey = survey(reader, run, whole.own, context);
     find_units(run, tile, part, reader, found);
     found.facts.tally.merge(context.report);
-    found.facts.warnings = take_warnings(run.sources());
+    found.facts.warnings = pipeline::take_warnings(run.sources());
     ByteWriter writer;
     save(found, writer);
     write_checkpoint(path, seal, writer.bytes());
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

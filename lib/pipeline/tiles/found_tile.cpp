@@ -6,7 +6,7 @@
 
 #include "core/grid.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 void save_text(const std::string& text, ByteWriter& writer) {
@@ -45,7 +45,7 @@ std::vector<Label> load_labels(ByteReader& reader, Label labels, std::int32_t ce
     return line;
 }
 
-void save(const UnitEdges::Lines& lines, ByteWriter& writer) {
+void save(const detect::UnitEdges::Lines& lines, ByteWriter& writer) {
     for (const std::vector<Label>& line : lines)
         save_labels(line, writer);
 }
@@ -54,13 +54,13 @@ void save(const FoundUnit& unit, ByteWriter& writer) {
     writer.put_list(unit.objects);
     writer.put_list(unit.boxes);
     writer.put_list(unit.runs);
-    for (const UnitEdges::Lines* lines :
+    for (const detect::UnitEdges::Lines* lines :
          {&unit.edges.above, &unit.edges.left, &unit.edges.below, &unit.edges.right})
         save(*lines, writer);
 }
 
-UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32_t cells) {
-    UnitEdges::Lines lines;
+detect::UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32_t cells) {
+    detect::UnitEdges::Lines lines;
     for (std::vector<Label>& line : lines)
         line = load_labels(reader, labels, cells);
     return lines;
@@ -68,7 +68,7 @@ UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32_t cells
 
 FoundUnit load_found_unit(ByteReader& reader, const Window& own) {
     FoundUnit unit;
-    unit.objects = reader.take_list<SeenObject>();
+    unit.objects = reader.take_list<detect::SeenObject>();
     unit.boxes = reader.take_list<Window>();
     unit.runs = reader.take_list<LabelRun>();
     const auto labels = static_cast<Label>(unit.objects.size());
@@ -87,7 +87,7 @@ FoundUnit load_found_unit(ByteReader& reader, const Window& own) {
 
 }  // namespace
 
-std::vector<LabelRun> label_runs(const Unit& unit, const Grid<Label>& labels) {
+std::vector<LabelRun> label_runs(const detect::Unit& unit, const Grid<Label>& labels) {
     const Window& own = unit.own;
     std::vector<LabelRun> runs;
     for (std::int32_t row = own.row; row < own.end_row(); ++row)
@@ -141,7 +141,7 @@ void FoundFacts::save(ByteWriter& writer) const {
 void FoundFacts::load(ByteReader& reader) {
     survey.statistics = reader.take<ElevationStatistics>();
     survey.suspicious.load(reader);
-    scene = reader.take<SceneStatistics>();
+    scene = reader.take<detect::SceneStatistics>();
     terrain_outside = reader.take<std::int64_t>();
     tally = reader.take<Tally>();
     warnings.resize(reader.take_count(sizeof(std::uint64_t)));
@@ -197,4 +197,4 @@ JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64
     return tile;
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -13,7 +13,7 @@
 #include "detect/units.hpp"
 #include "elevations/elevation_reader.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Run of cells with one label in a row of the whole raster.
 struct LabelRun {
@@ -23,14 +23,14 @@ struct LabelRun {
     Label label = 0;
 };
 /// Returns the runs in the core of a unit, row by row. @param labels of its whole extent
-[[nodiscard]] std::vector<LabelRun> label_runs(const Unit& unit, const Grid<Label>& labels);
+[[nodiscard]] std::vector<LabelRun> label_runs(const detect::Unit& unit, const Grid<Label>& labels);
 
 /// Results of step find for a unit. Labels are local to the unit and begin at 1.
 struct FoundUnit {
-    std::vector<SeenObject> objects;  ///< indexed by label - 1
-    std::vector<Window> boxes;        ///< bounding boxes of their cells in the core of the unit; likewise
+    std::vector<detect::SeenObject> objects;  ///< indexed by label - 1
+    std::vector<Window> boxes;  ///< bounding boxes of their cells in the core of the unit; likewise
     std::vector<LabelRun> runs;
-    UnitEdges edges;
+    detect::UnitEdges edges;
 };
 /// Returns the bounding boxes of objects. @param objects number of labels @param runs of their labels
 [[nodiscard]] std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& runs);
@@ -45,7 +45,7 @@ struct FoundFacts {
     void load(ByteReader& reader);
 
     ElevationSurvey survey;  ///< cells in the core of the tile
-    SceneStatistics scene;
+    detect::SceneStatistics scene;
     std::int64_t terrain_outside = 0;  ///< cells of a terrain model outside of its range; sums over tiles
                                        ///< count some of them more than once
     Tally tally;
@@ -66,7 +66,7 @@ void save(const FoundTile& tile, ByteWriter& writer);
 /// Certain or possible building that a tile draws.
 struct JoinedBuilding {
     bool is_building = false;
-    CounterEvidence doubt = CounterEvidence::rough;
+    detect::CounterEvidence doubt = detect::CounterEvidence::rough;
     double ground = 0;  ///< elevation in m; NaN if unknown
     double confidence = 0;
     std::int64_t parcel = ParcelCell::no_parcel;
@@ -94,4 +94,4 @@ void save(const JoinedTile& tile, ByteWriter& writer);
 /// @param window of the whole raster @param units number of units in it @throws CorruptRecord
 [[nodiscard]] JoinedTile load_joined_tile(ByteReader& reader, const Window& window, std::int64_t units);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

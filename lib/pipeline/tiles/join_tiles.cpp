@@ -11,12 +11,12 @@
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 std::vector<bool> labels_at_seams(const FoundUnit& unit) {
     std::vector<bool> at_seam(unit.objects.size() + 1);
-    for (const UnitEdges::Lines* lines :
+    for (const detect::UnitEdges::Lines* lines :
          {&unit.edges.above, &unit.edges.left, &unit.edges.below, &unit.edges.right})
         for (const std::vector<Label>& line : *lines)
             for (const Label label : line)
@@ -49,7 +49,7 @@ UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, st
             divided.marks[i] = static_cast<UnitObjects::Mark>(divided.at_seams.size());
             continue;
         }
-        SeenObject seen = unit.objects[i];
+        detect::SeenObject seen = unit.objects[i];
         if (seen.own_cells < rules.min_cells)
             continue;
         doubtful += seen.is_building ? 0 : 1;
@@ -77,8 +77,8 @@ std::vector<InteriorObject> InteriorObjects::interior_objects(std::int64_t unit)
 namespace {
 
 /// Translates edge labels to indices of seam objects; labels of other objects become 0.
-UnitEdges seam_labels(UnitEdges edges, const std::vector<UnitObjects::Mark>& marks) {
-    for (UnitEdges::Lines* lines : {&edges.above, &edges.left, &edges.below, &edges.right})
+detect::UnitEdges seam_labels(detect::UnitEdges edges, const std::vector<UnitObjects::Mark>& marks) {
+    for (detect::UnitEdges::Lines* lines : {&edges.above, &edges.left, &edges.below, &edges.right})
         for (std::vector<Label>& line : *lines)
             for (Label& label : line)
                 label = label == 0 ? 0 : marks[label - 1];
@@ -91,7 +91,7 @@ void BorderObjects::put(std::int64_t number, FoundUnit&& found, const UnitObject
     const auto i = static_cast<std::size_t>(number);
     Unit& unit = units_[i];
     for (const Label label : divided.at_seams) {
-        const SeenObject& seen = found.objects[label - 1];
+        const detect::SeenObject& seen = found.objects[label - 1];
         unit.objects.push_back(seen);
         unit.places.push_back({found.boxes[label - 1], seen.own_cells, number, label});
     }
@@ -118,7 +118,7 @@ std::vector<BorderObject> BorderObjects::take() {
     return std::exchange(seen_, std::vector<BorderObject>());
 }
 
-void ObjectAssignment::place(std::vector<BorderObject> seen, UnitMerger::Merged merged) {
+void ObjectAssignment::place(std::vector<BorderObject> seen, detect::UnitMerger::Merged merged) {
     number_ = std::move(merged.number);
     crossing_.resize(merged.objects.size());
     std::vector<BorderObject> owners(crossing_.size());
@@ -135,7 +135,7 @@ void ObjectAssignment::place(std::vector<BorderObject> seen, UnitMerger::Merged 
         if (place.cells > owner.cells)
             owner = place;
     }
-    merged.objects = std::vector<SeenObject>();  // = {} would keep the capacity
+    merged.objects = std::vector<detect::SeenObject>();  // = {} would keep the capacity
     seen = std::vector<BorderObject>();
     const auto tile = [&](const AssignedObject& object) {
         return tiles_.tile_of(owners[object.joined].unit);
@@ -210,7 +210,7 @@ class TileJoiner {
 };
 
 void TileJoiner::load() {
-    const InteriorRules rules{min_cells(run_.setup().plan, run_.tiles().units(), run_.setup().cell),
+    const InteriorRules rules{pipeline::min_cells(run_.setup().plan, run_.tiles().units(), run_.setup().cell),
                               run_.setup().plan.asked.write.doubtful};
     for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
         run_.context().check_stop();
@@ -231,8 +231,8 @@ void TileJoiner::load(FoundUnit&& found, std::int64_t number, const InteriorRule
 
 void TileJoiner::join() {
     Context& context = run_.context();
-    UnitMerger::Merged merged = merge_found_units(seams_.merger(), run_.setup().plan, run_.tiles().units(),
-                                                  run_.setup().cell, context.report);
+    detect::UnitMerger::Merged merged = pipeline::merge_found_units(
+        seams_.merger(), run_.setup().plan, run_.tiles().units(), run_.setup().cell, context.report);
     context.report.count(Reason::building_doubtful, interior_low_confidence_);
     facts_.tally.merge(context.report);
     placed_.place(seams_.take(), std::move(merged));
@@ -242,7 +242,7 @@ JoinedTile TileJoiner::joined(std::int64_t tile) const {
     const std::vector<AssignedObject> objects = placed_.of(tile);
     JoinedTile joined;
     for (const AssignedObject& object : objects) {
-        const SeenObject& seen = object.seen;
+        const detect::SeenObject& seen = object.seen;
         joined.buildings.push_back(
             {seen.is_building, seen.object.doubt, seen.ground, seen.object.confidence, seen.object.parcel});
         joined.window = bounding_window(joined.window, object.box);
@@ -288,4 +288,4 @@ void join_tiles(TileRun& run) {
     run.remove_leftovers(TileStep::join);
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

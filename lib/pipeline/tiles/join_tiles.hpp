@@ -13,11 +13,11 @@
 #include "pipeline/tiles/found_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Object that does not touch a seam, so only its unit contains it.
 struct InteriorObject {
-    SeenObject seen;
+    detect::SeenObject seen;
     Window box;
     Label label = 0;  ///< label in its unit
 };
@@ -85,7 +85,7 @@ class BorderObjects {
     /// Compares units in order, up to the first one that has not been added.
     void compare_known();
 
-    [[nodiscard]] UnitMerger& merger() { return merger_; }
+    [[nodiscard]] detect::UnitMerger& merger() { return merger_; }
     /// Returns the merger's label of an object. @param mark of the unit's own label, not left_out or
     /// interior
     [[nodiscard]] Label label(std::int64_t unit, UnitObjects::Mark mark) const {
@@ -97,9 +97,9 @@ class BorderObjects {
   private:
     /// Seam objects of a unit until it has been compared.
     struct Unit {
-        std::vector<SeenObject> objects;
+        std::vector<detect::SeenObject> objects;
         std::vector<BorderObject> places;  ///< location of each object
-        UnitEdges edges;
+        detect::UnitEdges edges;
     };
     void compare_next();
 
@@ -109,13 +109,13 @@ class BorderObjects {
     std::vector<Label> first_;  ///< by unit: offset from its seam object indices to the merger's labels
     std::size_t next_ = 0;      ///< next unit to compare
     std::vector<BorderObject> seen_{{}};
-    UnitMerger merger_;
-    UnitSeams seams_;
+    detect::UnitMerger merger_;
+    detect::UnitSeams seams_;
 };
 
 /// Detected object assigned to the tile that draws it.
 struct AssignedObject {
-    SeenObject seen;
+    detect::SeenObject seen;
     Window box;
     std::int64_t unit = 0;      ///< first unit that contains it
     Label label = 0;            ///< label in that unit
@@ -134,7 +134,7 @@ class ObjectAssignment {
         : tiles_(tiles), interior_(interior), seams_(seams) {}
 
     /// @param seen objects at seams, by the merger's label @param merged result of the merger
-    void place(std::vector<BorderObject> seen, UnitMerger::Merged merged);
+    void place(std::vector<BorderObject> seen, detect::UnitMerger::Merged merged);
     /// Returns the objects that a tile draws, sorted by order().
     [[nodiscard]] std::vector<AssignedObject> of(std::int64_t tile) const;
     /// Maps the labels of a unit to those of a tile with these objects. @param number of the unit
@@ -151,4 +151,4 @@ class ObjectAssignment {
     std::vector<std::int64_t> drawn_by_;    ///< drawing tile of each
 };
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -27,7 +27,7 @@
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Elevations of the cells around deferred buildings, collected from all tiles and kept in a spool.
 class DeferredElevations {
@@ -38,8 +38,8 @@ class DeferredElevations {
     /// full
     void add(const DeferredCells& cells);
     /// Measures the error of a stack against them. @param window of the stack @throws OutputError
-    [[nodiscard]] StackError error(const DrawnStack& stack, const Window& window,
-                                   const FixedPoint& fixed) const;
+    [[nodiscard]] features::StackError error(const features::DrawnStack& stack, const Window& window,
+                                             const FixedPoint& fixed) const;
 
   private:
     /// Block size in rows and columns of the whole raster.
@@ -57,11 +57,11 @@ class DrawnTiles {
     Tally tally;
     int levels = 1;
     std::int64_t buildings = 0;
-    StackError error;
+    features::StackError error;
     std::vector<DrawnStream> streams;
-    std::unique_ptr<StoredContours> left;
-    std::vector<Footprint> footprints{{}};  ///< footprints of deferred buildings, by label
-    LevelPlan plan;                         ///< thresholds of deferred buildings, by label
+    std::unique_ptr<contours::StoredContours> left;
+    std::vector<features::Footprint> footprints{{}};  ///< footprints of deferred buildings, by label
+    contours::LevelPlan plan;                         ///< thresholds of deferred buildings, by label
     Label sure = 0;  ///< number of deferred labels that are buildings; higher ones are low-confidence
     std::vector<std::int64_t> tiles{-1};  ///< tile that deferred each label
     DeferredElevations elevations;
@@ -84,19 +84,19 @@ class DrawnStreamMerger {
     /// @param streams by tile; all references must outlive this
     /// @param parts null if features go into one dataset
     /// @param spool for numbers that are not in memory
-    DrawnStreamMerger(std::vector<DrawnStream>& streams, FeatureWriter& writer, IdCollectorSink* parts,
-                      std::unique_ptr<Spool> spool);
+    DrawnStreamMerger(std::vector<DrawnStream>& streams, features::FeatureWriter& writer,
+                      IdCollectorSink* parts, std::unique_ptr<Spool> spool);
 
     /// Writes all contours before a key, or all remaining ones if there is no key. @throws InputError,
     /// OutputError
-    void write_before(const std::optional<ContourKey>& end);
+    void write_before(const std::optional<contours::ContourKey>& end);
     /// Returns the ids assigned so far, by tile.
     [[nodiscard]] TileIds& numbers() { return numbers_; }
 
   private:
-    using Next = std::pair<ContourKey, std::size_t>;
+    using Next = std::pair<contours::ContourKey, std::size_t>;
     std::vector<DrawnStream>& streams_;
-    FeatureWriter& writer_;
+    features::FeatureWriter& writer_;
     IdCollectorSink* parts_;
     TileIds numbers_;
     std::priority_queue<Next, std::vector<Next>, std::greater<>> next_;
@@ -105,10 +105,10 @@ class DrawnStreamMerger {
 void DeferredElevations::add(const DeferredCells& cells) {
     std::map<LatticePoint, ByteWriter> parts;
     auto next = cells.elevations.begin();
-    for (const RowSpan& run : cells.runs)
+    for (const features::RowSpan& run : cells.runs)
         for (std::int32_t begin = run.begin; begin < run.end;) {
             const std::int32_t block_col = begin - begin % block_cols;
-            const RowSpan part{run.row, begin, std::min(run.end, block_col + block_cols)};
+            const features::RowSpan part{run.row, begin, std::min(run.end, block_col + block_cols)};
             ByteWriter& writer = parts[{run.row - run.row % block_rows, block_col}];
             writer.put(part);
             for (; begin < part.end; ++begin)
@@ -118,9 +118,9 @@ void DeferredElevations::add(const DeferredCells& cells) {
         blocks_[block].push_back(append(*spool_, writer));
 }
 
-StackError DeferredElevations::error(const DrawnStack& stack, const Window& window,
-                                     const FixedPoint& fixed) const {
-    StackError error;
+features::StackError DeferredElevations::error(const features::DrawnStack& stack, const Window& window,
+                                               const FixedPoint& fixed) const {
+    features::StackError error;
     for (const auto& [first, entries] : blocks_) {
         const std::int32_t row = std::max(first.row, window.row);
         const std::int32_t col = std::max(first.col, window.col);
@@ -133,7 +133,7 @@ StackError DeferredElevations::error(const DrawnStack& stack, const Window& wind
         for (const SpoolEntry& entry : entries) {
             ByteReader reader(*spool_, entry);
             while (reader.left() > 0) {
-                const auto run = reader.take<RowSpan>();
+                const auto run = reader.take<features::RowSpan>();
                 for (std::int32_t c = run.begin; c < run.end; ++c) {
                     const auto z = reader.take<double>();
                     if (window.holds(run.row, c))
@@ -162,7 +162,7 @@ DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(contex
         take(std::move(tile));
     }
     number_deferred(run.metres());
-    ContourMerger merger(context.make_spool());
+    contours::ContourMerger merger(context.make_spool());
     for (const DeferredContour& contour : deferred_)
         merger.add(contour.head, contour.stored);
     left = merger.finish();
@@ -199,8 +199,8 @@ void DrawnTiles::number_deferred(double metres) {
             if (facts.is_building != is_sure)
                 continue;
             number[i + 1] = static_cast<Label>(footprints.size());
-            footprints.push_back(
-                {facts.ground / metres, facts.confidence, counter_evidence_name(facts.doubt), facts.parcel});
+            footprints.push_back({facts.ground / metres, facts.confidence,
+                                  detect::counter_evidence_name(facts.doubt), facts.parcel});
             plan.thresholds.push_back(deferred_buildings_[i].thresholds);
             tiles.push_back(deferred_by_[i]);
         }
@@ -211,7 +211,7 @@ void DrawnTiles::number_deferred(double metres) {
         contour.head.label = number[contour.head.label];
 }
 
-DrawnStreamMerger::DrawnStreamMerger(std::vector<DrawnStream>& streams, FeatureWriter& writer,
+DrawnStreamMerger::DrawnStreamMerger(std::vector<DrawnStream>& streams, features::FeatureWriter& writer,
                                      IdCollectorSink* parts, std::unique_ptr<Spool> spool)
     : streams_(streams), writer_(writer), parts_(parts), numbers_(std::move(spool), streams.size()) {
     for (std::size_t i = 0; i < streams.size(); ++i)
@@ -219,7 +219,7 @@ DrawnStreamMerger::DrawnStreamMerger(std::vector<DrawnStream>& streams, FeatureW
             next_.emplace(*key, i);
 }
 
-void DrawnStreamMerger::write_before(const std::optional<ContourKey>& end) {
+void DrawnStreamMerger::write_before(const std::optional<contours::ContourKey>& end) {
     while (!next_.empty() && (!end || next_.top().first < *end)) {
         const auto [key, i] = next_.top();
         next_.pop();
@@ -239,13 +239,13 @@ namespace {
 /// Writes all features, those of tiles and the deferred ones, in the order of keys.
 /// @param parts the sink if tiles write features into files of their own, otherwise null
 /// @return the ids of the contours that each tile has drawn
-TileIds write_all(const FeatureInput& input, const RecordBuilder& records, DrawnTiles& drawn,
-                  FeatureSink& sink, IdCollectorSink* parts, Context& context) {
-    FeatureWriter writer(input, records, sink, context);
+TileIds write_all(const features::FeatureInput& input, const features::RecordBuilder& records,
+                  DrawnTiles& drawn, FeatureSink& sink, IdCollectorSink* parts, Context& context) {
+    features::FeatureWriter writer(input, records, sink, context);
     writer.begin();
     DrawnStreamMerger sequence(drawn.streams, writer, parts, context.make_spool());
-    AssignedIds numbers;
-    writer.drawer().draw_all([&](std::size_t i, DrawnContour&& contour) {
+    features::AssignedIds numbers;
+    writer.drawer().draw_all([&](std::size_t i, features::DrawnContour&& contour) {
         sequence.write_before(contour.key);
         writer.assign_ids(numbers, contour);
         if (parts != nullptr) {
@@ -253,12 +253,12 @@ TileIds write_all(const FeatureInput& input, const RecordBuilder& records, Drawn
             parts->add_deferred(contour);
         }
         writer.add_with_ids(numbers, i, std::move(contour));
-        if (i % contours_per_task == 0)
+        if (i % features::contours_per_task == 0)
             context.progress(static_cast<double>(i) / static_cast<double>(input.contours.size()));
     });
     sequence.write_before({});
-    if (const std::optional<DrawnStack> stack = writer.finish()) {
-        StackError error = drawn.elevations.error(*stack, input.setup.dem.window, input.fixed);
+    if (const std::optional<features::DrawnStack> stack = writer.finish()) {
+        features::StackError error = drawn.elevations.error(*stack, input.setup.dem.window, input.fixed);
         error.merge(drawn.error);
         context.report.stack_rmse_m = error.rms(input.fixed) * context.report.units.vertical_metres;
     }
@@ -281,18 +281,19 @@ void check_terrain_range(TileRun& run, const FoundFacts& facts, FeatureSink& fea
         run.sources().terrain->read(part, values);
     }
     context.report.count(Reason::terrain_outside_range, run.sources().terrain->cells_outside_range());
-    pass_warnings(run.sources(), {features}, context);
+    pipeline::pass_warnings(run.sources(), {features}, context);
 }
 
 /// Loads the results of join and issues the same warnings as an untiled run. @throws InputError
 FoundFacts load_and_report_frame(TileRun& run, FeatureSink& features) {
     Context& context = run.context();
     FoundFacts facts = run.load_frame();
-    report_suspicious_values(facts.survey.suspicious, facts.survey.statistics.moments.n, run.undeclared(),
-                             run.setup().dem, run.setup().plan.asked.read, context);
+    features::report_suspicious_values(facts.survey.suspicious, facts.survey.statistics.moments.n,
+                                       run.undeclared(), run.setup().dem, run.setup().plan.asked.read,
+                                       context);
     for (const std::string& text : facts.warnings)
         context.warn(text);
-    pass_warnings(run.sources(), {features}, context);
+    pipeline::pass_warnings(run.sources(), {features}, context);
     return facts;
 }
 
@@ -300,26 +301,29 @@ FoundFacts load_and_report_frame(TileRun& run, FeatureSink& features) {
 void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, CommitList& commit) {
     Context& context = run.context();
     RunReport& report = context.report;
-    const RunSetup& setup = run.setup();
+    const features::RunSetup& setup = run.setup();
     const Options& options = setup.plan.asked;
     const FoundFacts facts = load_and_report_frame(run, features);
     const ElevationStatistics& statistics = facts.survey.statistics;
     const FixedPoint fixed = statistics.fixed_point();
-    const LevelPlan global = plan_global_levels(statistics, options.levels, setup.plan.levels, context);
+    const contours::LevelPlan global =
+        contours::plan_global_levels(statistics, options.levels, setup.plan.levels, context);
     report.merge(facts.tally);
     check_terrain_range(run, facts, features);
     DrawnTiles drawn(run, context);
     report.merge(drawn.tally);
     drawn.plan.minimum = global.minimum;
-    const RecordBuilder records(*drawn.left, {drawn.plan, fixed, drawn.footprints, run.metres(),
-                                              lattice_frame(run.window(), setup.plan.trace)});
-    report_levels(drawn.plan, drawn.levels, report);
-    warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &facts.scene,
-                   run.sources().terrain, context);
-    const Outliner outliner = draw_outlines(*drawn.left, setup, context);
-    const FeatureInput input{setup, *drawn.left, outliner, drawn.sure, fixed, run.sources().parcels};
+    const features::RecordBuilder records(*drawn.left,
+                                          {drawn.plan, fixed, drawn.footprints, run.metres(),
+                                           features::lattice_frame(run.window(), setup.plan.trace)});
+    pipeline::report_levels(drawn.plan, drawn.levels, report);
+    pipeline::warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &facts.scene,
+                             run.sources().terrain, context);
+    const outline::Outliner outliner = features::draw_outlines(*drawn.left, setup, context);
+    const features::FeatureInput input{setup,      *drawn.left, outliner,
+                                       drawn.sure, fixed,       run.sources().parcels};
     const TileIds numbers = write_all(input, records, drawn, features, parts, context);
-    prepare_sinks({features}, commit, context);
+    pipeline::prepare_sinks({features}, commit, context);
     if (parts != nullptr) {
         parts->write(run, numbers, drawn.levels);
         commit.add(*parts);
@@ -328,7 +332,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
 
 RunReport merge(TileRun& run, FeatureSink& features, IdCollectorSink* parts,
                 const ReportReader<RunReport>& reader) {
-    const auto warn = [&] { pass_warnings(run.sources(), {features}, run.context()); };
+    const auto warn = [&] { pipeline::pass_warnings(run.sources(), {features}, run.context()); };
     CommitList commit;
     try {
         merge_drawn(run, features, parts, commit);
@@ -359,4 +363,4 @@ RunReport number_tiles(TileRun& run, const ReportReader<RunReport>& reader) {
     return merge(run, parts, &parts, reader);
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -6,14 +6,14 @@
 
 #include "pipeline/tiles/drawn_tile.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 TileIds::TileIds(std::unique_ptr<Spool> spool, std::size_t tiles)
     : spool_(std::move(spool)), spooled_(tiles) {}
 
-AssignedIds& TileIds::of(std::size_t tile) {
+features::AssignedIds& TileIds::of(std::size_t tile) {
     const auto [at, is_new] = in_memory_.try_emplace(tile);
-    AssignedIds& numbers = at->second;
+    features::AssignedIds& numbers = at->second;
     const SpooledIds& spooled = spooled_[tile];
     if (is_new && !spooled.written.empty()) {
         numbers.before = spooled.before;
@@ -27,7 +27,7 @@ void TileIds::spool_level(std::size_t tile) {
     const auto at = in_memory_.find(tile);
     if (at == in_memory_.end())
         return;
-    const AssignedIds& numbers = at->second;
+    const features::AssignedIds& numbers = at->second;
     SpooledIds& spooled = spooled_[tile];
     // Buildings are contours of the first level.
     if (spooled.written.empty())
@@ -39,8 +39,8 @@ void TileIds::spool_level(std::size_t tile) {
     in_memory_.erase(at);
 }
 
-AssignedIds TileIds::all(std::size_t tile) const {
-    AssignedIds numbers;
+features::AssignedIds TileIds::all(std::size_t tile) const {
+    features::AssignedIds numbers;
     const SpooledIds& spooled = spooled_[tile];
     for (const SpoolEntry& entry : spooled.written)
         read(entry, numbers.written);
@@ -67,7 +67,7 @@ void IdCollectorSink::add(std::size_t layer, const Feature& feature) {
     whole_.layers[layer].add(tile_, feature.parts);
 }
 
-void IdCollectorSink::add_deferred(const DrawnContour& drawn) {
+void IdCollectorSink::add_deferred(const features::DrawnContour& drawn) {
     ByteWriter writer;
     save(drawn, writer);
     kept_[tile_].push_back(append(*spool_, writer));
@@ -108,4 +108,4 @@ std::string IdCollectorSink::roll_back() {
     return error ? "\"" + frame_.string() + "\" already exists" : "";
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

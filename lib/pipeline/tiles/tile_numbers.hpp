@@ -15,7 +15,7 @@
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Ids of the contours that each tile has drawn. Contours of all tiles arrive level by level and row by row,
 /// so those of one tile are consecutive once per level. In between its ids are spooled, because memory
@@ -27,11 +27,11 @@ class TileIds {
     /// Returns the ids that a tile's contours of the current level need: contours of the level below, those
     /// of this level so far, and buildings. Valid until spool_level() of the tile. @throws OutputError the
     /// spool cannot be read
-    [[nodiscard]] AssignedIds& of(std::size_t tile);
+    [[nodiscard]] features::AssignedIds& of(std::size_t tile);
     /// Spools a tile's ids after its last contour of a level. @throws OutputError the spool is full
     void spool_level(std::size_t tile);
     /// Returns all ids of a tile. Call after all have been spooled. @throws OutputError
-    [[nodiscard]] AssignedIds all(std::size_t tile) const;
+    [[nodiscard]] features::AssignedIds all(std::size_t tile) const;
 
   private:
     struct SpooledIds {
@@ -45,7 +45,7 @@ class TileIds {
 
     std::unique_ptr<Spool> spool_;
     std::vector<SpooledIds> spooled_;
-    std::unordered_map<std::size_t, AssignedIds> in_memory_;
+    std::unordered_map<std::size_t, features::AssignedIds> in_memory_;
 };
 
 /// Stands in for the destination if tiles write their features into files of their own. Records which layers
@@ -62,7 +62,7 @@ class IdCollectorSink final : public FeatureSink, public PendingResult {
     void set_tile(std::int64_t tile) { tile_ = tile; }
     /// Keeps a deferred contour that the merge step has drawn and numbered. @throws OutputError the spool is
     /// full
-    void add_deferred(const DrawnContour& drawn);
+    void add_deferred(const features::DrawnContour& drawn);
     /// Writes the files of ids, one per tile. @param numbers ids of the contours that each tile has drawn
     /// @throws OutputError
     void write(const TileRun& run, const TileIds& numbers, int levels);
@@ -81,4 +81,4 @@ class IdCollectorSink final : public FeatureSink, public PendingResult {
     std::int64_t tile_ = 0;
 };
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -14,7 +14,7 @@
 #include "pipeline/auxiliary_files.hpp"
 #include "write/raster/geotiff.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 namespace fs = std::filesystem;
@@ -103,7 +103,7 @@ AuxiliarySinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
     grid.window = run.tiles().whole(tile).own;
     const WriteOptions& write = options.write;
     std::vector<std::string> in_use;
-    return open_scene_rasters(
+    return pipeline::open_scene_rasters(
         options, grid,
         {path_of(write.ground, tile), path_of(write.height, tile), path_of(write.canopy, tile)}, true,
         in_use);
@@ -136,13 +136,13 @@ void publish_rasters(const TileRun& run) {
     for (const auto& [option, name] : asked(run.setup().plan.asked)) {
         if (name.empty())
             continue;
-        std::vector<RasterPart> parts;
+        std::vector<writing::RasterPart> parts;
         for (std::int64_t tile = 0; tile < run.tiles().count(); ++tile) {
             const Window own = run.tiles().whole(tile).own;
             parts.push_back({(folder_of(name).filename() / file_of(tile)).string(),
                              {own.row - window.row, own.col - window.col, own.rows, own.cols}});
         }
-        files.push_back(prepare_raster_parts(name, window.rows, window.cols, parts));
+        files.push_back(writing::prepare_raster_parts(name, window.rows, window.cols, parts));
         commit.add(*files.back());
     }
     commit.publish();
@@ -151,4 +151,4 @@ void publish_rasters(const TileRun& run) {
             remove_left_over(folder_of(name));
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

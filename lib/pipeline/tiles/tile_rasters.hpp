@@ -5,7 +5,7 @@
 #include "dem2buildings/open_sinks.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 // Rasters of a tiled run: one GeoTIFF per tile instead of a single one. Options name the VRT that combines
 // them: a.vrt for a/0.tif, a/1.tif and so on.
@@ -23,4 +23,4 @@ void finish_tile_rasters(const TileRun& run, std::int64_t tile, AuxiliarySinks& 
 /// Publishes the VRTs once all tiles are written, all rasters or none. @throws InputError, OutputError
 void publish_rasters(const TileRun& run);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

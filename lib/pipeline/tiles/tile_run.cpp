@@ -11,7 +11,7 @@
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/run_setup.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 /// Returns the first unit that ends beyond a row or column. Binary search, because ends ascend.
@@ -30,7 +30,7 @@ std::int32_t first_ending_after(std::int32_t place, std::int32_t count, const En
 
 }  // namespace
 
-TileGrid::TileGrid(const UnitGrid& units, std::int32_t side)
+TileGrid::TileGrid(const detect::UnitGrid& units, std::int32_t side)
     : units_(units),
       side_(std::min(side, std::max(units.rows(), units.cols()))),
       rows_((units.rows() - 1) / side_ + 1),
@@ -73,8 +73,8 @@ std::vector<NumberedUnit> TileGrid::units_in(const Window& window) const {
     return all;
 }
 
-Unit TileGrid::whole(std::int64_t tile) const {
-    Unit all;
+detect::Unit TileGrid::whole(std::int64_t tile) const {
+    detect::Unit all;
     for (const NumberedUnit& placed : units_of(tile))
         all = {bounding_window(all.own, placed.unit.own), bounding_window(all.seen, placed.unit.seen)};
     return all;
@@ -100,8 +100,8 @@ TileRun::TileRun(const TileRunParameters& work, const Options& options, const So
     : work_(work),
       sources_(sources),
       context_(callbacks),
-      setup_(set_up_run(options, sources.dem.info(), features, context_)),
-      units_(unit_grid(setup_.plan, setup_.dem.window, setup_.cell, work.units)),
+      setup_(pipeline::set_up_run(options, sources.dem.info(), features, context_)),
+      units_(pipeline::unit_grid(setup_.plan, setup_.dem.window, setup_.cell, work.units)),
       tiles_(units_, work.side) {
     if (!work_.undeclared)
         work_.undeclared =
@@ -170,28 +170,28 @@ void require_tileable(const Options& options) {
 
 namespace {
 
-class EmptyContourList final : public ContourList {
+class EmptyContourList final : public contours::ContourList {
   public:
     [[nodiscard]] std::size_t size() const override { return 0; }
-    [[nodiscard]] const ContourHead& head(std::size_t /*contour*/) const override { return none_; }
-    [[nodiscard]] Contour fetch(std::size_t /*contour*/) const override { return {}; }
+    [[nodiscard]] const contours::ContourHead& head(std::size_t /*contour*/) const override { return none_; }
+    [[nodiscard]] contours::Contour fetch(std::size_t /*contour*/) const override { return {}; }
 
   private:
-    ContourHead none_;
+    contours::ContourHead none_;
 };
 
 }  // namespace
 
-LatticePoint draw_reach(const RunSetup& setup, Context& context) {
+LatticePoint draw_reach(const features::RunSetup& setup, Context& context) {
     // One more cell, because contours run along cell borders or through cell centres depending on the trace
     // mode.
-    const LatticePoint cells = outline_dependencies_of(EmptyContourList(), setup, context).cells;
+    const LatticePoint cells = features::outline_dependencies_of(EmptyContourList(), setup, context).cells;
     return {cells.row + 1, cells.col + 1};
 }
 
-LatticePoint draw_margin(const RunSetup& setup, Context& context) {
+LatticePoint draw_margin(const features::RunSetup& setup, Context& context) {
     const LatticePoint reach = draw_reach(setup, context);
     return {reach.row + 1, reach.col + 1};
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -16,12 +16,12 @@
 #include "pipeline/tiles/checkpoint_file.hpp"
 #include "pipeline/tiles/found_tile.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 /// Unit with its row-major index.
 struct NumberedUnit {
     std::int64_t number = 0;  ///< row-major
-    Unit unit;
+    detect::Unit unit;
 };
 
 /// Groups units into tiles, the portions of work of one process. The result does not depend on the tiles.
@@ -29,12 +29,12 @@ struct NumberedUnit {
 class TileGrid {
   public:
     /// @param units must outlive this @param side rows and columns of units in a tile
-    TileGrid(const UnitGrid& units, std::int32_t side);
+    TileGrid(const detect::UnitGrid& units, std::int32_t side);
 
     [[nodiscard]] std::int64_t count() const { return std::int64_t{rows_} * cols_; }
     [[nodiscard]] std::int32_t rows() const { return rows_; }
     [[nodiscard]] std::int32_t cols() const { return cols_; }
-    [[nodiscard]] const UnitGrid& units() const { return units_; }
+    [[nodiscard]] const detect::UnitGrid& units() const { return units_; }
     /// Returns the units of a tile, row by row.
     [[nodiscard]] std::vector<NumberedUnit> units_of(std::int64_t tile) const;
     /// Returns the tile that contains a unit.
@@ -43,10 +43,10 @@ class TileGrid {
     /// Returns the units with own cells in a window, row by row.
     [[nodiscard]] std::vector<NumberedUnit> units_in(const Window& window) const;
     /// Returns the union of all units of a tile.
-    [[nodiscard]] Unit whole(std::int64_t tile) const;
+    [[nodiscard]] detect::Unit whole(std::int64_t tile) const;
 
   private:
-    const UnitGrid& units_;
+    const detect::UnitGrid& units_;
     std::int32_t side_;
     std::int32_t rows_;
     std::int32_t cols_;
@@ -63,7 +63,7 @@ struct TileRunParameters {
     std::filesystem::path folder;
     std::uint64_t plan = 0;  ///< digest of the plan
     std::int32_t side = 1;   ///< rows and columns of units in a tile
-    UnitSize units = {};
+    detect::UnitSize units = {};
     /// Result of the plan step; nullopt if each step searches again.
     std::optional<UndeclaredNodata> undeclared = {};
 };
@@ -81,7 +81,7 @@ class TileRun {
 
     [[nodiscard]] const TileRunParameters& work() const { return work_; }
     [[nodiscard]] const Sources& sources() const { return sources_; }
-    [[nodiscard]] const RunSetup& setup() const { return setup_; }
+    [[nodiscard]] const features::RunSetup& setup() const { return setup_; }
     [[nodiscard]] const TileGrid& tiles() const { return tiles_; }
     [[nodiscard]] Context& context() { return context_; }
     [[nodiscard]] const Window& window() const { return setup_.dem.window; }
@@ -112,8 +112,8 @@ class TileRun {
     TileRunParameters work_;
     Sources sources_;
     Context context_;
-    RunSetup setup_;
-    UnitGrid units_;
+    features::RunSetup setup_;
+    detect::UnitGrid units_;
     TileGrid tiles_;
 };
 
@@ -135,8 +135,8 @@ void require_tileable(const Options& options);
 
 /// Returns the rows and columns around a building's cells within which its outline lies or another building
 /// affects it.
-[[nodiscard]] LatticePoint draw_reach(const RunSetup& setup, Context& context);
+[[nodiscard]] LatticePoint draw_reach(const features::RunSetup& setup, Context& context);
 /// Returns draw_reach() plus the border that is needed to filter elevations.
-[[nodiscard]] LatticePoint draw_margin(const RunSetup& setup, Context& context);
+[[nodiscard]] LatticePoint draw_margin(const features::RunSetup& setup, Context& context);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -7,7 +7,7 @@
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 
 // Steps of a tiled run. Each step publishes its files by one rename and does nothing if they exist. Its
 // output is a function of the plan, the sources and the files of the previous steps, so the result equals
@@ -41,4 +41,4 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features);
 /// @param after a tile that is already written @throws InputError
 [[nodiscard]] std::optional<NumberedWhole> written_totals(const TileRun& run, std::int64_t after);
 
-}  // namespace d2b
+}  // namespace d2b::tiles

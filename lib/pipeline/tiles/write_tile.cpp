@@ -8,7 +8,7 @@
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
-namespace d2b {
+namespace d2b::tiles {
 namespace {
 
 NumberedWhole load_whole(const TileRun& run) {
@@ -30,11 +30,11 @@ DrawnStream drawn_stream(const TileRun& run, std::int64_t tile) {
 /// Assigns the ids found by the merge step to the contours of a tile.
 class Numbering {
   public:
-    Numbering(const AssignedIds& numbers, std::string damaged)
+    Numbering(const features::AssignedIds& numbers, std::string damaged)
         : numbers_(numbers), damaged_(std::move(damaged)) {}
 
     /// Numbers the next contour. Call in the order of drawing.
-    void number(DrawnContour& drawn) {
+    void number(features::DrawnContour& drawn) {
         drawn.record.id = at(numbers_.written, next_++);
         drawn.record.parent_id = drawn.parent < 0 ? 0 : at(numbers_.written, drawn.parent);
         drawn.record.building_id =
@@ -48,25 +48,25 @@ class Numbering {
             throw InputError(damaged_);
         return numbers[static_cast<std::size_t>(place)];
     }
-    const AssignedIds& numbers_;
+    const features::AssignedIds& numbers_;
     std::string damaged_;
     std::int64_t next_ = 0;
 };
 
-void write_features(const TileRun& run, std::int64_t tile, FeatureWriter& writer) {
+void write_features(const TileRun& run, std::int64_t tile, features::FeatureWriter& writer) {
     CheckpointFile file(run.file(TileStep::merge, tile), run.seal(TileStep::merge, tile));
     NumberedTile numbered = load_body(file, [](ByteReader& reader) { return load_numbered_tile(reader); });
     Numbering numbering(numbered.numbers, file.damaged("it lacks the numbers of some contours"));
     DrawnStream drawn = drawn_stream(run, tile);
     DrawnStream left(std::move(file), std::move(numbered.left));
-    AssignedIds given;  // required by the interface, but not used afterwards
+    features::AssignedIds given;  // required by the interface, but not used afterwards
     for (std::size_t i = 0;; ++i) {
         const auto own = drawn.key();
         const auto other = left.key();
         if (!own && !other)
             return;
         const bool is_own = own && (!other || *own < *other);
-        DrawnContour contour = is_own ? drawn.take() : left.take();
+        features::DrawnContour contour = is_own ? drawn.take() : left.take();
         if (is_own)
             numbering.number(contour);
         writer.add_with_ids(given, i, std::move(contour));
@@ -85,26 +85,27 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     if (checkpoint_exists(path, seal))
         return;
     Context& context = run.context();
-    const RunSetup& setup = run.setup();
+    const features::RunSetup& setup = run.setup();
     const FoundFacts facts = run.load_frame();
     const FixedPoint fixed = facts.survey.statistics.fixed_point();
     // Same levels as in the merge step, because the files carry them as metadata.
-    LevelPlan plan =
-        plan_global_levels(facts.survey.statistics, setup.plan.asked.levels, setup.plan.levels, context);
+    contours::LevelPlan plan = contours::plan_global_levels(facts.survey.statistics, setup.plan.asked.levels,
+                                                            setup.plan.levels, context);
     plan.footprints = true;
     plan.thresholds = {{}};
-    report_levels(plan, load_whole(run).levels, context.report);
-    const std::unique_ptr<StoredContours> none = ContourMerger(context.make_spool()).finish();
-    const std::vector<Footprint> footprints{{}};
-    const RecordBuilder records(
-        *none, {plan, fixed, footprints, run.metres(), lattice_frame(run.window(), setup.plan.trace)});
-    const Outliner outliner = draw_outlines(*none, setup, context);
-    const FeatureInput input{setup, *none, outliner, 0, fixed, run.sources().parcels};
-    FeatureWriter writer(input, records, features, context);
+    pipeline::report_levels(plan, load_whole(run).levels, context.report);
+    const std::unique_ptr<contours::StoredContours> none =
+        contours::ContourMerger(context.make_spool()).finish();
+    const std::vector<features::Footprint> footprints{{}};
+    const features::RecordBuilder records(*none, {plan, fixed, footprints, run.metres(),
+                                                  features::lattice_frame(run.window(), setup.plan.trace)});
+    const outline::Outliner outliner = features::draw_outlines(*none, setup, context);
+    const features::FeatureInput input{setup, *none, outliner, 0, fixed, run.sources().parcels};
+    features::FeatureWriter writer(input, records, features, context);
     writer.begin();
     write_features(run, tile, writer);
     CommitList commit;
-    prepare_sinks({features}, commit, context);
+    pipeline::prepare_sinks({features}, commit, context);
     commit.publish();
     write_checkpoint(path, seal, {});
 }
@@ -119,4 +120,4 @@ std::optional<NumberedWhole> written_totals(const TileRun& run, std::int64_t aft
     return load_whole(run);
 }
 
-}  // namespace d2b
+}  // namespace d2b::tiles

@@ -25,7 +25,7 @@
 #include "write/xml_text.hpp"
 #include "write/zlib.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 void VarintBuffer::put(std::uint64_t number) {
     for (; number >= 0x80; number >>= 7U)
@@ -258,9 +258,9 @@ std::string substituted(std::string_view text,
     return result;
 }
 
-class PageSink final : public FileSink<SurfaceSink> {
+class PageSink final : public writing::FileSink<SurfaceSink> {
   public:
-    PageSink(FileDestination place, const PageParts& parts, const DemInfo& dem,
+    PageSink(writing::FileDestination place, const PageParts& parts, const DemInfo& dem,
              std::shared_ptr<PageRelief> relief, std::uint64_t most)
         : name_(place.name),
           parts_(parts),
@@ -290,7 +290,7 @@ class PageSink final : public FileSink<SurfaceSink> {
     std::string title_;
     std::shared_ptr<PageRelief> relief_;
     std::uint64_t most_;
-    SurfaceFile file_;
+    writing::SurfaceFile file_;
     SurfaceMeta meta_;
     PageStack stack_;
     std::vector<Json> columns_;  ///< one per field, with one value per building
@@ -381,22 +381,22 @@ Json PageSink::about() const {
 
 std::string PageSink::data() const {
     std::string sections;
-    append_section(json_text(about()), sections);
+    append_section(writing::json_text(about()), sections);
     append_section(stack_.packed().bytes(), sections);
     append_section(relief_->packed().bytes(), sections);
-    return base64(zlib_compressed(sections));
+    return base64(writing::zlib_compressed(sections));
 }
 
 void PageSink::prepare(CommitList& commit) {
     const std::string packed = data();
     check_size(packed.size() + parts_.html.size() + parts_.style.size() + parts_.script.size());
     const auto hash = [](std::string_view digits) { return "'sha256-" + base64(hex_decoded(digits)) + "'"; };
-    file_.write(page_signature);
-    file_.write(substituted(parts_.html, {{"TITLE", xml_text(title_)},
+    file_.write(writing::page_signature);
+    file_.write(substituted(parts_.html, {{"TITLE", writing::xml_text(title_)},
                                           {"SCRIPT_HASH", hash(parts_.script_sha256)},
                                           {"STYLE_HASH", hash(parts_.style_sha256)},
                                           {"STYLE", std::string(parts_.style)},
-                                          {"LICENCE", xml_text(parts_.licence)},
+                                          {"LICENCE", writing::xml_text(parts_.licence)},
                                           {"DATA", packed},
                                           {"SCRIPT", std::string(parts_.script)}}));
     file_.prepare(commit);
@@ -404,7 +404,7 @@ void PageSink::prepare(CommitList& commit) {
 
 }  // namespace
 
-Page open_page(FileDestination place, const PageInput& subject, std::uint64_t most) {
+Page open_page(writing::FileDestination place, const PageInput& subject, std::uint64_t most) {
     const PageParts* parts = page_parts();
     if (parts == nullptr)
         throw OptionError(
@@ -415,4 +415,4 @@ Page open_page(FileDestination place, const PageInput& subject, std::uint64_t mo
             open_page_relief(relief)};
 }
 
-}  // namespace d2b
+}  // namespace d2b::view

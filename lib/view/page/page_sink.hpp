@@ -14,7 +14,7 @@
 #include "dem2buildings/surfaces.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::view {
 
 /// Variable-length integers (LEB128): seven bits per byte, low bits first; the eighth bit says that more
 /// follow.
@@ -112,7 +112,7 @@ struct PageInput {
 /// Writes one self-contained HTML file that shows the stack in a browser: page_parts() and the packed tiers
 /// of all buildings. See docs/page.md. @param place of FileKind::page @param most largest file size in
 /// bytes, because browsers become slow with more @throws OptionError if the library was built without pages
-[[nodiscard]] Page open_page(FileDestination place, const PageInput& subject,
+[[nodiscard]] Page open_page(writing::FileDestination place, const PageInput& subject,
                              std::uint64_t most = std::uint64_t{64} << 20);
 
-}  // namespace d2b
+}  // namespace d2b::view

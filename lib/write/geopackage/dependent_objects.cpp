@@ -11,7 +11,7 @@
 #include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -91,7 +91,7 @@ bool is_created_by_driver(const std::string& name, const std::string& layer) {
 
 /// Returns the error of a statement; "" if there is none.
 std::string sql_error(GDALDatasetH dataset, const std::string& sql) {
-    const GdalMessages messages;
+    const reading::GdalMessages messages;
     sql_run(dataset, sql);
     if (!messages.failed())
         return "";
@@ -125,7 +125,7 @@ std::string in_temp_database(const std::string& type, const std::string& sql) {
 
 DependentObjects::DependentObjects(GDALDatasetH dataset, std::vector<std::string> layers)
     : dataset_(dataset), layers_(std::move(layers)) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     // Make GDAL read the columns of all layers now, because those of a view cannot be read while its tables
     // are being replaced.
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset_); ++i)
@@ -149,7 +149,7 @@ DependentObjects::DependentObjects(GDALDatasetH dataset, std::vector<std::string
 }
 
 void DependentObjects::preflight(const WriteTarget& target, const std::vector<std::string>& tables) const {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     for (const std::string& table : tables)
         require(target, in_temp_database("table", table), "layer");
     for (const Object& view : views_)
@@ -193,4 +193,4 @@ void DependentObjects::require(const WriteTarget& target, const std::string& sql
                           "); remove it first, or write to another destination.");
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

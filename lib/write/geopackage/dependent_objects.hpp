@@ -6,7 +6,7 @@
 
 #include "write/ogr_util.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Removes the database name of some tables from a statement of SQLite: `main.buildings`, with any quotes,
 /// becomes `buildings`, which refers to a temporary table if there is one.
@@ -44,4 +44,4 @@ class DependentObjects {
     std::vector<Object> views_;  ///< readable views
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

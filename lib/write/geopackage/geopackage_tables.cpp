@@ -6,7 +6,7 @@
 #include "write/qgis/qgis_style.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -19,7 +19,7 @@ std::string now() {
 }
 
 bool has_table(GDALDatasetH dataset, const std::string& name) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     return sql_value(dataset, "SELECT 1 FROM sqlite_master WHERE lower(name) = " + sql_literal(name))
         .has_value();
 }
@@ -160,4 +160,4 @@ void write_geopackage_tables(GDALDatasetH dataset, const NewLayer& layer, const 
     tables.data_columns();
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

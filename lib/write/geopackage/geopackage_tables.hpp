@@ -3,7 +3,7 @@
 #include "write/ogr_util.hpp"
 #include "write/qgis/qgis_style.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Adds rows about a layer to a GeoPackage in the open transaction: its default style in the table
 /// layer_styles of QGIS, title, abstract and lineage as QGIS metadata, and names, units and descriptions of
@@ -12,4 +12,4 @@ namespace d2b {
 void write_geopackage_tables(GDALDatasetH dataset, const NewLayer& layer, const Provenance& provenance,
                              const WriteTarget& target);
 
-}  // namespace d2b
+}  // namespace d2b::writing

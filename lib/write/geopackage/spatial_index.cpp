@@ -11,7 +11,7 @@
 #include "dem2buildings/error.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 // https://www.sqlite.org/rtree.html, section 6: a node has its depth (only set in the root) and number of
@@ -181,7 +181,7 @@ std::optional<SpatialIndex> SpatialIndex::begin(GDALDatasetH dataset, OGRLayerH 
     sqlite3* const handle = sqlite_handle(dataset);
     if (handle == nullptr)
         return std::nullopt;
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     const std::string table = OGR_L_GetName(layer);
     const std::string column = OGR_L_GetGeometryColumn(layer);
     SpatialIndex index(dataset, handle, target);
@@ -266,4 +266,4 @@ void SpatialIndex::finish() {
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

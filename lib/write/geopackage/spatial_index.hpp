@@ -10,7 +10,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "write/ogr_util.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Bounding box of a feature in single precision, rounded outwards.
 struct IndexedBox {
@@ -76,4 +76,4 @@ class SpatialIndex {
     std::vector<IndexedBox> boxes_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

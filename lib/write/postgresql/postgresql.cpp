@@ -9,7 +9,7 @@
 #include "write/qgis/qgis_style.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -19,12 +19,12 @@ constexpr std::string_view first_schema =
     R"(btrim(split_part(current_setting('search_path'), ',', 1), ' "'''))";
 
 bool query_is_true(GDALDatasetH database, const std::string& condition) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     return sql_value(database, "SELECT 1 AS n WHERE " + condition).has_value();
 }
 
 std::string query_text(GDALDatasetH database, const std::string& expression) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     return sql_value(database, "SELECT " + expression + " AS text").value_or("");
 }
 
@@ -227,4 +227,4 @@ void complete_postgresql_table(GDALDatasetH dataset, const NewLayer& layer, cons
     postgresql_table.style();
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

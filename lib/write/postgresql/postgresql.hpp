@@ -7,7 +7,7 @@
 #include "write/ogr_util.hpp"
 #include "write/qgis/qgis_style.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Reports errors that would otherwise occur after all the work: no PostGIS, no such schema, a user without
 /// the rights to create, replace or append to the layers. @param names of the layers @throws OptionError,
@@ -23,4 +23,4 @@ void check_postgresql(const Destination& destination, GDALDatasetH database, con
 /// the spatial index. @throws OutputError
 void complete_postgresql_table(GDALDatasetH dataset, const NewLayer& layer, const WriteTarget& target);
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -161,7 +161,7 @@ std::string veil(const LayerStyle& style, const std::string& certainty) {
 std::string rule(std::size_t number, const std::string& filter, const std::string& label) {
     const std::string text = std::to_string(number);
     return "    <rule key=\"{dem2buildings-" + text + "}\" symbol=\"" + text + "\" filter=\"" + filter +
-           "\" label=\"" + xml_text(label) + "\"/>\n";
+           "\" label=\"" + writing::xml_text(label) + "\"/>\n";
 }
 
 /// Thins outlines on small scales, because dense outlines would cover the colours.
@@ -189,8 +189,8 @@ std::string height_rules(const LayerStyle& style, const Columns& columns) {
         symbols += symbol(classes, veil(style, columns.certainty));
     }
     return "  <rules key=\"{dem2buildings}\">\n   <rule key=\"{dem2buildings-heading}\" label=\"" +
-           xml_text(style.title) + "\">\n" + rules + "   </rule>\n  </rules>\n  <symbols>\n" + symbols +
-           "  </symbols>\n";
+           writing::xml_text(style.title) + "\">\n" + rules + "   </rule>\n  </rules>\n  <symbols>\n" +
+           symbols + "  </symbols>\n";
 }
 
 }  // namespace
@@ -313,7 +313,7 @@ std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
 
 }  // namespace d2b::qml
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -414,7 +414,7 @@ void write_style_sidecar(const std::string& path, const NewLayer& layer) {
         single ? fs::path(path).replace_extension(".qml") : fs::path(path) / (layer.table + ".qml");
     const std::string text = qml_style(layer.spec, layer.columns);
     // Failed writes are detected by the VSI layer that monitors the files.
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     VSILFILE* out = VSIFOpenL(file.c_str(), "wb");
     if (out == nullptr)
         return;
@@ -453,4 +453,4 @@ void keep_user_styles(const fs::path& result, const fs::path& destination, bool 
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

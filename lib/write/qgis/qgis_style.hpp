@@ -7,7 +7,7 @@
 
 #include "dem2buildings/sinks.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Layer created by this run.
 struct NewLayer {
@@ -42,4 +42,4 @@ void write_style_sidecar(const std::string& path, const NewLayer& layer);
 void keep_user_styles(const std::filesystem::path& result, const std::filesystem::path& destination,
                       bool replaces);
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -30,7 +30,7 @@
 #include "write/staging.hpp"
 #include "write/xml_text.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Writes a GeoTIFF of 32-bit floats on the window of a DEM: tiles of 256 x 256, DEFLATE with the
 /// floating-point predictor, BigTIFF if it might exceed 4 GB. NoData is -9999, because other programs expect
@@ -55,13 +55,13 @@ class GeoTiffFile {
     void describe(const RasterMetadata& meta);
 
     const WriteTarget& target_;
-    DatasetOwner dataset_;
+    reading::DatasetOwner dataset_;
 };
 
 namespace {
 
-CrsOwner raster_srs(const std::string& wkt, bool elevations) {
-    CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
+reading::CrsOwner raster_srs(const std::string& wkt, bool elevations) {
+    reading::CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
     if (!srs)
         return srs;
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
@@ -108,7 +108,7 @@ void GeoTiffFile::set_georeferencing(const DemInfo& grid, const RasterMetadata& 
     call.check(done, "placing it");
     if (grid.crs_wkt.empty())
         return;
-    const CrsOwner srs = raster_srs(grid.crs_wkt, meta.elevations);
+    const reading::CrsOwner srs = raster_srs(grid.crs_wkt, meta.elevations);
     done = srs != nullptr && GDALSetSpatialRef(dataset_.get(), srs.get()) == CE_None;
     call.check(done, "setting the CRS");
 }
@@ -175,7 +175,7 @@ class GeoTiffSink final : public FileSink<RasterSink> {
 };
 
 GeoTiffSink::~GeoTiffSink() {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     file_.reset();
 }
 
@@ -193,7 +193,7 @@ std::size_t GeoTiffSink::tile_index(const Window& tile) const {
 }
 
 void GeoTiffSink::begin() {
-    const NoSidecar no_sidecar;
+    const reading::NoSidecar no_sidecar;
     file_.emplace(staged_.target(), staged_.begin(), grid_, meta_);
 }
 
@@ -245,7 +245,7 @@ void GeoTiffSink::prepare(CommitList& commit) {
     if (missing > 0)
         throw OutputError("Cannot write \"" + staged_.name() + "\": " + std::to_string(missing) + " of its " +
                           std::to_string(grid_.window.points()) + " cells were not given.");
-    const NoSidecar no_sidecar;
+    const reading::NoSidecar no_sidecar;
     file_->close();
     staged_.prepare(commit);
 }
@@ -256,13 +256,13 @@ void require_crs_kept(const std::string& name, DemInfo grid, const RasterMetadat
     if (grid.crs_wkt.empty())
         return;
     grid.window.rows = grid.window.cols = 1;
-    const GdalMessages quiet;
-    const NoSidecar no_sidecar;
+    const reading::GdalMessages quiet;
+    const reading::NoSidecar no_sidecar;
     const std::string file =
         "/vsimem/d2b_crs_" + std::to_string(reinterpret_cast<std::uintptr_t>(&grid)) + ".tif";
     const WriteTarget target{.name = name, .hidden_folder = ""};
     GeoTiffFile(target, file, grid, meta).close();
-    DatasetOwner dataset(GDALOpen(file.c_str(), GA_ReadOnly));
+    reading::DatasetOwner dataset(GDALOpen(file.c_str(), GA_ReadOnly));
     const bool kept = dataset && GDALGetSpatialRef(dataset.get()) != nullptr;
     dataset.reset();
     VSIUnlink(file.c_str());
@@ -318,9 +318,9 @@ std::string metadata_text(GDALDatasetH dataset) {
 
 /// Returns the VRT up to its first source.
 std::string vrt_header(const std::string& first, std::int32_t rows, std::int32_t cols) {
-    register_formats();
-    const GdalMessages messages(first, first);
-    const DatasetOwner dataset(GDALOpenEx(first.c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr));
+    reading::register_formats();
+    const reading::GdalMessages messages(first, first);
+    const reading::DatasetOwner dataset(GDALOpenEx(first.c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr));
     if (!dataset)
         throw InputError("'" + first + "' cannot be read: " + messages.reason_for(first) +
                          "; delete it and run 'find' of tile 0 again.");
@@ -361,4 +361,4 @@ std::unique_ptr<PendingResult> prepare_raster_parts(const std::filesystem::path&
     return prepare_text_file(vrt, text + "  </VRTRasterBand>\n</VRTDataset>\n");
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

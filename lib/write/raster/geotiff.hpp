@@ -11,7 +11,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Opens a GeoTIFF (see GeoTiffFile) that appears whole or not at all: it is written to a hidden folder next
 /// to the destination, synced and renamed. In virtual file systems of GDAL it is written under a temporary
@@ -34,4 +34,4 @@ struct RasterPart {
                                                                   std::int32_t rows, std::int32_t cols,
                                                                   const std::vector<RasterPart>& parts);
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -10,7 +10,7 @@
 #include "write/ogr_util.hpp"
 #include "write/staged_file.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::unique_ptr<PictureFile> open_picture(const FileTarget& target) {
     return std::make_unique<StagedPictureFile>(resolve_file_target(target));
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

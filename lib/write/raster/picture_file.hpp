@@ -7,8 +7,10 @@
 #include "write/file_target.hpp"
 
 namespace d2b {
-
 class CommitList;
+}
+
+namespace d2b::writing {
 
 /// Image file that appears whole or not at all, like a GeoTIFF of open_geotiff_sink().
 class PictureFile {
@@ -31,4 +33,4 @@ class PictureFile {
 /// Makes all checks that need no image. @throws OptionError, OutputError like resolve_file_target()
 [[nodiscard]] std::unique_ptr<PictureFile> open_picture(const FileTarget& target);
 
-}  // namespace d2b
+}  // namespace d2b::writing

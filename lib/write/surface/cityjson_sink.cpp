@@ -18,7 +18,7 @@
 #include "write/staging.hpp"
 #include "write/surface/surface_file.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -199,4 +199,4 @@ std::unique_ptr<SurfaceSink> open_cityjson_sink(FileDestination place) {
     return std::make_unique<CityJsonSink>(std::move(place));
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -5,7 +5,7 @@
 #include "dem2buildings/surfaces.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// CityJSON 2.0. An undivided building is a Building with one Solid, a divided one is a Building with one
 /// BuildingPart and Solid per part. Surfaces are marked as roof, wall or ground; objects with a Solid have
@@ -14,4 +14,4 @@ namespace d2b {
 /// CityJSON has one unit for all coordinates.
 [[nodiscard]] std::unique_ptr<SurfaceSink> open_cityjson_sink(FileDestination place);
 
-}  // namespace d2b
+}  // namespace d2b::writing

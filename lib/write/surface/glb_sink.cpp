@@ -19,7 +19,7 @@
 #include "write/surface/obj_stl_sink.hpp"
 #include "write/surface/surface_file.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Appends four bytes, little-endian.
 void append_uint32(std::uint32_t number, std::string& bytes);
@@ -284,4 +284,4 @@ std::unique_ptr<SurfaceSink> open_glb_sink(FileDestination place, std::uint64_t 
     return std::make_unique<GlbSink>(std::move(place), most);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -7,7 +7,7 @@
 #include "dem2buildings/surfaces.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Binary glTF 2.0: one mesh of all buildings with one primitive per material: roof, wall and ground. The
 /// vertex attribute _FEATURE_ID_0 is the index of the building in the extras of the node, a list of names and
@@ -17,4 +17,4 @@ namespace d2b {
 [[nodiscard]] std::unique_ptr<SurfaceSink> open_glb_sink(
     FileDestination place, std::uint64_t most = std::numeric_limits<std::uint32_t>::max());
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -16,7 +16,7 @@
 #include "write/staging.hpp"
 #include "write/surface/surface_file.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 constexpr int millimetres = 3;
@@ -289,4 +289,4 @@ std::unique_ptr<SurfaceSink> open_stl_sink(FileDestination place, SurfaceSolids 
     return std::make_unique<StlSink>(std::move(place), solids);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -8,7 +8,7 @@
 #include "dem2buildings/surfaces.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Name and colour of a kind of face in formats with materials.
 struct FaceMaterial {
@@ -55,4 +55,4 @@ class LocalCoordinateFormatter {
 [[nodiscard]] std::unique_ptr<SurfaceSink> open_stl_sink(FileDestination place,
                                                          SurfaceSolids solids = SurfaceSolids::each);
 
-}  // namespace d2b
+}  // namespace d2b::writing

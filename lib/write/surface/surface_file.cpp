@@ -16,7 +16,7 @@
 #include "write/ogr_util.hpp"
 #include "write/staged_file.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 constexpr std::size_t bytes_per_write = std::size_t{1} << 20;
@@ -25,7 +25,7 @@ constexpr std::size_t bytes_per_write = std::size_t{1} << 20;
 
 struct SurfaceFile::Impl {
     StagedFile staged;
-    GdalOwner<VSILFILE*, VSIFCloseL> file{};
+    reading::GdalOwner<VSILFILE*, VSIFCloseL> file{};
     std::string buffer{};
 
     explicit Impl(FileDestination place) : staged(std::move(place)) {}
@@ -63,7 +63,7 @@ struct SurfaceFile::Impl {
 SurfaceFile::SurfaceFile(FileDestination place) : impl_(std::make_unique<Impl>(std::move(place))) {}
 
 SurfaceFile::~SurfaceFile() {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     impl_->file.reset();
 }
 
@@ -139,4 +139,4 @@ std::string json_text(const nlohmann::ordered_json& json) {
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

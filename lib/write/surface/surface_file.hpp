@@ -14,9 +14,7 @@
 #include "dem2buildings/spool.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
-
-class CommitList;
+namespace d2b::writing {
 
 /// File of a surface, written in pieces under a temporary name and published by a CommitList, like a GeoTIFF
 /// of open_geotiff_sink(). Until then the destination is unchanged. A sink that writes two files has two of
@@ -87,4 +85,4 @@ class JsonListBuffer {
     std::uint64_t count_ = 0;
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

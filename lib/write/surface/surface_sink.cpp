@@ -12,7 +12,7 @@
 #include "write/surface/glb_sink.hpp"
 #include "write/surface/obj_stl_sink.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 /// True if the first word of the text is in the list; skips comments and empty lines.
@@ -127,4 +127,4 @@ std::unique_ptr<SurfaceSink> open_surface_sink(SurfaceDestination place, Surface
     return open_obj_sink(std::move(place.file), std::move(*place.materials), solids);
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

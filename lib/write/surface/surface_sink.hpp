@@ -9,7 +9,7 @@
 #include "dem2buildings/surfaces.hpp"
 #include "write/file_target.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// File formats of surfaces.
 enum class SurfaceFormat { cityjson, obj, stl, glb };
@@ -42,4 +42,4 @@ struct SurfaceDestination {
 /// Opens a surface in the format of the file extension. @param solids used by OBJ and STL
 [[nodiscard]] std::unique_ptr<SurfaceSink> open_surface_sink(SurfaceDestination place, SurfaceSolids solids);
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -21,7 +21,7 @@
 #include "write/vector/layer_writer.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Takes a write lock on our layers until the transaction ends, so that values read from them stay true.
 /// Needed because SQLite transactions begin as readers and PostgreSQL lets two writers run concurrently.
@@ -103,7 +103,7 @@ DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, con
 }
 
 DatasetWriter::~DatasetWriter() {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     const bool undo = changes_in_place();
     if (in_transaction_)
         GDALDatasetRollbackTransaction(dataset_.get());
@@ -226,7 +226,7 @@ void DatasetWriter::create_tables() {
     OgrCall call(target_);
     for (const LayerWriter& layer : layers_) {
         OGR_L_ResetReading(layer.handle());
-        const FeatureOwner none(OGR_L_GetNextFeature(layer.handle()));
+        const reading::FeatureOwner none(OGR_L_GetNextFeature(layer.handle()));
     }
     call.check(true, "creating the layers");
 }
@@ -276,7 +276,7 @@ void DatasetWriter::open_layer(const LayerSpec& spec) {
 
 void DatasetWriter::describe(GDALMajorObjectH object) {
     // Ignore errors of formats that cannot store metadata, because the result is complete without it.
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     for (const auto& [name, value] : provenance_.metadata)
         GDALSetMetadataItem(object, name.c_str(), value.c_str(), nullptr);
 }
@@ -351,4 +351,4 @@ void DatasetWriter::close() {
     close_written(target_, std::move(dataset_));
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

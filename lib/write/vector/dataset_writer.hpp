@@ -14,7 +14,7 @@
 #include "write/sql.hpp"
 #include "write/vector/layer_writer.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Writes layers into one OGR dataset, new or existing.
 ///
@@ -80,12 +80,12 @@ class DatasetWriter {
     WriteTarget target_;
     const VectorFormat& format_;
     const WriteOptions& options_;
-    std::optional<ScopedConfigOption> no_id_field_;
+    std::optional<reading::ScopedConfigOption> no_id_field_;
     Mode mode_ = Mode::create;
     std::string path_;
     CommitGuard guard_;  ///< declared before the dataset, because it must outlive it
-    DatasetOwner dataset_;
-    CrsOwner srs_;
+    reading::DatasetOwner dataset_;
+    reading::CrsOwner srs_;
     Provenance provenance_;
     std::vector<LayerSpec> specs_;
     std::optional<DependentObjects> dependents_;
@@ -99,4 +99,4 @@ class DatasetWriter {
     LayerCounts counts_;
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -8,7 +8,7 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -151,4 +151,4 @@ void IoErrorMonitor::record(int error) {
         error_ = error == 0 ? EIO : error;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

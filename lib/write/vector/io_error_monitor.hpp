@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace d2b {
+namespace d2b::writing {
 
 /// VSI layer that records I/O errors. Many drivers ignore failed writes or crash on them, so they are told
 /// that every write succeeded; error() returns the first failure. Drivers access files by name_of().
@@ -29,4 +29,4 @@ class IoErrorMonitor {
     int error_ = 0;
 };
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -19,7 +19,7 @@
 #include "write/ogr_util.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Returns the name that a driver will give to a layer. Existing layers are looked up by it, because drivers
 /// of databases replace some characters, and PostgreSQL truncates long names. @param base of the layer name
@@ -96,10 +96,11 @@ std::string launder_for_postgresql(const std::string& base, const std::string& s
 /// Creates the layer in memory and returns its name.
 std::string created_layer_name(const std::string& name, const VectorFormat& format,
                                const WriteOptions& options) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     const VsimemFolder memory;
     const std::string file = memory.file(probe_name(format.driver, options.destination));
-    const DatasetOwner dataset(GDALCreate(format.driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const reading::DatasetOwner dataset(
+        GDALCreate(format.driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     const NameValueList chosen(options.layer_options);
     OGRLayerH layer = dataset ? GDALDatasetCreateLayer(dataset.get(), name.c_str(), nullptr, wkbMultiPolygon,
                                                        const_cast<char**>(chosen.get()))
@@ -198,4 +199,4 @@ std::vector<std::string> names_of(const WriteOptions& options, const VectorForma
     return names;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -6,7 +6,7 @@
 #include "dem2buildings/options.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Returns the requested layers, by default both, or the buildings alone if the format holds one layer per
 /// file. @throws OptionError if both are requested but only one fits
@@ -23,4 +23,4 @@ namespace d2b {
 [[nodiscard]] std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format,
                                                 Layers layers);
 
-}  // namespace d2b
+}  // namespace d2b::writing

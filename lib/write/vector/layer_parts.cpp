@@ -14,7 +14,7 @@
 #include "write/vector/vector_format.hpp"
 #include "write/xml_text.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 namespace {
 
 class PartSink final : public FileSink<FeatureSink> {
@@ -117,7 +117,7 @@ std::unique_ptr<FeatureSink> open_part_sink(const WriteOptions& options, std::in
 bool writes_parts(const WriteOptions& options) {
     if (options.format.empty() || options.destination.empty() || options.destination.starts_with("/vsi"))
         return false;
-    register_formats();
+    reading::register_formats();
     const VectorFormat format = format_for(options);
     return format.name == "FlatGeobuf" && format.folder;
 }
@@ -166,4 +166,4 @@ std::unique_ptr<PendingResult> prepare_layer_mosaic(const WriteOptions& options,
                              vrt_text(mosaic));
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

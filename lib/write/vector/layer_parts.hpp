@@ -10,7 +10,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Writes one part of layers that several processes write into one folder: <destination>/<layer>/<part>.fgb,
 /// a FlatGeobuf with its own index. Each file replaces an existing one atomically. A layer without features
@@ -37,4 +37,4 @@ struct LayerMosaic {
 [[nodiscard]] std::unique_ptr<PendingResult> prepare_layer_mosaic(const WriteOptions& options,
                                                                   const LayerMosaic& mosaic);
 
-}  // namespace d2b
+}  // namespace d2b::writing

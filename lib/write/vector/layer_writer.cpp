@@ -12,14 +12,14 @@
 #include "read/georeferencing.hpp"
 #include "write/sql.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
 std::int64_t largest_fid(OGRLayerH layer) {
     std::int64_t largest = 0;
     OGR_L_ResetReading(layer);
-    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
+    while (const reading::FeatureOwner feature{OGR_L_GetNextFeature(layer)})
         largest = std::max<std::int64_t>(largest, OGR_F_GetFID(feature.get()));
     return largest;
 }
@@ -142,7 +142,7 @@ OGRFieldType ogr_type(FieldType type, GDALDriverH driver) {
 /// True if another layer has the title, because titles in a GeoPackage must be unique. Ignores errors that
 /// GDAL reports about views on the layer being replaced, because it will exist again.
 bool title_exists(GDALDatasetH dataset, const std::string& title) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     if (EQUAL(GDALGetDriverShortName(GDALGetDatasetDriver(dataset)), "GPKG"))
         return sql_value(dataset, "SELECT 1 FROM gpkg_contents WHERE identifier = " + sql_literal(title))
             .has_value();
@@ -195,11 +195,11 @@ OGRwkbGeometryType geometry_type(const LayerSpec& spec, GDALDriverH driver) {
 
 }  // namespace
 
-CrsOwner srs_of(const std::string& wkt, const WriteTarget& target) {
+reading::CrsOwner srs_of(const std::string& wkt, const WriteTarget& target) {
     if (wkt.empty())
         return nullptr;
     OgrCall call(target);
-    CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
+    reading::CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
     call.check(srs != nullptr, "reading the CRS");
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
     return srs;
@@ -245,8 +245,8 @@ std::string srs_name(OGRSpatialReferenceH srs) {
 }
 
 bool same_srs(OGRSpatialReferenceH a, OGRSpatialReferenceH b) {
-    const bool has_a = !wkt_of(a).empty();
-    const bool has_b = !wkt_of(b).empty();
+    const bool has_a = !reading::wkt_of(a).empty();
+    const bool has_b = !reading::wkt_of(b).empty();
     if (!has_a || !has_b)
         return has_a == has_b;
     const std::array<const char*, 3> options{"IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
@@ -312,7 +312,7 @@ std::vector<int> match_fields(OGRLayerH layer, const LayerSpec& spec, const Laye
 }
 
 OGRLayerH find_layer(GDALDatasetH dataset, const VectorFormat& format, const std::string& name) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     OGRLayerH layer = GDALDatasetGetLayerByName(dataset, name.c_str());
     return layer == nullptr && !format.multiple_layers ? GDALDatasetGetLayer(dataset, 0) : layer;
 }
@@ -341,7 +341,7 @@ std::int64_t largest_in_file(OGRLayerH layer, int field) {
     OGR_L_SetIgnoredFields(layer, ignored.data());
     OGR_L_ResetReading(layer);
     std::int64_t largest = 0;
-    while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
+    while (const reading::FeatureOwner feature{OGR_L_GetNextFeature(layer)})
         largest = std::max<std::int64_t>(largest, OGR_F_GetFieldAsInteger64(feature.get(), field));
     return largest;
 }
@@ -369,7 +369,7 @@ std::int64_t largest_id(const WriteTarget& target, GDALDatasetH database, std::s
 std::int64_t largest_id(const WriteTarget& target, const VectorFormat& format, const std::string& path,
                         std::span<const LayerSpec> layers) {
     OgrCall call(target);
-    const DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
+    const reading::DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
     std::int64_t largest = 0;
     for (const LayerSpec& spec : layers) {
         OGRLayerH layer = dataset ? find_layer(dataset.get(), format, spec.name) : nullptr;
@@ -427,7 +427,7 @@ void verify_counts(const WriteTarget& target, const VectorFormat& format, const 
     if (GDALGetMetadataItem(format.driver, GDAL_DCAP_OPEN, nullptr) == nullptr)
         return;
     OgrCall call(target);
-    const DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
+    const reading::DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
     if (!dataset && is_empty_sequence(path, counts))
         return;
     call.check(dataset != nullptr, "reading the result back");
@@ -439,4 +439,4 @@ void verify_counts(const WriteTarget& target, const VectorFormat& format, const 
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

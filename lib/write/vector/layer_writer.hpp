@@ -14,7 +14,7 @@
 #include "write/ogr_util.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Settings shared by all layers of a run.
 struct LayerSettings {
@@ -64,13 +64,13 @@ class LayerWriter {
     bool is_new_ = false;
     std::int64_t feature_count_ = 0;
     std::int64_t next_fid_ = OGRNullFID;  ///< set if the driver does not append new features by itself
-    FeatureOwner feature_;
+    reading::FeatureOwner feature_;
     MultiPolygonWkb wkb_;
     std::optional<SpatialIndex> index_;
 };
 
 /// @return null if there is no CRS @throws OutputError
-[[nodiscard]] CrsOwner srs_of(const std::string& wkt, const WriteTarget& target);
+[[nodiscard]] reading::CrsOwner srs_of(const std::string& wkt, const WriteTarget& target);
 
 /// Creates a layer of MultiPolygons or points, with title and description if the format stores them; options
 /// of the user take precedence. Warns if the format stores no geometries. @throws OutputError
@@ -120,4 +120,4 @@ void check_counts(const WriteTarget& target, GDALDatasetH dataset, const LayerCo
 void verify_counts(const WriteTarget& target, const VectorFormat& format, const std::string& path,
                    const LayerCounts& counts);
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -17,8 +17,7 @@
 #include "write/vector/layer_names.hpp"
 #include "write/vector/preflight.hpp"
 
-namespace d2b {
-
+namespace d2b::writing {
 namespace {
 
 /// Transaction that changes layers of a database in place.
@@ -164,15 +163,15 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
             staging.copy_in(existing_->files);
         }
     } else if (existing_ && mode() == DatasetWriter::Mode::create) {
-        const GdalMessages quiet;
+        const reading::GdalMessages quiet;
         GDALDeleteDataset(format_.driver, path.c_str());
     }
     if (path.find("/vsistdout") != std::string::npos)
         captured_.emplace();
     // Prevent .aux.xml files of formats without metadata, because they would outlive a rollback.
-    const NoSidecar no_sidecar;
+    const reading::NoSidecar no_sidecar;
     // Staged files are synced once before the rename, so SQLite need not sync earlier.
-    std::optional<ScopedConfigOption> no_waiting;
+    std::optional<reading::ScopedConfigOption> no_waiting;
     if (files_)
         no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF");
     writer_.emplace(target_, format_, options_);
@@ -222,20 +221,24 @@ std::optional<ExistingDataset> find_existing(Destination& destination, VectorFor
 }
 
 }  // namespace
+}  // namespace d2b::writing
+
+namespace d2b {
 
 std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callbacks& callbacks) {
-    register_formats();
-    VectorFormat format = format_for(options);
-    const Layers layers = resolve_layers(options, format);
-    Destination destination = locate(options, format);
-    std::optional<ExistingDataset> existing = find_existing(destination, format, options, layers);
+    reading::register_formats();
+    writing::VectorFormat format = writing::format_for(options);
+    const Layers layers = writing::resolve_layers(options, format);
+    writing::Destination destination = writing::locate(options, format);
+    std::optional<writing::ExistingDataset> existing =
+        writing::find_existing(destination, format, options, layers);
     if (callbacks.on_warning && !options.layers && layers == Layers::buildings)
         callbacks.on_warning(
             "\"" + options.destination +
             "\" holds one layer; only the buildings are written; use -layers contours for the stack, or a "
             "GeoPackage for both.");
-    return std::make_unique<OgrFeatureSink>(options, std::move(format), std::move(destination),
-                                            std::move(existing), StopToken(callbacks.stop));
+    return std::make_unique<writing::OgrFeatureSink>(options, std::move(format), std::move(destination),
+                                                     std::move(existing), StopToken(callbacks.stop));
 }
 
 }  // namespace d2b

@@ -28,7 +28,7 @@
 #include "write/vector/layer_writer.hpp"
 #include "write/vector/vector_format.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 namespace {
 
@@ -133,7 +133,7 @@ std::vector<std::string> create_table_statements(const PlannedOutput& draft) {
     DatasetWriter writer({draft.destination.name, memory.file("")}, draft.format, draft.options);
     writer.begin(file, DatasetWriter::Mode::create, draft.layers, draft.provenance);
     writer.close();
-    const DatasetOwner dataset = open_dataset(draft.format, file, GDAL_OF_READONLY);
+    const reading::DatasetOwner dataset = open_dataset(draft.format, file, GDAL_OF_READONLY);
     std::vector<std::string> tables;
     for (const LayerSpec& layer : draft.layers)
         if (const auto sql = sql_value(dataset.get(),
@@ -148,8 +148,8 @@ std::vector<std::string> create_table_statements(const PlannedOutput& draft) {
 
 bool preflight_create(const PlannedOutput& draft) {
     reject_reserved_names(draft.format, draft.options, draft.layers);
-    const NoSidecar no_sidecar;
-    const ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
+    const reading::NoSidecar no_sidecar;
+    const reading::ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
     try {
         try {
             const VsimemFolder memory;
@@ -169,10 +169,11 @@ bool preflight_create(const PlannedOutput& draft) {
 
 void preflight_append(const PlannedOutput& draft) {
     const WriteTarget target{draft.destination.name, ""};
-    const CrsOwner srs = srs_of(draft.provenance.crs_wkt, target);
+    const reading::CrsOwner srs = srs_of(draft.provenance.crs_wkt, target);
     const LayerSettings setting{target, draft.format, draft.options.layer_options, srs.get()};
-    const GdalMessages quiet;
-    const DatasetOwner dataset = open_dataset(draft.format, draft.destination.path, GDAL_OF_READONLY);
+    const reading::GdalMessages quiet;
+    const reading::DatasetOwner dataset =
+        open_dataset(draft.format, draft.destination.path, GDAL_OF_READONLY);
     for (const LayerSpec& spec : draft.layers)
         if (OGRLayerH layer = dataset ? find_layer(dataset.get(), draft.format, spec.name) : nullptr) {
             require_same_provenance(layer, draft.provenance, target);
@@ -181,8 +182,9 @@ void preflight_append(const PlannedOutput& draft) {
 }
 
 void preflight_replace(const PlannedOutput& draft) {
-    const GdalMessages quiet;
-    const DatasetOwner dataset = open_dataset(draft.format, draft.destination.path, GDAL_OF_READONLY);
+    const reading::GdalMessages quiet;
+    const reading::DatasetOwner dataset =
+        open_dataset(draft.format, draft.destination.path, GDAL_OF_READONLY);
     if (!dataset || GDALGetInternalHandle(dataset.get(), "SQLITE_HANDLE") == nullptr)
         return;
     std::vector<std::string> there;
@@ -200,7 +202,7 @@ namespace {
 bool is_at(OGRLayerH layer, const Position& place) {
     constexpr double near = 0.01;
     OGR_L_ResetReading(layer);
-    const FeatureOwner feature(OGR_L_GetNextFeature(layer));
+    const reading::FeatureOwner feature(OGR_L_GetNextFeature(layer));
     OGRGeometryH geometry = feature ? OGR_F_GetGeometryRef(feature.get()) : nullptr;
     if (geometry == nullptr)
         return false;
@@ -216,11 +218,11 @@ bool same_kind(OGRSpatialReferenceH a, OGRSpatialReferenceH b) {
 
 /// True if the driver creates a layer in WGS 84; otherwise the CRS is not the reason for its failure.
 bool accepts_wgs84(GDALDriverH driver, const std::string& destination) {
-    const GdalMessages messages;
+    const reading::GdalMessages messages;
     const VsimemFolder memory;
     const std::string file = memory.file(probe_name(driver, destination));
-    const DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    const CrsOwner srs(OSRNewSpatialReference(nullptr));
+    const reading::DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const reading::CrsOwner srs(OSRNewSpatialReference(nullptr));
     OSRSetWellKnownGeogCS(srs.get(), "WGS84");
     return dataset && add_trial_layer(dataset.get(), "probe", srs.get()) != nullptr && !messages.failed();
 }
@@ -239,20 +241,20 @@ bool has_wkt1(OGRSpatialReferenceH srs) {
 
 CrsMismatch find_crs_mismatch(GDALDriverH driver, const std::string& destination, const std::string& wkt,
                               const Position& place) {
-    const GdalMessages messages;
-    const CrsOwner srs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
+    const reading::GdalMessages messages;
+    const reading::CrsOwner srs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
     if (!srs || is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO) ||
         (EQUAL(GDALGetDriverShortName(driver), "GPKG") && has_wkt1(srs.get())))
         return {};
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
     const VsimemFolder memory;
     const std::string file = memory.file(probe_name(driver, destination));
-    DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    const GdalMessages of_layer;
+    reading::DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const reading::GdalMessages of_layer;
     OGRLayerH layer = dataset ? add_trial_layer(dataset.get(), "probe", srs.get()) : nullptr;
     if (of_layer.failed())
         return accepts_wgs84(driver, destination) ? CrsMismatch{of_layer.reason()} : CrsMismatch{};
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     if (layer == nullptr || !add_trial_feature(layer, place))
         return {};  // inconclusive
     dataset.reset();
@@ -296,19 +298,19 @@ WorldRing trial_ring(const Position& place) {
 AxisValues values_of(const WorldRing& ring, const CoordinateRounding& rounding) {
     AxisValues values;
     for (const Position& p : ring)
-        values.add({rounded(p.x, rounding), rounded(p.y, rounding)});
+        values.add({features::rounded(p.x, rounding), features::rounded(p.y, rounding)});
     return values;
 }
 
 AxisValues read_back(const VectorFormat& format, const std::string& file) {
     AxisValues values;
-    const DatasetOwner dataset = open_dataset(format, file, GDAL_OF_READONLY);
+    const reading::DatasetOwner dataset = open_dataset(format, file, GDAL_OF_READONLY);
     OGRLayerH layer = dataset ? GDALDatasetGetLayer(dataset.get(), 0) : nullptr;
-    const FeatureOwner feature(layer == nullptr ? nullptr : OGR_L_GetNextFeature(layer));
+    const reading::FeatureOwner feature(layer == nullptr ? nullptr : OGR_L_GetNextFeature(layer));
     OGRGeometryH geometry = feature ? OGR_F_GetGeometryRef(feature.get()) : nullptr;
     if (geometry == nullptr)
         return values;
-    for (const WorldPolygon& polygon : polygon_feature_of(geometry).polygons)
+    for (const WorldPolygon& polygon : reading::polygon_feature_of(geometry).polygons)
         for (const Position& p : polygon.exterior)
             values.add(p);
     return values;
@@ -348,8 +350,8 @@ std::optional<CoordinateRounding> coordinate_rounding(const PlannedOutput& draft
     if (!has_capability(draft.format.driver, GDAL_DCAP_VIRTUALIO) || draft.layers.empty() ||
         draft.layers.front().points || !std::isfinite(draft.place.x + draft.place.y))
         return CoordinateRounding{};
-    const GdalMessages quiet;
-    const NoSidecar no_sidecar;
+    const reading::GdalMessages quiet;
+    const reading::NoSidecar no_sidecar;
     const VsimemFolder memory;
     const std::string file = memory.file(probe_name(draft.format.driver, draft.destination.path));
     const WorldRing ring = trial_ring(draft.place);
@@ -369,13 +371,13 @@ std::optional<CoordinateRounding> coordinate_rounding(const PlannedOutput& draft
 }
 
 void warn_of_invalid(const WriteTarget& target, const VectorFormat& format, const std::string& path) {
-    const GdalMessages quiet;
-    const DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
+    const reading::GdalMessages quiet;
+    const reading::DatasetOwner dataset = open_dataset(format, path, GDAL_OF_READONLY);
     for (int i = 0; dataset && i < GDALDatasetGetLayerCount(dataset.get()); ++i) {
         OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), i);
         std::int64_t invalid = 0;
         OGR_L_ResetReading(layer);
-        while (const FeatureOwner feature{OGR_L_GetNextFeature(layer)})
+        while (const reading::FeatureOwner feature{OGR_L_GetNextFeature(layer)})
             if (OGRGeometryH geometry = OGR_F_GetGeometryRef(feature.get());
                 geometry != nullptr && OGR_G_IsValid(geometry) == FALSE)
                 ++invalid;
@@ -389,4 +391,4 @@ void warn_of_invalid(const WriteTarget& target, const VectorFormat& format, cons
     }
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

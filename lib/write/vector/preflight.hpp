@@ -10,7 +10,7 @@
 #include "write/destination.hpp"
 #include "write/ogr_util.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Everything that is known about the output before the work.
 struct PlannedOutput {
@@ -57,4 +57,4 @@ struct CrsMismatch {
 /// Reads the result back and warns of polygons that are invalid after rounding.
 void warn_of_invalid(const WriteTarget& target, const VectorFormat& format, const std::string& path);
 
-}  // namespace d2b
+}  // namespace d2b::writing

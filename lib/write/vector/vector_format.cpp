@@ -17,7 +17,7 @@
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Properties of a format found by a trial, because metadata of drivers are unreliable.
 struct FormatProbe {
@@ -54,7 +54,7 @@ bool add_trial_feature(OGRLayerH layer, const Position& place) {
     constexpr double size = 1e-4;
     const FieldOwner field(OGR_Fld_Create("id", OFTInteger64));
     OGR_L_CreateField(layer, field.get(), TRUE);
-    const FeatureOwner feature(OGR_F_Create(OGR_L_GetLayerDefn(layer)));
+    const reading::FeatureOwner feature(OGR_F_Create(OGR_L_GetLayerDefn(layer)));
     OGRGeometryH ring = OGR_G_CreateGeometry(wkbLinearRing);
     for (const Position& corner :
          {place, Position{place.x + size, place.y}, Position{place.x + size, place.y + size}, place})
@@ -69,9 +69,9 @@ bool add_trial_feature(OGRLayerH layer, const Position& place) {
     return OGR_L_CreateFeature(layer, feature.get()) == OGRERR_NONE;
 }
 
-DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file) {
+reading::DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file) {
     const std::array<const char*, 2> only{GDALGetDriverShortName(driver), nullptr};
-    return DatasetOwner(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, only.data(), nullptr, nullptr));
+    return reading::DatasetOwner(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, only.data(), nullptr, nullptr));
 }
 
 bool has_capability(GDALDriverH driver, const char* capability) {
@@ -87,14 +87,14 @@ bool has_native_transactions(GDALDatasetH dataset) {
 namespace {
 
 bool add_layer(GDALDatasetH dataset, const char* name) {
-    const CrsOwner srs(OSRNewSpatialReference(nullptr));
+    const reading::CrsOwner srs(OSRNewSpatialReference(nullptr));
     OSRSetWellKnownGeogCS(srs.get(), "WGS84");
     OGRLayerH layer = add_trial_layer(dataset, name, srs.get());
     return layer != nullptr && add_trial_feature(layer, {});
 }
 
 bool writes_two(GDALDriverH driver, const std::string& file, bool& transactions) {
-    const DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const reading::DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     transactions = dataset && has_native_transactions(dataset.get());
     return dataset && add_layer(dataset.get(), "one") &&
            GDALDatasetTestCapability(dataset.get(), ODsCCreateLayer) != FALSE &&
@@ -102,7 +102,7 @@ bool writes_two(GDALDriverH driver, const std::string& file, bool& transactions)
 }
 
 void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result) {
-    const DatasetOwner dataset = reopen_trial(driver, file);
+    const reading::DatasetOwner dataset = reopen_trial(driver, file);
     if (!dataset)
         return;
     result.multiple_layers = result.multiple_layers && GDALDatasetGetLayerCount(dataset.get()) > 1;
@@ -113,7 +113,7 @@ void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result)
 }  // namespace
 
 FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
-    const GdalMessages quiet;
+    const reading::GdalMessages quiet;
     FormatProbe result;
     if (is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO)) {
         result.multiple_layers = has_capability(driver, GDAL_DCAP_MULTIPLE_VECTOR_LAYERS);
@@ -232,12 +232,12 @@ VectorFormat format_for(const WriteOptions& options) {
     return format;
 }
 
-DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
+reading::DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access) {
     const std::array<const char*, 2> only{format.name.c_str(), nullptr};
     const auto open = [&](const std::string& name) {
-        return open_guarded(name, GDAL_OF_VECTOR | access, only.data());
+        return reading::open_guarded(name, GDAL_OF_VECTOR | access, only.data());
     };
-    DatasetOwner dataset = open(path);
+    reading::DatasetOwner dataset = open(path);
     // GDAL takes a sequence of one feature for plain GeoJSON unless the prefix is given.
     return !dataset && format.name == "GeoJSONSeq" ? open("GeoJSONSeq:" + path) : std::move(dataset);
 }
@@ -261,4 +261,4 @@ bool has_layer_option(GDALDriverH driver, const std::string& name) {
            list.find("name=\"" + name + "\"") != std::string::npos;
 }
 
-}  // namespace d2b
+}  // namespace d2b::writing

@@ -11,7 +11,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "write/ogr_util.hpp"
 
-namespace d2b {
+namespace d2b::writing {
 
 /// Private folder in /vsimem/ for trials. Its name contains the address of this object, which is unique in
 /// the process.
@@ -51,7 +51,7 @@ OGRLayerH add_trial_layer(GDALDatasetH dataset, const char* name, OGRSpatialRefe
 bool add_trial_feature(OGRLayerH layer, const Position& place);
 
 /// Opens the file with this driver only. @return null on failure
-[[nodiscard]] DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file);
+[[nodiscard]] reading::DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file);
 
 /// True if the driver metadata have YES for a capability.
 [[nodiscard]] bool has_capability(GDALDriverH driver, const char* capability);
@@ -77,7 +77,7 @@ struct VectorFormat {
 
 /// Opens a dataset with this driver only. @param access GDAL_OF_READONLY or GDAL_OF_UPDATE @return null on
 /// failure
-DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access);
+reading::DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, unsigned access);
 
 /// True if the destination is a pipe or a device, which is written sequentially and cannot be read back.
 [[nodiscard]] bool is_stream(const std::string& destination);
@@ -88,4 +88,4 @@ DatasetOwner open_dataset(const VectorFormat& format, const std::string& path, u
 /// True if the driver has a layer creation option of this name.
 [[nodiscard]] bool has_layer_option(GDALDriverH driver, const std::string& name);
 
-}  // namespace d2b
+}  // namespace d2b::writing
