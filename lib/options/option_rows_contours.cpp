@@ -96,8 +96,10 @@ OptionRow walls() {
          .help = "Straight walls instead of the staircase of the cells.",
          .details =
              "auto: along the main directions of a building and at right angles where the data support it, "
-             "otherwise in any direction; circles and arcs where they fit. right: only right angles. free: "
-             "any direction. off: outlines as traced. By default auto; off with -simplify or -preset thesis.",
+             "otherwise in any direction; circles and arcs where they fit. right: one main direction and "
+             "right "
+             "angles. free: any direction. off: outlines as traced. By default auto; off with -simplify or "
+             "-preset thesis.",
          .item = "REGULARIZE"});
 }
 
@@ -177,9 +179,11 @@ std::vector<OptionRow> contours() {
         "regularize_tolerance", "<cells>", {.lowest = 0, .highest = 100, .above_lowest = true},
         [](auto& r) -> auto& { return r.options.outline.wall_tolerance; },
         {.title = "Tolerance of straight walls",
-         .help = "Largest distance between a straight wall and the traced outline; by default " +
-                 number_text(wall_tolerance_m) + " m, but at least " + number_text(min_wall_tolerance_cells) +
-                 " cells.",
+         .help =
+             "Largest distance between a straight wall and the cell borders that it replaces, measured to "
+             "their midpoints; by default " +
+             number_text(wall_tolerance_m) + " m, but at least " + number_text(min_wall_tolerance_cells) +
+             " cells.",
          .unit = "cells"}));
     rows.push_back(number_row(
         "wall_inset", "<cells>", {.lowest = 0, .highest = 1},

@@ -56,7 +56,7 @@ TEST_F(OptionEffect, regularize) {
         EXPECT_EQ(straight.records[0].text("status"), "regularized") << walls;
         EXPECT_LT(straight.records[0].vertices(), 30) << walls;
         EXPECT_GT(straight.records[0].number("moved_m"), 0);
-        EXPECT_LE(straight.records[0].number("moved_m"), 0.75 + 1e-6);
+        EXPECT_LE(straight.records[0].number("moved_m"), 2.5 + 0.25 + 1e-6);
         EXPECT_NEAR(straight.records[0].area(), traced.records[0].area(), 0.02 * traced.records[0].area());
         EXPECT_NEAR(straight.records[0].number("area_chg"),
                     straight.records[0].area() / traced.records[0].area() - 1, 1e-6);
@@ -90,7 +90,10 @@ TEST_F(OptionEffect, regularize_tolerance) {
     };
     for (const double cells : {0.8, 1.0, 3.0}) {
         run_well(within(cells));
-        EXPECT_LE(buildings().records[0].number("moved_m"), cells * 0.5 + 1e-6) << cells;
+        // Half a cell more, because corners of the trace lie farther from a wall than the middles of its
+        // steps.
+        const double farthest = (cells + std::min(0.5, cells / 2)) * 0.5;
+        EXPECT_LE(buildings().records[0].number("moved_m"), farthest + 1e-6) << cells;
     }
     run_warned(within(0.01), {"keeps the staircase of the cells"});  // no straight wall is that near to steps
     EXPECT_GT(buildings().records[0].vertices(), 100);

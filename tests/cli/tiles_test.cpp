@@ -30,8 +30,16 @@ class TilesTool : public CliTest {
     std::string well(const Arguments& arguments) const {
         const ToolResult result = tiles(arguments);
         EXPECT_EQ(result.status, 0) << result.err;
-        EXPECT_EQ(result.err, "");
+        EXPECT_EQ(besides_walls(result.err), "");
         return result.out;
+    }
+    /// Messages besides the warning of outlines without walls, which parcels cut across houses cause.
+    static std::string besides_walls(const std::string& messages) {
+        std::string others;
+        for (const std::string& line : lines_of(messages))
+            if (line.find("has no straight walls") == std::string::npos)
+                others += line + "\n";
+        return others;
     }
     /// All steps of a plan of one tile, up to the result.
     void run_steps() const {
@@ -59,7 +67,12 @@ class TilesTool : public CliTest {
     std::string whole(const Arguments& options, const std::string& file) const {
         Arguments arguments = options;
         arguments.insert(arguments.end(), {"-json", sample("town.tif"), file});
-        return run_well(arguments, {.environment = {date_}});
+        ToolSetup setup;
+        setup.environment = {date_};
+        const ToolResult result = run(arguments, setup);
+        EXPECT_EQ(result.status, 0);
+        EXPECT_EQ(besides_walls(result.err), "");
+        return result.out;
     }
 
     const std::string date_ = "OGR_CURRENT_DATE=2001-02-03T04:05:06.000Z";

@@ -339,19 +339,25 @@ TEST(RunPlan, LeavesWhatIsGiven) {
     EXPECT_EQ(plan.asked.filter.min_area_m2, 12);
 }
 
+TEST(RunPlan, AWallIsWorthHalfASquareMetreOrACellAndAQuarter) {
+    EXPECT_EQ(RunPlan::wall_price(0.5), 2);
+    EXPECT_EQ(RunPlan::wall_price(2.5), 1.25);
+    EXPECT_EQ(RunPlan::wall_price(0), 1.25);  // nobody knows how large cells are
+}
+
 TEST(RunPlan, SimplifiedOutlinesHaveNoStraightWalls) {
     Options options;
     options.outline.simplify = 0.5;
     EXPECT_EQ(plan_of(options).walls, Walls::off);
 }
 
-/// No wall leaves its trace by more than 1.25 m unless that is asked for.
+/// Walls lie within 2.5 m of their steps unless another distance is asked for.
 TEST(RunPlan, WallsMayLeaveTheirTraceByCellsOrMetres) {
     Options options;
-    EXPECT_EQ(plan_of(options).wall_tolerance(0.5), 1.5);
-    EXPECT_EQ(plan_of(options).wall_tolerance(1), 1.25);
-    EXPECT_EQ(plan_of(options).wall_tolerance(2.5), 1);  // no slanted wall lies nearer to its staircase
-    EXPECT_EQ(plan_of(options).wall_tolerance(0), 1.5);  // nobody knows how large cells are
+    EXPECT_EQ(plan_of(options).wall_tolerance(0.5), 5);
+    EXPECT_EQ(plan_of(options).wall_tolerance(1), 2.5);
+    EXPECT_EQ(plan_of(options).wall_tolerance(2.5), 1.5);  // no slanted wall lies nearer to its staircase
+    EXPECT_EQ(plan_of(options).wall_tolerance(0), 1.5);    // nobody knows how large cells are
     options.outline.wall_tolerance = 3;
     EXPECT_EQ(plan_of(options).wall_tolerance(2.5), 3);
 }

@@ -170,11 +170,12 @@ TEST(Walls, ALongBlockIsDividedAsAShortOne) {
     EXPECT_NEAR(drawn.outliner.quality(1).area_change, 0, 1e-3);
 }
 
-TEST(Walls, AnApseIsRoundAndACrownAtACornerIsNot) {
-    const Drawn church(paint(90, [](Place p) {
-        return in_box(p, {35, -45}, 0, 40, 24) || std::hypot(p.x - 55, p.y + 45) < 12 ? 1 : 0;
+TEST(Walls, AHalfDiscIsRoundAndACrownAtACornerIsNot) {
+    const Drawn hall(paint(100, [](Place p) {
+        const Place q = in_frame(p, {30, -50}, 0.1);
+        return q.x > 0 && std::hypot(q.x, q.y) < 30 ? 1 : 0;
     }));
-    EXPECT_EQ(church.outliner.outline(1).arcs.size(), 1U);
+    EXPECT_EQ(hall.outliner.outline(1).arcs.size(), 1U);
     const Drawn house(paint(90, [](Place p) {
         return in_box(p, {40, -45}, 0.1, 30, 20) || std::hypot(p.x - 55, p.y + 36) < 5 ? 1 : 0;
     }));
@@ -184,12 +185,14 @@ TEST(Walls, AnApseIsRoundAndACrownAtACornerIsNot) {
 }
 
 TEST(Walls, ARoundedCornerIsACorner) {
-    const Drawn house(paint(60, [](Place p) {
+    // It lies 1.2 cells from the arc that rounds it off.
+    const TraceGrid rounded = paint(60, [](Place p) {
         const Place q = in_frame(p, {30, -30}, 0.15);
-        const double x = std::abs(q.x) - 11;
-        const double y = std::abs(q.y) - 7;
-        return x < 4 && y < 4 && (x < 0 || y < 0 || std::hypot(x, y) < 4) ? 1 : 0;
-    }));
+        const double x = std::abs(q.x) - 12;
+        const double y = std::abs(q.y) - 8;
+        return x < 3 && y < 3 && (x < 0 || y < 0 || std::hypot(x, y) < 3) ? 1 : 0;
+    });
+    const Drawn house(rounded, walls(Walls::automatic, 2.5));
     EXPECT_EQ(house.exterior(1).size(), 4U);
 }
 

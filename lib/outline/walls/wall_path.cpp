@@ -771,4 +771,24 @@ double align_frames(const TraceSums& samples, const std::vector<WallSegment>& wa
     return largest;
 }
 
+void turn_walls(const TraceSums& samples, const WallDirections& from, const WallDirections& to,
+                std::vector<WallSegment>& walls) {
+    const std::size_t frames = from.frames.size();
+    for (WallSegment& wall : walls) {
+        if (wall.circle)
+            continue;
+        const auto family = static_cast<std::size_t>(wall.family);
+        const bool single = family >= frames && family < frames + from.single.size();
+        const std::size_t frame = family < frames ? family : 0;
+        const double turn = single ? to.single[family - frames] - from.single[family - frames]
+                                   : to.frames[frame] - from.frames[frame];
+        wall.line.through = wall.line.project(samples.sums(wall.first, wall.last).mean);
+        const Vec2 along = wall.line.along;
+        const double c = std::cos(turn);
+        const double s = std::sin(turn);
+        wall.line.along = {c * along.x - s * along.y, s * along.x + c * along.y};
+        fit_offset(samples, wall);
+    }
+}
+
 }  // namespace d2b::outline

@@ -37,4 +37,8 @@ namespace d2b::outline {
 double align_frames(const TraceSums& samples, const std::vector<WallSegment>& walls,
                     WallDirections& directions);
 
+/// Turns walls from their directions to others that differ slightly, about the middle of their steps.
+void turn_walls(const TraceSums& samples, const WallDirections& from, const WallDirections& to,
+                std::vector<WallSegment>& walls);
+
 }  // namespace d2b::outline

@@ -21,7 +21,6 @@ namespace d2b::outline {
 namespace {
 
 constexpr double variance = WallParameters::variance;
-constexpr double arc_tolerance = 0.8;      // cells between an arc and its stretches
 constexpr double chord_price = 2.2;        // cost of a straight stretch
 constexpr double max_arc_distance = 1.25;  // cells
 constexpr double arc_price = 3.2;          // cost of an arc: more than a stretch, less than two
@@ -143,12 +142,9 @@ bool joins(const TraceSums& samples, const WallSegment& arc, const Stretch& stre
 
 /// Finds circular arcs among the stretches of a chain: where a run of them that turn the same way is
 /// described more cheaply by an arc. Walls::automatic only. @throws Cancelled
-std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const WallParameters& parameters,
-                                            const StopToken& stop) {
-    if (parameters.walls != Walls::automatic)
-        return {};
-    const std::vector<std::size_t> points = turning_points(samples, arc_tolerance);
-    if (points.size() < min_stretches)
+std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std::vector<std::size_t>& points,
+                                            const WallParameters& parameters, const StopToken& stop) {
+    if (parameters.walls != Walls::automatic || points.size() < min_stretches)
         return {};
     const std::vector<Stretch> stretches = stretches_of(samples, points, parameters);
     double cost = 0;
@@ -375,17 +371,21 @@ std::vector<WallSegment> ChainWalls::segments() const {
 
 bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallParameters& parameters,
                       WallDirections& directions, bool turn_frames, const StopToken& stop) {
-    constexpr double slight = 0.5 / 180 * std::numbers::pi;  // frames that turn by less fit already
-    const std::vector<WallSegment> arcs = find_circular_arcs(samples_, parameters, stop);
+    constexpr double slight = 2.0 / 180 * std::numbers::pi;  // frames that turn by less have the same walls
+    const std::vector<WallSegment> arcs = find_circular_arcs(samples_, points, parameters, stop);
     auto segments = divide(samples_, points, arcs, parameters, directions, stop);
     if (!segments)
         return false;
-    WallDirections turned = directions;
-    if (turn_frames && align_frames(samples_, *segments, turned) > slight)
-        if (auto again = divide(samples_, points, arcs, parameters, turned, stop)) {
+    if (turn_frames) {
+        WallDirections turned = directions;
+        if (align_frames(samples_, *segments, turned) < slight)
+            turn_walls(samples_, directions, turned, *segments);
+        else if (auto again = divide(samples_, points, arcs, parameters, turned, stop))
             segments = std::move(again);
-            directions = std::move(turned);
-        }
+        else
+            turned = directions;
+        directions = std::move(turned);
+    }
     const double limit = parameters.tolerance - wall_clearance;
     separate_cells(samples_, parameters.higher, limit, *segments);
     if (parameters.inset > 0)
