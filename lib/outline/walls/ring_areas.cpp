@@ -138,19 +138,28 @@ void RingAreas::restore_area(Ring& ring, double missing) {
     }
 }
 
+/// Tightens only those parts of chains that belong to the ring, because one small tower must not cost the
+/// walls of the whole house on whose border it stands.
 void RingAreas::tighten_highest_rank(const Ring& ring) {
-    std::vector<std::uint32_t> chains;
-    for (const ArcUse& use : *ring.uses)
-        chains.push_back(graph_.chain_of[use.arc]);
-    std::sort(chains.begin(), chains.end());
-    chains.erase(std::unique(chains.begin(), chains.end()), chains.end());
-    std::erase_if(chains, [&](std::uint32_t c) { return layout_.mode(c).all_beveled(); });
+    struct Part {
+        std::uint32_t chain;
+        std::uint32_t first;  // steps
+        std::uint32_t last;
+    };
+    std::vector<Part> parts;
     int rank = -1;
-    for (const std::uint32_t c : chains)
+    for (const ArcUse& use : *ring.uses) {
+        const std::uint32_t c = graph_.chain_of[use.arc];
+        const std::size_t k = graph_.index_in_chain[use.arc];
+        const std::vector<std::uint32_t>& steps = graph_.chains[c].node_steps;
+        if (layout_.mode(c).least(steps[k], steps[k + 1]) == FitMode::beveled)
+            continue;
+        parts.push_back({c, steps[k], steps[k + 1]});
         rank = std::max(rank, graph_.chains[c].rank);
-    for (const std::uint32_t c : chains)
-        if (graph_.chains[c].rank == rank)
-            layout_.tighten(c);
+    }
+    for (const Part& part : parts)
+        if (graph_.chains[part.chain].rank == rank)
+            layout_.tighten(part.chain, part.first, part.last, 0);
 }
 
 }  // namespace d2b
