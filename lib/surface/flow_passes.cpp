@@ -69,11 +69,11 @@ void FlowPasses::straighten() {
     plan_ = editor.plan();
 }
 
-bool FlowPasses::is_sound(const std::vector<FinePolygon>& outlines) const {
+bool FlowPasses::is_sound(const std::vector<FinePolygon>& outlines, const StopToken& stop) const {
     std::vector<PartitionContour> again;
     for (std::size_t c = 0; c < outlines.size(); ++c)
         again.push_back({outlines[c], contours_[c].parent, contours_[c].building, contours_[c].top});
-    return make_partition(again).conflicting.empty();
+    return make_partition(again, stop).conflicting.empty();
 }
 
 /// Repeats a pass that breaks contours without changing these, because all others can be mended.
@@ -90,7 +90,7 @@ std::optional<FlowOutlines> FlowPasses::make(std::span<const PartitionContour> l
             straighten();
         else if (mend(stop); !take_apart(leveled, stop))
             return std::nullopt;
-        drawn = plan_outlines(plan_, contours_);
+        drawn = plan_outlines(plan_, contours_, stop);
         if (drawn.broken.empty()) {
             ++pass;
             continue;
@@ -104,7 +104,7 @@ std::optional<FlowOutlines> FlowPasses::make(std::span<const PartitionContour> l
         budget_ = budget;
         problems_.resize(problems);
     }
-    if (!is_sound(drawn.outlines))
+    if (!is_sound(drawn.outlines, stop))
         return std::nullopt;
     const PartitionEditor editor(std::move(plan_));
     const std::vector<FlowFault> after = find_faults(editor, contours_, limits_, stop);

@@ -44,7 +44,7 @@ class FlowPasses {
     void mend(const StopToken& stop);
     [[nodiscard]] bool take_apart(std::span<const PartitionContour> leveled, const StopToken& stop);
     void straighten();
-    [[nodiscard]] bool is_sound(const std::vector<FinePolygon>& outlines) const;
+    [[nodiscard]] bool is_sound(const std::vector<FinePolygon>& outlines, const StopToken& stop) const;
 
     PlanarPartition plan_;
     std::span<const PartitionContour> contours_;

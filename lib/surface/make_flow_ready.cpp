@@ -29,7 +29,8 @@ std::vector<PartitionContour> with_levels(std::span<const PartitionContour> cont
 
 /// Returns the outlines without corners in straight walls, or nothing if there are no such corners.
 std::vector<FinePolygon> straightened(const PlanarPartition& plan, std::span<const PartitionContour> contours,
-                                      const FlowLimits& limits, const std::vector<bool>& frozen) {
+                                      const FlowLimits& limits, const std::vector<bool>& frozen,
+                                      const StopToken& stop) {
     PartitionEditor editor(plan);
     take_needless_corners(editor, limits.metric, [&](std::uint32_t node) {
         return std::ranges::none_of(editor.around(node), [&](const IncidentEdge& arm) {
@@ -39,7 +40,7 @@ std::vector<FinePolygon> straightened(const PlanarPartition& plan, std::span<con
     });
     if (editor.take_changes().empty())
         return {};
-    PlanOutlines drawn = plan_outlines(editor.plan(), contours);
+    PlanOutlines drawn = plan_outlines(editor.plan(), contours, stop);
     return drawn.broken.empty() ? std::move(drawn.outlines) : std::vector<FinePolygon>();
 }
 
@@ -57,7 +58,7 @@ void settle(std::vector<FlowProblem>& problems) {
 FlowReady make_flow_ready(std::span<const PartitionContour> contours, const FlowLimits& limits,
                           const std::vector<bool>& frozen, const StopToken& stop) {
     FlowReady result;
-    PartitionResult partition = make_partition(contours);
+    PartitionResult partition = make_partition(contours, stop);
     for (const std::uint32_t c : std::set(partition.conflicting.begin(), partition.conflicting.end()))
         result.problems.push_back({FlowProblemKind::crossing,
                                    0,
@@ -84,7 +85,7 @@ FlowReady make_flow_ready(std::span<const PartitionContour> contours, const Flow
             changed && (touches_itself || changed->left < result.problems.size()))
             result = {std::move(changed->outlines), std::move(changed->problems)};
     if (result.outlines.empty())
-        result.outlines = straightened(partition.plan, contours, limits, frozen);
+        result.outlines = straightened(partition.plan, contours, limits, frozen, stop);
     settle(result.problems);
     return result;
 }

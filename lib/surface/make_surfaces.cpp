@@ -405,7 +405,7 @@ void SurfaceMaker::remove_flat_contours() {
 
 /// @return true if the plan is usable
 bool SurfaceMaker::draw_plan() {
-    PartitionResult partition = make_partition(included_.contours());
+    PartitionResult partition = make_partition(included_.contours(), stop_);
     for (const std::uint32_t contour : partition.conflicting)
         attempt_.obstructing.push_back(included_.building(static_cast<std::int32_t>(contour)));
     if (!attempt_.obstructing.empty())

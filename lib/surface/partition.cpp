@@ -30,7 +30,7 @@ struct OutlineEdges {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing;  ///< pairs of contours whose edges cross
 };
 
-[[nodiscard]] OutlineEdges outline_edges(std::span<const PartitionContour> contours);
+[[nodiscard]] OutlineEdges outline_edges(std::span<const PartitionContour> contours, const StopToken& stop);
 
 namespace {
 
@@ -71,7 +71,7 @@ void sort_along(const OutlineEdge& side, std::vector<FinePoint>& points) {
 
 }  // namespace
 
-OutlineEdges outline_edges(std::span<const PartitionContour> contours) {
+OutlineEdges outline_edges(std::span<const PartitionContour> contours, const StopToken& stop) {
     OutlineEdges result;
     std::vector<OutlineEdge>& sides = result.sides;
     for (std::uint32_t c = 0; c < contours.size(); ++c) {
@@ -84,6 +84,7 @@ OutlineEdges outline_edges(std::span<const PartitionContour> contours) {
     const BoxTree tree(boxes);
     result.cuts.resize(sides.size());
     for (std::size_t i = 0; i < sides.size(); ++i) {
+        stop.check();
         tree.query(boxes[i], [&](std::size_t k) {
             if (is_within(sides[i], sides[k].from))
                 result.cuts[i].push_back(sides[k].from);
@@ -115,7 +116,8 @@ struct Stack {
 
 class Partitioner {
   public:
-    explicit Partitioner(std::span<const PartitionContour> contours) : contours_(contours) {}
+    Partitioner(std::span<const PartitionContour> contours, const StopToken& stop)
+        : contours_(contours), stop_(stop) {}
 
     [[nodiscard]] PartitionResult make();
 
@@ -132,6 +134,7 @@ class Partitioner {
     }
 
     std::span<const PartitionContour> contours_;
+    const StopToken& stop_;
     PartitionResult result_;
 };
 
@@ -216,13 +219,14 @@ void Partitioner::look_around_nodes() {
 }
 
 PartitionResult Partitioner::make() {
-    const OutlineEdges sides = outline_edges(contours_);
+    const OutlineEdges sides = outline_edges(contours_, stop_);
     for (const auto& [a, b] : sides.crossing)
         refuse(static_cast<std::int32_t>(a), static_cast<std::int32_t>(b));
     if (!result_.conflicting.empty())
         return std::move(result_);
     const std::vector<Piece> all = pieces(sides);
     for (std::size_t begin = 0; begin < all.size();) {
+        stop_.check();
         std::size_t end = begin + 1;
         while (end < all.size() &&
                std::tie(all[end].low, all[end].high) == std::tie(all[begin].low, all[begin].high))
@@ -237,12 +241,12 @@ PartitionResult Partitioner::make() {
 
 }  // namespace
 
-PartitionResult make_partition(std::span<const PartitionContour> contours) {
-    return Partitioner(contours).make();
+PartitionResult make_partition(std::span<const PartitionContour> contours, const StopToken& stop) {
+    return Partitioner(contours, stop).make();
 }
 
 std::vector<FinePolygon> noded_outlines(std::span<const PartitionContour> contours) {
-    const OutlineEdges sides = outline_edges(contours);
+    const OutlineEdges sides = outline_edges(contours, {});
     std::size_t next = 0;
     const auto noded = [&](const FineRing& ring) {
         FineRing result;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/stop_token.hpp"
 #include "surface/planar_partition.hpp"
 
 namespace d2b::surface {
@@ -18,8 +19,9 @@ struct PartitionResult {
 
 /// Computes the planar partition by the topmost contour. Edges are split at vertices of other outlines, so
 /// that edges meet only at nodes. Exact, on integers. O(n log n) in the number of vertices, unless many boxes
-/// overlap. @param contours parents before children
-[[nodiscard]] PartitionResult make_partition(std::span<const PartitionContour> contours);
+/// overlap. @param contours parents before children @throws Cancelled
+[[nodiscard]] PartitionResult make_partition(std::span<const PartitionContour> contours,
+                                             const StopToken& stop = {});
 
 /// Returns the outlines with a vertex wherever a vertex of another outline lies on an edge.
 [[nodiscard]] std::vector<FinePolygon> noded_outlines(std::span<const PartitionContour> contours);

@@ -9,7 +9,8 @@
 
 namespace d2b::surface {
 
-PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const PartitionContour> contours) {
+PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const PartitionContour> contours,
+                           const StopToken& stop) {
     // Edges per contour that have it, or a contour on top of it, on one side alone.
     std::vector<PlanarPartition> parts(contours.size());
     const auto parent = [&](std::int32_t contour) {
@@ -27,6 +28,7 @@ PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const Partitio
                 parts[static_cast<std::size_t>(c)].edges.push_back({from, to, c, open_ground});
     PlanOutlines result;
     for (std::uint32_t c = 0; c < parts.size(); ++c) {
+        stop.check();
         PlanarPartition& part = parts[c];
         // Renumbers its own nodes, because copying all nodes per contour would take quadratic time.
         std::vector<std::uint32_t> used;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/stop_token.hpp"
 #include "surface/planar_partition.hpp"
 
 namespace d2b::surface {
@@ -15,8 +16,9 @@ struct PlanOutlines {
 };
 
 /// Draws the outline of each contour from the partition: a contour covers its own faces and those of all
-/// contours on top of it.
+/// contours on top of it. @throws Cancelled
 [[nodiscard]] PlanOutlines plan_outlines(const PlanarPartition& plan,
-                                         std::span<const PartitionContour> contours);
+                                         std::span<const PartitionContour> contours,
+                                         const StopToken& stop = {});
 
 }  // namespace d2b::surface

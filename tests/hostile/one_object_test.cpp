@@ -48,19 +48,25 @@ double arms(int row, int col) {
     return std::fmod(std::hypot(x, y) / 10 + std::atan2(y, x) / 6.2831853 + 2, 1) < 0.5 ? 20 : 0;
 }
 
-class StoppedInOneObject : public CliTest, public ::testing::WithParamInterface<OneObject> {};
+class StoppedInOneObject : public CliTest, public ::testing::WithParamInterface<OneObject> {
+  protected:
+    /// Writes dem.tif: a square that holds the object, with 20 cells of ground on each side.
+    void write_object(const std::function<double(int, int)>& surface, int side) const {
+        RasterSpec spec = one_block();
+        spec.rows = spec.cols = side;
+        spec.values.clear();
+        for (int row = 0; row < side; ++row)
+            for (int col = 0; col < side; ++col) {
+                const bool edge = std::min({row, col, side - 1 - row, side - 1 - col}) < 20;
+                spec.values.push_back(edge ? 0 : surface(row, col));
+            }
+        write(path("dem.tif"), spec);
+    }
+};
 
 TEST_P(StoppedInOneObject, EndsSoonAfterTheSignal) {
     const OneObject& object = GetParam();
-    RasterSpec spec = one_block();
-    spec.rows = spec.cols = object.side;
-    spec.values.clear();
-    for (int row = 0; row < object.side; ++row)
-        for (int col = 0; col < object.side; ++col) {
-            const bool edge = std::min({row, col, object.side - 1 - row, object.side - 1 - col}) < 20;
-            spec.values.push_back(edge ? 0 : object.surface(row, col));
-        }
-    write(path("dem.tif"), spec);
+    write_object(object.surface, object.side);
     const auto names = entries();
     Arguments arguments = object.arguments;
     arguments.insert(arguments.end(), {"-q", "--", "dem.tif", "out.gpkg"});
@@ -100,6 +106,59 @@ INSTANTIATE_TEST_SUITE_P(
                   {"-preset", "thesis", "-trace", "cells", "-fl", "5", "-nf", "0", "-simplify", "2"},
                   1200}),
     [](const ::testing::TestParamInfo<OneObject>& object) { return std::string(object.param.name); });
+
+#ifdef __OPTIMIZE__
+constexpr double slower = D2B_SANITIZED != 0 ? 20 : 1;
+#else
+constexpr double slower = D2B_SANITIZED != 0 ? 40 : 10;
+#endif
+
+/// Outlines that narrow places are taken from: a block of 63,504 cells.
+class StoppedInARaggedBlock : public StoppedInOneObject {
+  protected:
+    void SetUp() override {
+        StoppedInOneObject::SetUp();
+        preset_ = "";
+    }
+};
+
+TEST_P(StoppedInARaggedBlock, EndsWithinASecondOfProcessor) {
+    const OneObject& object = GetParam();
+    write_object(object.surface, object.side);
+    Arguments arguments =
+        with(object.arguments, {"-threads", "1", "-ground", "none", "-min_confidence", "0", "-levels",
+                                "building", "-overwrite", "-q", "--", "dem.tif", "out.gpkg"});
+    const ToolResult whole = run(arguments);
+    ASSERT_EQ(whole.status, 0) << whole.err;
+    EXPECT_LT(whole.cpu_seconds, 5 * slower);
+    std::filesystem::remove(path("out.gpkg"));
+    const auto names = entries();
+    int in_time = 0;
+    for (const double share : {0.2, 0.35, 0.5, 0.65, 0.8, 0.9}) {
+        const ToolResult result =
+            run(arguments, {.kill = Kill{SIGTERM, milliseconds(0), share * whole.cpu_seconds}});
+        if (result.status == 0)
+            break;  // done before that
+        ++in_time;
+        EXPECT_EQ(result.status, 143) << result.err;
+        EXPECT_EQ(entries(), names);
+        // What did not ask would go on to its end.
+        const double after = result.cpu_seconds - result.cpu_seconds_at_signal;
+        EXPECT_LT(after, slower) << share;
+        if (share < 0.6) {
+            EXPECT_LT(after, whole.cpu_seconds * (1 - share) / 2) << share;
+        }
+    }
+    EXPECT_GE(in_time, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, StoppedInARaggedBlock,
+                         ::testing::Values(OneObject{"flow_ready", ragged, {"-flow_ready", "2"}, 292},
+                                           OneObject{"min_gap", ragged, {"-min_gap", "2"}, 292},
+                                           OneObject{"min_wall", ragged, {"-min_wall", "2"}, 292}),
+                         [](const ::testing::TestParamInfo<OneObject>& object) {
+                             return std::string(object.param.name);
+                         });
 
 }  // namespace
 }  // namespace d2b::test

@@ -18,6 +18,7 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <thread>
+#include <time.h>
 #include <unistd.h>
 #include <vector>
 
@@ -26,6 +27,7 @@ namespace d2b::test {
 struct Kill {
     int signal = SIGKILL;
     std::chrono::milliseconds after{0};
+    double cpu_seconds = 0;  ///< that it has used by then; nothing is sent to a tool that ends before
 };
 
 struct ToolSetup {
@@ -41,6 +43,7 @@ struct ToolResult {
     std::string out;
     std::string err;
     double cpu_seconds = 0;
+    double cpu_seconds_at_signal = 0;  ///< used before the signal was sent; 0 where none was
     std::int64_t peak_bytes = 0;
 };
 
@@ -138,10 +141,28 @@ inline double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
+/// Of a process that has not been waited for.
+inline double cpu_seconds_of(pid_t process) {
+    clockid_t clock = 0;
+    timespec time{};
+    if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0)
+        return 0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+inline bool has_ended(pid_t process) {
+    siginfo_t info{};
+    return waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+           info.si_pid == process;
+}
+
 /// Waits, and notes how it ended and what it took.
 inline void wait_for(pid_t process, const std::optional<Kill>& signal, ToolResult& result) {
     if (signal) {
         std::this_thread::sleep_for(signal->after);
+        while (cpu_seconds_of(process) < signal->cpu_seconds && !has_ended(process))
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        result.cpu_seconds_at_signal = cpu_seconds_of(process);
         ::kill(process, signal->signal);
     }
     int status = 0;

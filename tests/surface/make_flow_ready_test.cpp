@@ -546,5 +546,71 @@ TEST(FlowReady, whatCannotBeMendedGetsNoCorners) {
     }
 }
 
+/// A house of 30 x 40 m with a step of 20 cm in a wall, and a hut of 60 x 60 cm at another wall. The hut has
+/// no wall that is long enough, so it would be merged into nothing; it stays, and the step goes all the same.
+TEST(FlowReady, aContourThatWouldBreakStays) {
+    const std::vector<std::pair<int, int>> hut{{3000, 1000}, {3060, 1000}, {3060, 1060}, {3000, 1060}};
+    const std::vector<PartitionContour> town{
+        house({{0, 0}, {500, 0}, {500, 20}, {3000, 20}, {3000, 1000}, {3000, 1060}, {3000, 4000}, {0, 4000}},
+              0),
+        house(hut, 1)};
+    const FlowReady ready = make_flow_ready(town, limits(1, 1));
+    ASSERT_EQ(ready.outlines.size(), 2U);
+    FineRing walls = ready.outlines[1].exterior;
+    FineRing before = ring(hut);
+    std::ranges::sort(walls);
+    std::ranges::sort(before);
+    EXPECT_EQ(walls, before);
+    EXPECT_EQ(changed(ready, FlowProblemKind::wall), 1U);
+    // A triangle of 0.2 x 5 m of 30 x 40 m less 0.2 x 25 m.
+    EXPECT_NEAR(std::abs(area(ready.outlines[0]) - 1195), 0.5, 1e-9);
+    // Each wall of the hut is left and named.
+    EXPECT_EQ(std::ranges::count_if(ready.problems,
+                                    [](const FlowProblem& p) {
+                                        return !p.changed && p.kind == FlowProblemKind::wall &&
+                                               std::abs(p.after - 0.6) < 1e-9;
+                                    }),
+              4);
+}
+
+/// Towers of cells of 40 cm of which one breaks when all others are mended already.
+const LetterGrid breaks_late{{"20002", "33112", "00333", "32110", "32322"}};
+
+/// As many houses of 16 x 16 m, each with a step of 40 cm, in rows of ten, south of that.
+LetterGrid with_houses(LetterGrid grid, int count) {
+    for (int first = 0; first < count; first += 10) {
+        grid.rows.resize(grid.rows.size() + 5);
+        for (int row = 0; row < 40; ++row) {
+            std::string& line = grid.rows.emplace_back();
+            for (int i = first; i < std::min(count, first + 10); ++i)
+                line += (row == 0 ? std::string(20, '1') + std::string(20, ' ') : std::string(40, '1')) +
+                        std::string(5, ' ');
+        }
+    }
+    return grid;
+}
+
+/// How often making a cluster ready asks whether to stop, which measures its work.
+int work_of(const LetterGrid& grid) {
+    FlowLimits wanted;
+    wanted.gap = wanted.wall = 1;
+    wanted.metric = {0.4 / 1024, 0, 0, -0.4 / 1024};
+    int asked = 0;
+    const FlowReady ready = make_flow_ready(stacks_of(grid).contours, wanted, {}, StopToken([&] {
+                                                ++asked;
+                                                return false;
+                                            }));
+    EXPECT_FALSE(ready.outlines.empty());
+    return asked;
+}
+
+/// What is mended in a cluster is not mended again because one contour breaks later.
+TEST(FlowReady, aContourThatBreaksLateRepeatsLittle) {
+    const int alone = work_of(with_houses({}, 60));
+    const int with_towers = work_of(with_houses(breaks_late, 60)) - work_of(breaks_late);
+    EXPECT_GT(alone, 60);
+    EXPECT_LT(with_towers, 1.25 * alone);
+}
+
 }  // namespace
 }  // namespace d2b::surface

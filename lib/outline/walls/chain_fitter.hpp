@@ -51,10 +51,6 @@ class ChainFitMode {
     [[nodiscard]] bool has_walls() const {
         return std::ranges::find(modes_, FitMode::regularized) != modes_.end();
     }
-    /// True if every step has the closest mode.
-    [[nodiscard]] bool all_beveled() const {
-        return std::ranges::all_of(modes_, [](FitMode mode) { return mode == FitMode::beveled; });
-    }
     /// True if the trace is kept on both sides of the point at which a step begins.
     [[nodiscard]] bool beveled_around(std::size_t step) const;
     /// Stretches in order, beginning at the first step of an open chain, or at a change of mode in a closed

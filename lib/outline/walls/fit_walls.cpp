@@ -101,6 +101,7 @@ class WallFitter {
     [[nodiscard]] StepRange near(Edge e, Edge other) const;
     bool tighten(const StepRange& place);
     bool tighten_at_nodes(std::uint32_t arc);
+    [[nodiscard]] bool is_outdated(std::uint32_t arc) const;
     [[nodiscard]] bool use_trace_around(const StepRange& a, const StepRange& b);
     void revert_to_trace(std::uint32_t component);
     [[nodiscard]] int rank(Edge e) const { return graph_.chains[graph_.chain_of[e.arc]].rank; }
@@ -394,10 +395,21 @@ void WallFitter::resolve(Edge a, Edge b) {
     }
     any = any || tighten_at_nodes(a.arc);
     any = any || tighten_at_nodes(b.arc);
+    any = any || is_outdated(a.arc) || is_outdated(b.arc);
     any = any || use_trace_around(near_a, near_b);
     if (!any || round_ >= max_tightening_rounds)
         for (const StepRange& place : {near_a, near_b})
             revert_to_trace(graph_.component_of[place.chain]);
+}
+
+/// Returns true if the chain of an arc, or one on which it ends, has yet to be drawn again, because other
+/// conflicts of this round changed its mode: only its new drawing tells whether that suffices.
+bool WallFitter::is_outdated(std::uint32_t arc) const {
+    return layout_.is_pending(graph_.chain_of[arc]) ||
+           std::ranges::any_of(graph_.ends[arc], [&](std::uint32_t node) {
+               const std::uint32_t owner = graph_.nodes[node].owner;
+               return owner != WallGraph::none && layout_.is_pending(owner);
+           });
 }
 
 /// Makes two chains follow their trace along more of their length, because walls farther away may be the
@@ -405,7 +417,7 @@ void WallFitter::resolve(Edge a, Edge b) {
 bool WallFitter::use_trace_around(const StepRange& a, const StepRange& b) {
     const std::size_t most = std::max(graph_.chains[a.chain].steps(), graph_.chains[b.chain].steps());
     bool any = false;
-    for (std::size_t more = margin(); !any && more < 2 * most; more *= 2)
+    for (std::size_t more = std::min(margin(), most); !any && more < 2 * most; more *= 2)
         for (const StepRange& place : {a, b})
             if (layout_.use_trace(place.chain, place.first, place.last, more)) {
                 in_conflict_[graph_.component_of[place.chain]] = true;

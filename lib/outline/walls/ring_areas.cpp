@@ -139,26 +139,34 @@ void RingAreas::restore_area(Ring& ring, double missing) {
     }
 }
 
-/// Draws the arcs of highest rank with more walls, or else closer to their traces. Other arcs of their chains
-/// keep their walls, and so do the walls of lower levels on which the ring stands.
+/// Draws the parts of chains of highest rank that belong to the ring with more walls, or else closer to their
+/// traces: one small tower must not cost the walls of the whole house on whose border it stands. The walls of
+/// lower levels on which it stands stay as they are.
 void RingAreas::tighten_highest_rank(const Ring& ring) {
+    struct Part {
+        std::uint32_t chain;
+        std::uint32_t first;  // steps
+        std::uint32_t last;
+    };
+    std::vector<Part> parts;
     int rank = 2 * ring.level;
-    for (const ArcUse& use : *ring.uses)
-        if (const std::uint32_t c = graph_.chain_of[use.arc]; !layout_.mode(c).all_beveled())
-            rank = std::max(rank, graph_.chains[c].rank);
-    std::set<std::uint32_t> replanned;
     for (const ArcUse& use : *ring.uses) {
         const std::uint32_t c = graph_.chain_of[use.arc];
-        if (graph_.chains[c].rank != rank || replanned.contains(c))
-            continue;
-        if (layout_.lower_price(c)) {
-            replanned.insert(c);
-            continue;
-        }
         const std::size_t k = graph_.index_in_chain[use.arc];
         const std::vector<std::uint32_t>& steps = graph_.chains[c].node_steps;
-        layout_.tighten(c, steps[k], steps[k + 1], 0);
+        if (layout_.mode(c).least(steps[k], steps[k + 1]) == FitMode::beveled)
+            continue;
+        parts.push_back({c, steps[k], steps[k + 1]});
+        rank = std::max(rank, graph_.chains[c].rank);
     }
+    std::set<std::uint32_t> replanned;
+    for (const Part& part : parts)
+        if (graph_.chains[part.chain].rank == rank && !replanned.contains(part.chain)) {
+            if (layout_.lower_price(part.chain))
+                replanned.insert(part.chain);
+            else
+                layout_.tighten(part.chain, part.first, part.last, 0);
+        }
 }
 
 }  // namespace d2b::outline

@@ -23,6 +23,8 @@ class WallLayout {
     [[nodiscard]] std::vector<std::uint32_t> draw();
 
     [[nodiscard]] const ChainFitMode& mode(std::uint32_t chain) const { return states_[chain].mode; }
+    /// True if a chain has changed since it was drawn.
+    [[nodiscard]] bool is_pending(std::uint32_t chain) const { return states_[chain].pending; }
     /// Extracts a drawn arc in its own direction, with the steps of its chain for each vertex.
     void arc(std::uint32_t arc, ChainPolyline& drawn) const;
     /// Extracts the part of a chain that a ring uses, from one arc to another, in the direction of the chain,
@@ -32,8 +34,6 @@ class WallLayout {
     /// Makes a range of steps of a chain, plus a margin on both sides, follow the trace more closely.
     /// @return false if it is as close as possible already
     bool tighten(std::uint32_t chain, std::size_t first, std::size_t last, std::size_t margin);
-    /// Same for a whole chain.
-    bool tighten(std::uint32_t chain) { return tighten(chain, 0, graph_.chains[chain].steps(), 0); }
     /// Divides a chain into more walls that lie closer. @return false if they are as many as possible already
     bool lower_price(std::uint32_t chain);
     /// Same for the chain at a node, around the node, if the node is not at its traced position.
