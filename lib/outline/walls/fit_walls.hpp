@@ -45,8 +45,8 @@ struct ClusterOutlines {
 ///        v
 ///     WallGraph                       their arcs, as few as possible; arcs of one rank form Chains
 ///        |  WallLayout                draws chains by rank, lowest first:
-///        v                              ChainFitter: turning_points(), plan_walls(), find_circular_arcs(),
-///                                       draw_walls(), compose_chain() if steps have another FitMode
+///        v                              ChainFitter: find_circular_arcs(), find_walls(), draw_walls(),
+///                                       compose_chain() if steps have another FitMode
 ///     PlacedPolyline                  a drawn chain and the positions of the nodes on it
 ///        |  WallCheck, ContainmentCheck  is the topology that of the trace? exact, with integers
 ///        |  RingAreas                 are areas preserved?

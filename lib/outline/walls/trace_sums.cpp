@@ -191,23 +191,6 @@ std::vector<std::size_t> turning_points(const TraceSums& samples, double toleran
     return points;
 }
 
-double dominant_direction(const TraceSums& samples, const std::vector<std::size_t>& points) {
-    Vec2 sum;
-    for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
-        const std::size_t first = points[i];
-        const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
-        const TraceSums::Sums sums = samples.sums(first, last);
-        if (sums.n < 3)
-            continue;
-        const Vec2 along = sums.direction();
-        const auto doubled = [](Vec2 v) { return Vec2{v.x * v.x - v.y * v.y, 2 * v.x * v.y}; };
-        // The certainty of the direction of a stretch grows with the cube of its length.
-        const double weight = sums.xx + sums.yy;
-        sum = sum + weight * doubled(doubled(along));  // four times its angle
-    }
-    return sum == Vec2{} ? 0 : std::atan2(sum.y, sum.x) / 4;
-}
-
 namespace {
 
 /// Central moments of points; z is the squared distance from the mean.

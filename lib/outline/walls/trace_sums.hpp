@@ -114,10 +114,7 @@ class TraceSums {
         double xx = 0;  ///< about the mean
         double xy = 0;
         double yy = 0;
-        /// Sum of squared distances from the line through the mean.
-        [[nodiscard]] double squares(Vec2 along) const {
-            return along.y * along.y * xx - 2 * along.x * along.y * xy + along.x * along.x * yy;
-        }
+        /// Sum of squared distances from the best line through the mean.
         [[nodiscard]] double least_squares() const {
             return std::max(0.0, (xx + yy - std::sqrt((xx - yy) * (xx - yy) + 4 * xy * xy)) / 2);
         }
@@ -153,10 +150,6 @@ class TraceSums {
 /// open chain ends with its last step. @param tolerance cells; staircases of straight walls stay whole above
 /// 1
 [[nodiscard]] std::vector<std::size_t> turning_points(const TraceSums& samples, double tolerance);
-
-/// Direction shared by the long stretches of a chain, modulo 90 degrees, in radians.
-/// @param points steps at which it may turn
-[[nodiscard]] double dominant_direction(const TraceSums& samples, const std::vector<std::size_t>& points);
 
 struct Circle {
     Vec2 centre;

@@ -10,7 +10,6 @@ namespace d2b::outline {
 namespace {
 
 constexpr double quarter_turn = std::numbers::pi / 2;
-constexpr double degree = std::numbers::pi / 180;
 
 struct Direction {
     double length;  // cells

@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "outline/walls/trace_sums.hpp"
 
 namespace d2b::outline {
+
+constexpr double degree = std::numbers::pi / 180;  // in radians
 
 /// Directions in which the walls of a chain may run, in radians modulo 90 degrees.
 struct WallDirections {

@@ -13,7 +13,6 @@
 namespace d2b::outline {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 // Prices of a wall, relative to that of one along the main direction.
