@@ -36,7 +36,8 @@ class TilesTool : public CliTest {
     /// Messages besides the warning of outlines without walls, which parcels cut across houses cause.
     static std::string besides_walls(const std::string& messages) {
         std::string others;
-        for (const std::string& line : lines_of(messages))
+        std::istringstream lines(messages);
+        for (std::string line; std::getline(lines, line);)
             if (line.find("has no straight walls") == std::string::npos)
                 others += line + "\n";
         return others;
