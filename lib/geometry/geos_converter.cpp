@@ -149,6 +149,10 @@ GeometryPtr GeosConverter::multi_polygon(const List& polygons) const {
     return collection(GEOS_MULTIPOLYGON, std::move(parts));
 }
 
+GeometryPtr GeosConverter::line_ring(const WorldRing& points) const {
+    return ring(points);
+}
+
 GeometryPtr GeosConverter::multi_line(std::span<const WorldPolygon> polygons) const {
     std::vector<GeometryPtr> parts;
     for (const WorldPolygon& polygon : polygons) {

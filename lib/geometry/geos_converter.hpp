@@ -61,6 +61,8 @@ class GeosConverter {
     /// Creates a MultiPolygon. @param polygons a list of polygons as above @throws GeometryError, Cancelled
     template <typename List>
     [[nodiscard]] GeometryPtr multi_polygon(const List& polygons) const;
+    /// Creates a LinearRing. @throws GeometryError, Cancelled
+    [[nodiscard]] GeometryPtr line_ring(const WorldRing& points) const;
     /// Creates a MultiLineString of the rings. @throws GeometryError, Cancelled
     [[nodiscard]] GeometryPtr multi_line(std::span<const WorldPolygon> polygons) const;
 

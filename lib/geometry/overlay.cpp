@@ -270,4 +270,16 @@ std::size_t Overlay::simplified_vertices(const Polygons& feature, double toleran
     return static_cast<std::size_t>(std::max(0, GEOSGetNumCoordinates_r(geos.context(), simple.get())));
 }
 
+WorldRing Overlay::simplified_ring(const WorldRing& ring, double tolerance) {
+    const GeosConverter& geos = impl_->geos;
+    const GeometryPtr geometry = geos.line_ring(ring);
+    const GeometryPtr simple =
+        geos.wrap(GEOSTopologyPreserveSimplify_r(geos.context(), geometry.get(), tolerance));
+    std::vector<Polyline> lines = geos.lines_of(simple.get());
+    if (lines.empty())
+        return {};
+    lines.front().pop_back();
+    return std::move(lines.front());
+}
+
 }  // namespace d2b

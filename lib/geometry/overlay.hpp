@@ -52,6 +52,8 @@ class Overlay {
     /// Number of vertices of a feature after topology-preserving simplification, closing vertices included.
     /// @param feature valid
     [[nodiscard]] std::size_t simplified_vertices(const Polygons& feature, double tolerance);
+    /// Topology-preserving simplification of one ring, whose first vertex is kept.
+    [[nodiscard]] WorldRing simplified_ring(const WorldRing& ring, double tolerance);
 
   private:
     struct Impl;

@@ -194,7 +194,9 @@ ValidCells valid_cells(const std::string& path, Warnings& warnings) {
             warnings.add(text);
     const double cols = info.cols;
     const double rows = info.rows;
-    ValidCells result{{}, info.crs_wkt};
+    const double col = std::floor(cols / 2);
+    const double row = std::floor(rows / 2);
+    ValidCells result{{}, info.crs_wkt, {{col, row}, {col + 1, row}, {col + 1, row + 1}, {col, row + 1}}};
     if (static_cast<std::size_t>(count) == mask.valid.size())
         result.polygons = {{{{0, 0}, {cols, 0}, {cols, rows}, {0, rows}}, {}}};
     else
@@ -204,6 +206,7 @@ ValidCells valid_cells(const std::string& path, Warnings& warnings) {
         for (WorldRing& ring : polygon.interiors)
             place(ring, info.transform);
     }
+    place(result.middle_cell, info.transform);
     return result;
 }
 

@@ -30,6 +30,7 @@ struct LayerChoice {
 struct ValidCells {
     std::vector<WorldPolygon> polygons;  ///< disjoint; each may touch itself at points
     std::string crs_wkt;                 ///< WKT2:2019; empty if there is none
+    WorldRing middle_cell;               ///< outline of a cell in the middle, whether it has data or not
 };
 
 /// Outlines the cells of the first band that are not NoData, masked out, transparent, NaN or infinite.

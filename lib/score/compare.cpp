@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <span>
@@ -25,6 +27,7 @@ struct Limit {
     std::string what;  ///< description for messages
     Crs crs;
     Polygons area;
+    Polygons cell = {};  ///< of a raster: one cell in its middle
 };
 
 Polygons all_polygons(std::vector<PolygonFeature> footprints) {
@@ -58,8 +61,25 @@ std::optional<Limit> raster_with_data(const ScoreRequest& request, Warnings& war
     if (request.dem.empty())
         return std::nullopt;
     reading::ValidCells cells = reading::valid_cells(request.dem, warnings);
-    return Limit{request.dem, "the part of '" + request.dem + "' that has data", Crs(cells.crs_wkt),
-                 std::move(cells.polygons)};
+    return Limit{request.dem,
+                 "the part of '" + request.dem + "' that has data",
+                 Crs(cells.crs_wkt),
+                 std::move(cells.polygons),
+                 {{std::move(cells.middle_cell), {}}}};
+}
+
+/// Returns the shorter side of a cell in metres, because an edge along two cells is not short; nothing
+/// without a raster.
+std::optional<double> cell_size(std::vector<Limit>& limits, const MeasurePlane& plane, Warnings& warnings) {
+    if (limits.empty() || limits.back().cell.empty())
+        return std::nullopt;
+    Limit& raster = limits.back();
+    transform_to(plane, raster.crs, raster.name, std::span(&raster.cell, 1), LongEdges::keep, warnings);
+    const WorldRing& cell = raster.cell.front().exterior;
+    const auto side = [&](std::size_t i) {
+        return std::hypot(cell[i + 1].x - cell[i].x, cell[i + 1].y - cell[i].y);
+    };
+    return std::min(side(0), side(1)) * plane.metres;
 }
 
 /// One side of the comparison, before and after its transformation to the plane.
@@ -142,6 +162,7 @@ ScoreRun score_layers(const ScoreRequest& request, const PolygonLayer& found_lay
     ScoreOptions options;
     options.region = region_of(limits, plane, found, reference, overlay, warnings);
     options.metres = plane.metres;
+    options.cell_m = cell_size(limits, plane, warnings);
     options.min_object_m2 = request.min_object_m2;
     ScoreRun run{found_layer.name,
                  reference_layer.name,
@@ -149,6 +170,7 @@ ScoreRun score_layers(const ScoreRequest& request, const PolygonLayer& found_lay
                  plane.local ? "local transverse Mercator projection" : plane.crs.name(),
                  plane.metres,
                  options.region.has_value(),
+                 options.cell_m,
                  {}};
     run.score = score(std::move(found.score), std::move(reference.score), options);
     return run;

@@ -31,6 +31,14 @@ Polyline closed(const WorldRing& ring) {
 
 }  // namespace
 
+double share(double part, double whole) {
+    return whole > 0 ? part / whole : 0;
+}
+
+double share(std::size_t part, std::size_t whole) {
+    return share(static_cast<double>(part), static_cast<double>(whole));
+}
+
 double area_of(const WorldPolygon& polygon) {
     double area = ring_area(polygon.exterior);
     for (const WorldRing& interior : polygon.interiors)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -10,6 +11,10 @@
 #include "geometry/overlay.hpp"
 
 namespace d2b::score {
+
+/// A part of a whole; 0 if the whole is 0.
+[[nodiscard]] double share(double part, double whole);
+[[nodiscard]] double share(std::size_t part, std::size_t whole);
 
 // Units are those of the coordinates and their squares.
 

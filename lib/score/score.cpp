@@ -7,16 +7,10 @@
 #include "score/measure.hpp"
 #include "score/objects.hpp"
 #include "score/outline_distance.hpp"
+#include "score/shape.hpp"
 
 namespace d2b::score {
 namespace {
-
-double share(double part, double whole) {
-    return whole > 0 ? part / whole : 0;
-}
-double share(std::size_t part, std::size_t whole) {
-    return share(static_cast<double>(part), static_cast<double>(whole));
-}
 
 /// Far below measured lengths, far above rounding errors of coordinates.
 constexpr double border_m = 0.001;
@@ -68,6 +62,11 @@ class Scorer {
         const Comparison comparison = compare(in_region(found.once), in_region(reference), overlay_);
         measure_areas(comparison);
         measure_pairs(comparison);
+        measure_shapes();
+        // Objects are whole here, because cuts at the border of the region are no walls.
+        measure_directions(options_.region
+                               ? compare(touching_region(found.once), touching_region(reference), overlay_)
+                               : comparison);
         return score_;
     }
 
@@ -151,6 +150,61 @@ class Scorer {
         if (score_.pairs > 0)
             score_.polis_m = polis / static_cast<double>(score_.pairs) * options_.metres;
         score_.heights = height_errors(errors);
+    }
+
+    [[nodiscard]] Polygons touching_region(const Polygons& polygons) {
+        if (!options_.region)
+            return polygons;
+        std::vector<Polygons> features;
+        for (const WorldPolygon& polygon : polygons)
+            features.push_back({polygon});
+        const std::vector<bool> touches = overlay_.intersecting(features, *options_.region);
+        Polygons result;
+        for (std::size_t i = 0; i < polygons.size(); ++i)
+            if (touches[i])
+                result.push_back(polygons[i]);
+        return result;
+    }
+
+    [[nodiscard]] CornerRings corners_of(const WorldPolygon& polygon) {
+        const double tolerance = options_.simplify_m / options_.metres;
+        CornerRings rings{overlay_.simplified_ring(from_leftmost(polygon.exterior), tolerance)};
+        for (const WorldRing& interior : polygon.interiors)
+            rings.push_back(overlay_.simplified_ring(from_leftmost(interior), tolerance));
+        return rings;
+    }
+
+    [[nodiscard]] ShapeScore shape_of(const ScoreSide& side) {
+        ShapeLimits limits;
+        if (options_.cell_m)
+            limits.short_edge = 2 * *options_.cell_m / options_.metres;
+        Polygons all;
+        for (const Polygons& area : side.areas)
+            all.insert(all.end(), area.begin(), area.end());
+        std::vector<CornerRings> polygons;
+        for (const WorldPolygon& polygon : touching_region(all))
+            polygons.push_back(corners_of(polygon));
+        return measure_shape(polygons, limits);
+    }
+
+    void measure_shapes() {
+        score_.found.shape = shape_of(found_);
+        score_.reference.shape = shape_of(reference_);
+    }
+
+    void measure_directions(const Comparison& comparison) {
+        const double largest = options_.direction_below_m2 / (options_.metres * options_.metres);
+        const auto direction = [&](const ScoredObjects& objects, std::size_t i) {
+            return main_direction(corners_of(objects.pieces[i]), ShapeLimits{}.near_deg).degrees;
+        };
+        std::vector<double> angles;
+        for (const ObjectPair& pair : comparison.pairs)
+            if (at_least(pair.iou, options_.match_iou) &&
+                !at_least(comparison.found.areas[pair.found], largest) &&
+                !at_least(comparison.reference.areas[pair.reference], largest))
+                angles.push_back(angle_between(direction(comparison.found, pair.found),
+                                               direction(comparison.reference, pair.reference)));
+        score_.directions = direction_errors(std::move(angles));
     }
 
     Overlay overlay_;

@@ -27,12 +27,17 @@ struct ScoreOptions {
     double min_object_m2 = 50;
     double outline_limit_m = 3;    ///< largest distance from the reference at which the outline counts
     double outline_step_m = 0.05;  ///< distance between sample points on the outline
-    double simplify_m = 0.05;      ///< tolerance for simplifying the reference before counting its vertices
-    double match_iou = 0.5;        ///< minimum IoU of a pair of objects
+    /// tolerance for simplifying the reference before counting its vertices, and outlines before counting
+    /// their corners
+    double simplify_m = 0.05;
+    double match_iou = 0.5;           ///< minimum IoU of a pair of objects
+    std::optional<double> cell_m{};   ///< shorter side of a cell; nullopt: short edges are not counted
+    double direction_below_m2 = 400;  ///< pairs of larger objects have no direction
 };
 
 /// Scores found footprints against a reference: completeness, correctness and IoU of areas, counts of objects
 /// covered at least half, and, for pairs of objects with a sufficient IoU, PoLiS distances and height errors.
+/// Measures the shape of both sides.
 /// Both sides must be in the same plane (see transform_to()). Areas are dissolved first, because touching
 /// features would otherwise count as several objects; overlaps within the found side are reported instead.
 /// @throws Error if GEOS fails

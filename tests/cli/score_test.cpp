@@ -1,5 +1,6 @@
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -78,6 +79,85 @@ TEST_F(ScoreTool, measuresAShiftedSquare) {
     EXPECT_EQ(result["found"]["vertices"], 5);
 }
 
+TEST_F(ScoreTool, measuresShapes) {
+    // Found: a square of 10 m at atan(6/8) = 36.87 degrees, and a triangle with a right angle, one of 26.6
+    // degrees, and edges of 20, 10 and 22.4 m. One more square is outside of the area of interest.
+    layer_of("found.gpkg", {.name = "buildings",
+                            .features = {{"POLYGON((0 0,8 6,2 14,-6 8,0 0))"},
+                                         {"POLYGON((40 0,60 0,60 10,40 0))"},
+                                         {"POLYGON((900 0,908 6,902 14,894 8,900 0))"}}});
+    // Reference: a square of 10 m at atan(8/6) = 53.13 degrees with a vertex on a wall; a rectangle of twice
+    // the triangle.
+    layer_of("reference.gpkg", {.name = "buildings",
+                                .features = {{"POLYGON((2 0,8 8,0 14,-3 10,-6 6,2 0))"},
+                                             {"POLYGON((40 0,60 0,60 10,40 10,40 0))"},
+                                             {"POLYGON((900 0,910 0,905 10,900 0))"}}});
+    layer_of("reference.gpkg", {"aoi", {{box(-100, -100, 100, 100)}}});
+    RasterSpec dem;
+    dem.cols = 100;
+    dem.rows = 100;
+    dem.values.assign(10000, 7);
+    dem.transform = std::array<double, 6>{-150, 5.5, 0, 150, 0, -5.5};
+    write(path("dem.tif"), dem);
+    const ToolResult run = score({"-json", "-dem", "dem.tif", both_[0], both_[1]});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const json shape = json::parse(run.out)["shape"];
+    EXPECT_NEAR(shape["cell_m"], 5.5, 1e-9);
+    const json& found = shape["found"];
+    EXPECT_EQ(found["polygons"], 2);
+    EXPECT_EQ(found["corners"], 7);
+    EXPECT_EQ(found["corners_per_building"], 3.5);
+    EXPECT_NEAR(found["right_share"], 5.0 / 7, 1e-9);
+    EXPECT_NEAR(found["sharp45_share"], 1.0 / 7, 1e-9);
+    EXPECT_NEAR(found["along_share"], (40 + 30) / (40 + 30 + 10 * std::sqrt(5)), 1e-9);
+    EXPECT_NEAR(found["short_edge_share"], 5.0 / 7, 1e-9);  // the five of 10 m
+    const json& reference = shape["reference"];
+    EXPECT_EQ(reference["polygons"], 2);
+    EXPECT_EQ(reference["corners"], 8);
+    EXPECT_EQ(reference["corners_per_building"], 4);
+    EXPECT_EQ(reference["right_share"], 1);
+    EXPECT_EQ(reference["sharp45_share"], 0);
+    EXPECT_NEAR(reference["along_share"], 1, 1e-9);
+    EXPECT_NEAR(reference["short_edge_share"], 6.0 / 8, 1e-9);
+    // The squares share 3/4 of their union or more, the triangle is half of its rectangle. The angles are
+    // 16.26 and 0 degrees.
+    const double angle = (std::atan2(8, 6) - std::atan2(6, 8)) * 180 / std::numbers::pi;
+    EXPECT_EQ(shape["direction_pairs"], 2);
+    EXPECT_NEAR(shape["direction_median_deg"], angle / 2, 1e-9);
+    EXPECT_NEAR(shape["direction_p90_deg"], 0.9 * angle, 1e-9);
+    // Without a raster nobody knows the cells.
+    const json without = json::parse(score({"-json", both_[0], both_[1]}).out)["shape"];
+    EXPECT_EQ(without["cell_m"], nullptr);
+    EXPECT_EQ(without["found"]["short_edge_share"], nullptr);
+    EXPECT_EQ(without["reference"]["short_edge_share"], nullptr);
+    EXPECT_EQ(without["found"]["right_share"], found["right_share"]);
+    EXPECT_EQ(score(both_).out.find("short edges"), std::string::npos);
+    const std::string table = score({"-q", "-dem", "dem.tif", both_[0], both_[1]}).out;
+    expect_has(table, "corners per building  3.50\n  of the reference    4.00\n");
+    expect_has(table, "right corners         71.43 %\n  of the reference    100.00 %\n");
+    expect_has(table, "sharp corners         14.29 %\n  of the reference    0.00 %\n");
+    expect_has(table, "along main direction  75.79 %\n  of the reference    100.00 %\n");
+    expect_has(table, "short edges           71.43 %\n  of the reference    75.00 %\n");
+    expect_has(table, "direction, median     8.13 deg\ndirection, p90        14.63 deg\n");
+}
+
+TEST_F(ScoreTool, measuresCellsOnTheGround) {
+    // At 60 degrees north cells of 18 by 9 seconds of arc are 279.00 by 278.53 m.
+    RasterSpec dem;
+    dem.cols = 4;
+    dem.rows = 4;
+    dem.values.assign(16, 7);
+    dem.crs = "EPSG:4326";
+    dem.transform = std::array<double, 6>{9, 0.005, 0, 60.005, 0, -0.0025};
+    write(path("dem.tif"), dem);
+    layer_of("found.gpkg", {.features = {{box(9.005, 60, 9.015, 60.003)}}, .epsg = 4326});
+    const json shape = score_json({"-dem", "dem.tif", "found.gpkg", "found.gpkg"})["shape"];
+    EXPECT_NEAR(shape["cell_m"], 278.53, 0.01);
+    // The building is two cells wide and 334 m high.
+    EXPECT_EQ(shape["found"]["short_edge_share"], 0.5);
+    EXPECT_EQ(shape["direction_median_deg"], nullptr);
+}
+
 TEST_F(ScoreTool, hasTheSameKeysAlways) {
     write_shifted();
     const auto report = nlohmann::ordered_json::parse(score({"-json", both_[0], both_[1]}).out);
@@ -88,7 +168,7 @@ TEST_F(ScoreTool, hasTheSameKeysAlways) {
         keys,
         "version found reference crs metres limited min_object_m2 shared_m2 completeness correctness iou "
         "object_completeness object_correctness outline_m outline_near_m outline_rms_m overlap invalid "
-        "vertex_ratio pairs polis_m height_field height_error warnings ");
+        "vertex_ratio pairs polis_m height_field height_error shape warnings ");
 }
 
 TEST_F(ScoreTool, reprojectsTheFound) {

@@ -75,6 +75,14 @@ TEST(Overlay, dissolvesAndTellsWhatIsCoveredTwice) {
     EXPECT_NEAR(score::area_of(overlay.union_of(features)), 56, 1e-12);
 }
 
+TEST(Overlay, simplifiesRingsFromTheirFirstVertex) {
+    Overlay overlay;
+    const WorldRing wavy{{0, 0}, {5, 0.04}, {10, 0}, {10, 5}, {10, 10}, {5, 9.9}, {0, 10}};
+    EXPECT_EQ(overlay.simplified_ring(wavy, 0.05), (WorldRing{{0, 0}, {10, 0}, {10, 10}, {5, 9.9}, {0, 10}}));
+    // A ring that is smaller than the tolerance stays a ring.
+    EXPECT_GE(overlay.simplified_ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 5).size(), 3U);
+}
+
 TEST(Overlay, countsWhatThreeCoverOnce) {
     Overlay overlay;
     const std::vector<Polygons> features(3, Polygons{box(0, 0, 2, 3)});

@@ -187,6 +187,7 @@ TEST_F(ValidCellsTest, areTheWholeRasterWhereAllHaveData) {
     const ValidCells cells = valid_cells(path("a.tif"), heard_);
     ASSERT_EQ(cells.polygons.size(), 1U);
     EXPECT_EQ(cells.polygons[0].exterior, (WorldRing{{100, 200}, {112, 200}, {112, 196}, {100, 196}}));
+    EXPECT_EQ(cells.middle_cell, (WorldRing{{106, 198}, {108, 198}, {108, 197}, {106, 197}}));
     EXPECT_NE(cells.crs_wkt.find("UTM zone 32N"), std::string::npos);
     EXPECT_TRUE(warnings_.empty());
 }

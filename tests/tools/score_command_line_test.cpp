@@ -115,6 +115,8 @@ TEST(ScoreText, writesFigures) {
     EXPECT_NE(text.find("outline RMS           1.235 m"), std::string::npos) << text;
     EXPECT_NE(text.find("PoLiS                 -"), std::string::npos) << text;
     EXPECT_NE(text.find("height error          -\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("direction error       -\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("short edges"), std::string::npos) << text;
     run.score.heights = HeightErrors{4, -0.5, 2, 1.5};
     const std::string quiet = score_text(request, run, true);
     EXPECT_EQ(quiet.find("f.gpkg"), std::string::npos);

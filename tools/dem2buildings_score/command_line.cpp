@@ -47,7 +47,9 @@ const std::vector<ScoreOption>& score_options() {
          [](ScoreCommand& r, Text value) { r.area_of_interest = value; }},
         {{"dem", "<raster>", "raster",
           "The raster that the footprints were found in. Areas outside it or without data are left out, and "
-          "everything is measured in its CRS. Default: no limit, and the CRS of the reference."},
+          "everything is measured in its CRS. Its cells say which edges are short. Default: no limit, and "
+          "the "
+          "CRS of the reference."},
          [](ScoreCommand& r, Text value) { r.dem = value; }},
         {{"min_object", "<m2>", "number", "Smallest object that counts. At least 0. Unit: m2. Default: 50."},
          [](ScoreCommand& r, Text value) {

@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::string_view description =
     "Measures how well building footprints agree with a reference: area and objects that were found, the "
-    "distance of outlines, overlaps, invalid polygons, the number of vertices, and heights.";
+    "distance of outlines, overlaps, invalid polygons, the number of vertices, and heights. Also how much "
+    "both look like buildings: corners, main directions, short edges.";
 
 }  // namespace
 

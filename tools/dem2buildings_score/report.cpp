@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +20,10 @@ std::string percent(double share) {
 
 std::string metres(const std::optional<double>& value) {
     return value ? fixed_text(*value, 3) + " m" : "-";
+}
+
+std::string degrees(double angle) {
+    return fixed_text(angle, 2) + " deg";
 }
 
 class Lines {
@@ -61,6 +66,46 @@ void add_heights(Lines& lines, const Score& score) {
     lines.add("height error, median", metres(errors.median_absolute), "of absolute values");
 }
 
+/// A figure of shape for both sides. @param shown turns it into text
+template <typename Shown>
+void add_shape(Lines& lines, std::string_view name, const Score& score, const Shown& shown) {
+    for (const SideScore* side : {&score.found, &score.reference}) {
+        const auto& [figure, behind] = shown(side->shape);
+        lines.add(side == &score.found ? name : "  of the reference", figure, behind);
+    }
+}
+
+void add_shapes(Lines& lines, const Score& score) {
+    using Figure = std::pair<std::string, std::string>;
+    const auto corners = [](const ShapeScore& shape) { return std::to_string(shape.corners); };
+    add_shape(lines, "corners per building", score, [&](const ShapeScore& shape) {
+        return Figure{fixed_text(shape.corners_per_building, 2),
+                      corners(shape) + " of " + std::to_string(shape.polygons) + " polygons"};
+    });
+    add_shape(lines, "right corners", score, [&](const ShapeScore& shape) {
+        return Figure{percent(shape.right_share), "of " + corners(shape)};
+    });
+    add_shape(lines, "sharp corners", score, [&](const ShapeScore& shape) {
+        return Figure{percent(shape.sharp45_share), "of " + corners(shape) + ", below 45 deg"};
+    });
+    add_shape(lines, "along main direction", score, [](const ShapeScore& shape) {
+        return Figure{percent(shape.along_share), "of the outline's length"};
+    });
+    if (score.found.shape.short_edge_share && score.reference.shape.short_edge_share)
+        add_shape(lines, "short edges", score, [&](const ShapeScore& shape) {
+            return Figure{percent(*shape.short_edge_share), "of " + corners(shape) + ", below 2 cells"};
+        });
+}
+
+void add_directions(Lines& lines, const Score& score) {
+    if (!score.directions)
+        return lines.add("direction error", "-");
+    const DirectionErrors& errors = *score.directions;
+    lines.add("direction, median", degrees(errors.median_deg),
+              std::to_string(errors.pairs) + " pairs below 400 m2");
+    lines.add("direction, p90", degrees(errors.p90_deg));
+}
+
 Json json_of(const SideScore& side, const std::string& dataset, const std::string& layer) {
     return {{"dataset", dataset},        {"layer", layer},
             {"features", side.features}, {"invalid", side.invalid},
@@ -79,6 +124,26 @@ Json json_of(const std::optional<HeightErrors>& heights) {
             {"mean_m", heights->mean},
             {"rms_m", heights->rms},
             {"median_absolute_m", heights->median_absolute}};
+}
+
+Json json_of(const ShapeScore& shape) {
+    return {{"polygons", shape.polygons},
+            {"corners", shape.corners},
+            {"corners_per_building", shape.corners_per_building},
+            {"right_share", shape.right_share},
+            {"sharp45_share", shape.sharp45_share},
+            {"along_share", shape.along_share},
+            {"short_edge_share", number_or_null(shape.short_edge_share)}};
+}
+
+Json shape_json(const ScoreRun& run) {
+    const std::optional<DirectionErrors>& directions = run.score.directions;
+    return {{"cell_m", number_or_null(run.cell_m)},
+            {"found", json_of(run.score.found.shape)},
+            {"reference", json_of(run.score.reference.shape)},
+            {"direction_pairs", directions ? directions->pairs : 0},
+            {"direction_median_deg", directions ? Json(directions->median_deg) : Json(nullptr)},
+            {"direction_p90_deg", directions ? Json(directions->p90_deg) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -108,6 +173,8 @@ std::string score_text(const ScoreRequest& request, const ScoreRun& run, bool qu
               std::to_string(score.found.vertices) + " to " + std::to_string(score.reference.vertices));
     lines.add("PoLiS", metres(score.polis_m), std::to_string(score.pairs) + " pairs");
     add_heights(lines, score);
+    add_shapes(lines, score);
+    add_directions(lines, score);
     return lines.text();
 }
 
@@ -138,6 +205,7 @@ std::string score_json(const ScoreRequest& request, const ScoreRun& run,
               {"height_field",
                run.reference_height_field.empty() ? Json(nullptr) : Json(run.reference_height_field)},
               {"height_error", json_of(score.heights)},
+              {"shape", shape_json(run)},
               {"warnings", warnings}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -26,6 +26,18 @@ struct PolygonLayer {
     std::vector<PolygonFeature> features;
 };
 
+/// How much polygons look like buildings: those that touch the region, whole, without vertices that are
+/// within 5 cm of a line.
+struct ShapeScore {
+    std::size_t polygons = 0;
+    std::size_t corners = 0;
+    double corners_per_building = 0;         ///< corners / polygons
+    double right_share = 0;                  ///< share of corners within 3 degrees of 90 or 270
+    double sharp45_share = 0;                ///< share of corners whose walls enclose less than 45 degrees
+    double along_share = 0;                  ///< share of length along or across the main direction
+    std::optional<double> short_edge_share;  ///< share of edges below two cells; nullopt: cells unknown
+};
+
 /// Measures of one side, within the region.
 struct SideScore {
     std::size_t features = 0;  ///< all, also outside of the region
@@ -35,6 +47,7 @@ struct SideScore {
     double area_m2 = 0;
     std::size_t objects = 0;          ///< features not below the smallest size
     std::size_t objects_covered = 0;  ///< objects covered at least half by the other side
+    ShapeScore shape;
 };
 
 /// Errors of heights, found minus reference.
@@ -43,6 +56,13 @@ struct HeightErrors {
     double mean = 0;
     double rms = 0;
     double median_absolute = 0;
+};
+
+/// Angles between the main directions of matching objects, modulo 90 degrees.
+struct DirectionErrors {
+    std::size_t pairs = 0;
+    double median_deg = 0;
+    double p90_deg = 0;
 };
 
 /// Agreement of detected footprints with a reference. Ratios with a zero denominator are 0.
@@ -62,7 +82,8 @@ struct Score {
     double vertex_ratio = 0;        ///< found / reference
     std::size_t pairs = 0;          ///< number of matching objects
     std::optional<double> polis_m;  ///< PoLiS distance (Avbelj et al. 2015), mean over the pairs
-    std::optional<HeightErrors> heights;  ///< only pairs in which both have a height
+    std::optional<HeightErrors> heights;        ///< only pairs in which both have a height
+    std::optional<DirectionErrors> directions;  ///< only pairs of objects below 400 m2
 };
 
 /// Input of a comparison.
@@ -85,6 +106,7 @@ struct ScoreRun {
     std::string crs;                     ///< CRS of the measurement; "" if there is none
     double metres = 1;                   ///< metres in one unit of it
     bool limited = false;                ///< by an area of interest or a raster
+    std::optional<double> cell_m;  ///< shorter side of a cell of the raster, in metres; nullopt without one
     Score score;
 };
 
