@@ -187,6 +187,10 @@ class PathFinder {
     /// @param costs of the step before @param beginnings of a wall at the step
     [[nodiscard]] WallLine before(std::size_t step, WallLine line, const float* costs,
                                   const float* beginnings);
+    /// Line of a step with the least cost, or the only one that may be taken. @return nullopt if there is no
+    /// path
+    [[nodiscard]] std::optional<WallLine> cheapest_line(std::size_t step, const float* costs,
+                                                        const std::optional<WallLine>& only) const;
     [[nodiscard]] const std::vector<float>& jumps(std::size_t step) const {
         return sharp_[step % sharp_.size()] != 0 ? sharp_jumps_ : jumps_;
     }
@@ -295,7 +299,7 @@ void PathFinder::set_steps(std::size_t step) {
         const double at = cross(headings_[h].along, middle) * per_interval_;
         const double whole = nearest_integer(at);
         const auto base = static_cast<std::int64_t>(whole);
-        const auto fraction = static_cast<std::size_t>((whole - at + 0.5) * fractions + 0.5);
+        const auto fraction = static_cast<std::size_t>(nearest_integer((whole - at + 0.5) * fractions));
         steps_[h] = {std::clamp(base - bases_[h], -farthest, farthest),
                      distance_costs_.data() + fraction * windows_.width, static_cast<float>(size),
                      static_cast<float>(tie_price * (size - facing))};
@@ -382,6 +386,25 @@ WallLine PathFinder::before(std::size_t step, WallLine line, const float* costs,
     return {from, base(step - 1, from) + static_cast<std::int64_t>(offset) - half};
 }
 
+std::optional<WallLine> PathFinder::cheapest_line(std::size_t step, const float* costs,
+                                                  const std::optional<WallLine>& only) const {
+    const auto half = static_cast<std::int64_t>(half_);
+    if (only) {
+        const std::int64_t w = only->offset - base(step, only->heading);
+        const std::size_t begin = only->heading * windows_.stride + windows_.padding;
+        if (std::abs(w) > half || costs[begin + static_cast<std::size_t>(w + half)] == infinite)
+            return {};
+        return only;
+    }
+    const std::size_t size = headings_.size() * windows_.stride;
+    const auto least = static_cast<std::size_t>(std::min_element(costs, costs + size) - costs);
+    if (costs[least] == infinite)
+        return {};
+    const std::size_t heading = least / windows_.stride;
+    return WallLine{heading, base(step, heading) + static_cast<std::int64_t>(least % windows_.stride) -
+                                 static_cast<std::int64_t>(windows_.padding) - half};
+}
+
 std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
                                        const std::optional<std::pair<WallLine, WallLine>>& ends) {
     const std::size_t n = last - first;
@@ -414,23 +437,11 @@ std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
             advance(first + (b + 1) * block, reached, starts.data() + (b + 1) * size,
                     beginnings.data() + block * turns);
     }
-    WallLine line;
-    const auto half = static_cast<std::int64_t>(half_);
-    if (ends) {
-        line = ends->second;
-        const std::int64_t w = line.offset - base(last - 1, line.heading);
-        if (std::abs(w) > half ||
-            reached[line.heading * windows_.stride + windows_.padding + static_cast<std::size_t>(w + half)] ==
-                infinite)
-            return {};
-    } else {
-        const auto least = static_cast<std::size_t>(std::min_element(reached, reached + size) - reached);
-        if (reached[least] == infinite)
-            return {};
-        line.heading = least / windows_.stride;
-        line.offset = base(last - 1, line.heading) + static_cast<std::int64_t>(least % windows_.stride) -
-                      static_cast<std::int64_t>(windows_.padding) - half;
-    }
+    const std::optional<WallLine> reached_line =
+        cheapest_line(last - 1, reached, ends ? std::optional(ends->second) : std::nullopt);
+    if (!reached_line)
+        return {};
+    WallLine line = *reached_line;
     std::vector<WallLine> lines(n);
     std::vector<float> next;
     for (std::size_t b = blocks; b-- > 0;) {
@@ -589,7 +600,7 @@ void BackwardWalls::remove() {
         i = i > 1 ? i - 2 : 0;
     }
     if (closed_)
-        std::ranges::rotate(walls_, std::ranges::min_element(walls_, {}, &WallSegment::first));
+        std::rotate(walls_.begin(), std::ranges::min_element(walls_, {}, &WallSegment::first), walls_.end());
     for (std::size_t k = 0; k < walls_.size(); ++k)
         walls_[k].last = walls_[k].first + steps(k);
 }

@@ -69,7 +69,7 @@ std::vector<Stretch> stretches_of(const TraceSums& samples, const std::vector<st
             start = i;
         }
     }
-    std::ranges::rotate(stretches, stretches.begin() + static_cast<std::ptrdiff_t>(start));
+    std::rotate(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(start), stretches.end());
     for (std::size_t i = n - start; i < n; ++i) {
         stretches[i].first += samples.steps();
         stretches[i].last += samples.steps();
@@ -140,6 +140,22 @@ bool joins(const TraceSums& samples, const WallSegment& arc, const Stretch& stre
     return angle < max_error || angle > std::numbers::pi / 2 - max_error;
 }
 
+/// Longest arc that begins with a stretch. @param end of the run of stretches, set to that of the arc
+std::optional<WallSegment> longest_arc(const TraceSums& samples, const WallParameters& parameters,
+                                       const std::vector<Stretch>& stretches, std::size_t begin,
+                                       std::size_t& end, const StopToken& stop) {
+    for (; end >= begin + min_stretches; --end) {
+        stop.check();
+        double replaced = 0;
+        for (std::size_t k = begin; k < end; ++k)
+            replaced += stretches[k].cost;
+        if (const auto arc =
+                fit_arc(samples, parameters, stretches[begin].first, stretches[end - 1].last, replaced))
+            return arc;
+    }
+    return {};
+}
+
 /// Finds circular arcs among the stretches of a chain: where a run of them that turn the same way is
 /// described more cheaply by an arc. Walls::automatic only. @throws Cancelled
 std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std::vector<std::size_t>& points,
@@ -156,16 +172,7 @@ std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std:
     std::vector<WallSegment> arcs;
     for (std::size_t i = 0; i < stretches.size();) {
         std::size_t end = end_of_turn(stretches, i);
-        std::optional<WallSegment> arc;
-        for (; !arc && end >= i + min_stretches; --end) {
-            stop.check();
-            double replaced = 0;
-            for (std::size_t k = i; k < end; ++k)
-                replaced += stretches[k].cost;
-            arc = fit_arc(samples, parameters, stretches[i].first, stretches[end - 1].last, replaced);
-            if (arc)
-                break;
-        }
+        const std::optional<WallSegment> arc = longest_arc(samples, parameters, stretches, i, end, stop);
         const std::size_t n = stretches.size();
         const bool joined =
             arc &&
