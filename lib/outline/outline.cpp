@@ -167,8 +167,13 @@ CellShape cell_shape(const Georeference& georeference, double x_stretch) {
 }
 
 WallOptions wall_options(const OutlineRules& rules, const Georeference& georeference, double x_stretch) {
-    return {rules.walls, wall_distance(rules.wall_tolerance), cell_shape(georeference, x_stretch),
-            rules.wall_inset, rules.wall_price};
+    const CellShape shape = cell_shape(georeference, x_stretch);
+    // In cells far from square, a distance spans many rows, all of which would be neighbours.
+    constexpr double always = 1.5;
+    constexpr double most_rows = 100;
+    const double tolerance =
+        std::min(rules.wall_tolerance, std::max(always, most_rows / shape.longer_side()));
+    return {rules.walls, wall_distance(tolerance), shape, rules.wall_inset, rules.wall_price};
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"off", {{"1"}}},
         {"nf", {{"50"}}},
         {"min_area", {{"150"}}},
-        {"regularize_tolerance", {{"0.2"}}},
+        {"regularize_tolerance", {{"0.5"}}},
         {"wall_inset", {{"0.1"}}},
         {"simplify", {{"1.2"}}},
         {"flow_ready", {{"3"}}},

@@ -28,8 +28,12 @@ bool takes_its_object(const std::string& one, const std::string& other) {
                                                 "-max_building_width"};
     static const std::set<std::string> high{"-zrange"};
     // Outlines that are simplified have none, and so have the few objects that are high enough in feet;
-    // blocks of the thesis are too small for their steps, or stand at the border.
-    static const std::set<std::string> of_short_walls{"-simplify", "-zunit", "-preset"};
+    // blocks of the thesis are too small for their steps, or stand at the border; with one direction, or one
+    // price for all, the scene's walls are long. What -min_wall makes longer, -flow_ready need not.
+    static const std::set<std::string> of_short_walls{"-simplify", "-zunit", "-preset", "-regularize",
+                                                      "-min_wall"};
+    // The walls that are not at right angles are high.
+    static const std::set<std::string> of_oblique_walls{"-zrange"};
     static const std::map<std::string, std::set<std::string>> of{{"-min_confidence 0", of_ruin},
                                                                  {"-min_confidence 0.97", of_rough},
                                                                  {"-ndvi /vsimem/scene/ndvi.tif", of_rough},
@@ -38,7 +42,9 @@ bool takes_its_object(const std::string& one, const std::string& other) {
                                                                  {"-split_height 3", high},
                                                                  {"-arcs", {"-zrange", "-off"}},
                                                                  {"-flow_ready 3", of_short_walls},
-                                                                 {"-min_wall 1.5", of_short_walls},
+                                                                 {"-min_wall 4", of_short_walls},
+                                                                 {"-regularize right", of_oblique_walls},
+                                                                 {"-regularize free", of_oblique_walls},
                                                                  {"-snodata 16", high},
                                                                  {"-split_by /vsimem/scene/parcels.gpkg "
                                                                   "-split_width 30",

@@ -165,7 +165,7 @@ void RingAreas::tighten_highest_rank(const Ring& ring) {
             if (layout_.lower_price(part.chain))
                 replanned.insert(part.chain);
             else
-                layout_.tighten(part.chain, part.first, part.last, 0);
+                layout_.tighten(part.chain, part.first, part.last, 1);  // with the nodes at its ends
         }
 }
 

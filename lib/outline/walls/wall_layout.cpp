@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -22,10 +23,19 @@ namespace {
 
 constexpr std::size_t most_frames = 4;
 constexpr std::size_t most_singles = 3;
-constexpr std::size_t steps_per_direction = 40;  // a short chain does not have many directions
-constexpr std::size_t most_free_singles = 8;     // where all directions have one price
+constexpr std::size_t steps_per_direction = 40;
+constexpr std::size_t most_free_singles = 8;  // where all directions have one price
 constexpr int min_rank =
     3;  // rank of walls between footprints; those of chains that stand on them are higher
+
+/// A short chain does not have many directions.
+std::size_t most_directions_of(const ChainFitter& chain) {
+    return 1 + chain.samples().steps() / steps_per_direction;
+}
+
+std::size_t most_frames_of(const ChainFitter& chain, Walls walls) {
+    return walls == Walls::right ? 1 : std::min(most_directions_of(chain), most_frames);
+}
 
 /// First chain of the outline of the footprint below the contours at an arc.
 std::uint32_t footprint_chain(const WallGraph& graph, const WallCluster& cluster, std::uint32_t arc) {
@@ -76,7 +86,7 @@ WallLayout::WallLayout(const WallGraph& graph, const WallCluster& cluster, const
 std::vector<std::uint32_t> WallLayout::draw() {
     std::vector<std::uint32_t> drawn;
     if (first_)
-        find_directions();
+        find_frames();
     reset_.assign(reset_.size(), 0);
     for (std::uint32_t c = 0; c < states_.size(); ++c)
         if (states_[c].pending && !graph_.chains[c].closed)
@@ -179,7 +189,7 @@ bool WallLayout::lower_price(std::uint32_t c) {
     return true;
 }
 
-void WallLayout::find_directions() {
+void WallLayout::find_frames() {
     const std::size_t n = cluster_.contours.size();
     std::vector<std::uint32_t> parents(n);
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -207,19 +217,27 @@ void WallLayout::find_directions() {
             parents[own] = parents[root(*first)] = *first;
         });
     }
-    group_of_.resize(n);
-    for (std::uint32_t i = 0; i < n; ++i)
-        group_of_[i] = root(i);
-    group_directions_.resize(n);
+    std::map<std::uint32_t, DirectionHistogram> groups;  // by their first contours
+    const auto group_of = [&](std::uint32_t c) {
+        const WallGraph::Sides& sides = graph_.sides[graph_.chains[c].arcs.front().arc];
+        return root(static_cast<std::uint32_t>(std::max(sides.left, sides.right)));
+    };
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
         stop_.check();
-        const Chain& chain = graph_.chains[c];
-        if (chain.rank > WallGraph::highest_low_rank)
+        if (graph_.chains[c].rank <= WallGraph::highest_low_rank)
+            groups[group_of(c)].add(fitter(c).samples(), fitter(c).turning_points());
+    }
+    for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
+        if (reference_chain(graph_, cluster_, c) != WallGraph::none)
             continue;
-        std::optional<std::uint32_t> group;
-        for_sides(chain, [&](std::uint32_t side) { group = group_of_[side]; });
-        if (group)
-            group_directions_[*group].add(fitter(c).samples(), fitter(c).turning_points());
+        const ChainFitter& chain = fitter(c);
+        DirectionHistogram own;
+        own.add(chain.samples(), chain.turning_points());
+        // A short chain says little, so that its building counts as much at least.
+        constexpr double weight_of_short = 50;
+        if (const auto group = groups.find(group_of(c)); group != groups.end() && group->second.total() > 0)
+            own.add(group->second, (own.total() + weight_of_short) / group->second.total());
+        states_[c].directions.frames = own.frames(most_frames_of(chain, options_.walls));
     }
 }
 
@@ -228,36 +246,29 @@ void WallLayout::find_directions() {
 WallDirections WallLayout::directions(std::uint32_t c) const {
     const ChainFitter& chain = *states_[c].chain;
     const bool right = options_.walls == Walls::right;
-    const std::size_t most = 1 + chain.samples().steps() / steps_per_direction;
-    DirectionHistogram own;
-    own.add(chain.samples(), chain.turning_points());
     WallDirections directions;
     if (const std::uint32_t base = reference_chain(graph_, cluster_, c); base != WallGraph::none) {
         constexpr double apart = 8.0 / 180 * std::numbers::pi;
         directions.frames = states_[base].directions.frames;
-        directions.frames.resize(std::min(directions.frames.size(), most));
+        directions.frames.resize(std::min(directions.frames.size(), most_frames_of(chain, options_.walls)));
+        DirectionHistogram own;
+        own.add(chain.samples(), chain.turning_points());
         const double main = own.frames(1).front();
         if (!right && own.total() > 0 && std::ranges::none_of(directions.frames, [&](double frame) {
                 return std::abs(angle_between(frame, main)) < apart;
             }))
             directions.frames.push_back(main);
     } else {
-        const WallGraph::Sides& sides = graph_.sides[graph_.chains[c].arcs.front().arc];
-        const auto side = static_cast<std::size_t>(std::max(sides.left, sides.right));
-        const DirectionHistogram& group = group_directions_[group_of_[side]];
-        // A short chain says little, so that its building counts as much at least.
-        constexpr double weight_of_short = 50;
-        if (group.total() > 0)
-            own.add(group, (own.total() + weight_of_short) / group.total());
-        directions.frames = own.frames(right ? 1 : std::min(most, most_frames));
+        directions.frames = states_[c].directions.frames;
     }
     constexpr double min_length = 5;        // cells
     constexpr double min_tolerances = 2.4;  // 6 m with the usual tolerance
     if (!right)
-        directions.single = single_directions(
-            chain.samples(), chain.turning_points(), directions.frames,
-            std::max(min_length, min_tolerances * options_.tolerance),
-            options_.walls == Walls::free ? most_free_singles : std::min(most, most_singles));
+        directions.single = single_directions(chain.samples(), chain.turning_points(), directions.frames,
+                                              std::max(min_length, min_tolerances * options_.tolerance),
+                                              options_.walls == Walls::free
+                                                  ? most_free_singles
+                                                  : std::min(most_directions_of(chain), most_singles));
     if (graph_.chains[c].rank < min_rank)
         align_frames(chain.samples(), chain.turning_points(), directions.frames);
     return directions;

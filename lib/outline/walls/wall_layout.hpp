@@ -62,8 +62,9 @@ class WallLayout {
     [[nodiscard]] std::vector<std::uint32_t> changed_arcs(const std::vector<std::uint32_t>& drawn) const;
     void draw_chain(std::uint32_t chain);
     void plan(std::uint32_t chain);
-    /// Sums the directions of the chains of levels 0 and 1 of each group of footprints that share chains.
-    void find_directions();
+    /// Sets the frames of the chains that follow no other chain: of their own stretches, and of those of all
+    /// chains of levels 0 and 1 of the footprints that share chains with theirs.
+    void find_frames();
     [[nodiscard]] WallDirections directions(std::uint32_t chain) const;
     [[nodiscard]] ChainFitter& fitter(std::uint32_t chain);
 
@@ -73,8 +74,6 @@ class WallLayout {
     const StopToken& stop_;
     std::vector<ChainState> states_;
     NodePositions positions_;
-    std::vector<std::uint32_t> group_of_;  ///< per contour: group of its footprint
-    std::vector<DirectionHistogram> group_directions_;
     std::vector<std::uint8_t> reset_;  ///< per node: placed anew in this call
     bool first_ = true;                ///< before the first call of draw()
 };
