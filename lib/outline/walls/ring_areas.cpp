@@ -156,9 +156,16 @@ void RingAreas::tighten_highest_rank(const Ring& ring) {
         const std::vector<std::uint32_t>& steps = graph_.chains[c].node_steps;
         if (layout_.mode(c).least(steps[k], steps[k + 1]) == FitMode::beveled)
             continue;
+        if (graph_.chains[c].rank < 2 * ring.level)
+            continue;
         parts.push_back({c, steps[k], steps[k + 1]});
         rank = std::max(rank, graph_.chains[c].rank);
     }
+    // Nothing but the chains on which it ends can displace a ring that follows its trace.
+    if (parts.empty() && ring.level <= 1)
+        for (const ArcUse& use : *ring.uses)
+            for (const std::uint32_t node : graph_.ends[use.arc])
+                layout_.tighten_at(node, 1);
     std::set<std::uint32_t> replanned;
     for (const Part& part : parts)
         if (graph_.chains[part.chain].rank == rank && !replanned.contains(part.chain)) {
