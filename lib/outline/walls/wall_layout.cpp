@@ -28,6 +28,43 @@ constexpr std::size_t most_free_singles = 8;  // where all directions have one p
 constexpr int min_rank =
     3;  // rank of walls between footprints; those of chains that stand on them are higher
 
+/// Groups of footprints that share chains, with the contours on them. A group is named by its first contour.
+class FootprintGroups {
+  public:
+    FootprintGroups(const WallGraph& graph, const WallCluster& cluster) : graph_(graph) {
+        for (std::uint32_t i = 0; i < cluster.contours.size(); ++i) {
+            const bool higher = cluster.contours[i]->key.level > 1 && cluster.parents[i] >= 0;
+            parents_.push_back(higher ? static_cast<std::uint32_t>(cluster.parents[i]) : i);
+        }
+        for (std::uint32_t c = 0; c < graph.chains.size(); ++c)
+            if (graph.chains[c].rank <= WallGraph::highest_low_rank)
+                unite_sides(c);
+    }
+    [[nodiscard]] std::uint32_t group_of(std::uint32_t chain) {
+        const WallGraph::Sides& sides = graph_.sides[graph_.chains[chain].arcs.front().arc];
+        return root(static_cast<std::uint32_t>(std::max(sides.left, sides.right)));
+    }
+
+  private:
+    std::uint32_t root(std::uint32_t contour) {
+        while (parents_[contour] != contour)
+            contour = parents_[contour] = parents_[parents_[contour]];
+        return contour;
+    }
+    void unite_sides(std::uint32_t chain) {
+        for (const ArcUse& use : graph_.chains[chain].arcs)
+            for (const std::int32_t side : {graph_.sides[use.arc].left, graph_.sides[use.arc].right})
+                if (side >= 0) {
+                    const std::uint32_t own = root(static_cast<std::uint32_t>(side));
+                    const std::uint32_t group = group_of(chain);
+                    parents_[std::max(own, group)] = std::min(own, group);
+                }
+    }
+
+    const WallGraph& graph_;
+    std::vector<std::uint32_t> parents_;  // per contour
+};
+
 /// A short chain does not have many directions.
 std::size_t most_directions_of(const ChainFitter& chain) {
     return 1 + chain.samples().steps() / steps_per_direction;
@@ -190,42 +227,12 @@ bool WallLayout::lower_price(std::uint32_t c) {
 }
 
 void WallLayout::find_frames() {
-    const std::size_t n = cluster_.contours.size();
-    std::vector<std::uint32_t> parents(n);
-    for (std::uint32_t i = 0; i < n; ++i) {
-        const bool higher = cluster_.contours[i]->key.level > 1 && cluster_.parents[i] >= 0;
-        parents[i] = higher ? static_cast<std::uint32_t>(cluster_.parents[i]) : i;
-    }
-    const auto root = [&](std::uint32_t i) {
-        while (parents[i] != i)
-            i = parents[i] = parents[parents[i]];
-        return i;
-    };
-    const auto for_sides = [&](const Chain& chain, const auto& visit) {
-        for (const ArcUse& use : chain.arcs)
-            for (const std::int32_t side : {graph_.sides[use.arc].left, graph_.sides[use.arc].right})
-                if (side >= 0)
-                    visit(static_cast<std::uint32_t>(side));
-    };
-    for (const Chain& chain : graph_.chains) {
-        if (chain.rank > WallGraph::highest_low_rank)
-            continue;
-        std::optional<std::uint32_t> first;
-        for_sides(chain, [&](std::uint32_t side) {
-            const std::uint32_t own = root(side);
-            first = std::min(first.value_or(own), own);
-            parents[own] = parents[root(*first)] = *first;
-        });
-    }
-    std::map<std::uint32_t, DirectionHistogram> groups;  // by their first contours
-    const auto group_of = [&](std::uint32_t c) {
-        const WallGraph::Sides& sides = graph_.sides[graph_.chains[c].arcs.front().arc];
-        return root(static_cast<std::uint32_t>(std::max(sides.left, sides.right)));
-    };
+    FootprintGroups footprints(graph_, cluster_);
+    std::map<std::uint32_t, DirectionHistogram> groups;
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
         stop_.check();
         if (graph_.chains[c].rank <= WallGraph::highest_low_rank)
-            groups[group_of(c)].add(fitter(c).samples(), fitter(c).turning_points());
+            groups[footprints.group_of(c)].add(fitter(c).samples(), fitter(c).turning_points());
     }
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
         if (reference_chain(graph_, cluster_, c) != WallGraph::none)
@@ -235,7 +242,8 @@ void WallLayout::find_frames() {
         own.add(chain.samples(), chain.turning_points());
         // A short chain says little, so that its building counts as much at least.
         constexpr double weight_of_short = 50;
-        if (const auto group = groups.find(group_of(c)); group != groups.end() && group->second.total() > 0)
+        const auto group = groups.find(footprints.group_of(c));
+        if (group != groups.end() && group->second.total() > 0)
             own.add(group->second, (own.total() + weight_of_short) / group->second.total());
         states_[c].directions.frames = own.frames(most_frames_of(chain, options_.walls));
     }
