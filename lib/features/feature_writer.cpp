@@ -302,9 +302,11 @@ void FeatureWriter::warn_of_traced() {
     if (plan.walls == Walls::off && !(plan.asked.outline.simplify > 0))
         return;  // traced outlines were asked for
     const RunReport& report = context_.report;
-    diagnose::warn_unless_empty(diagnose::traced_warning(report.building_outlines, report.contour_outlines,
-                                                         plan.walls != Walls::off, cell_m_),
-                                context_);
+    // The lines at which parcels cut houses need not be walls.
+    const bool walls = plan.walls != Walls::off && !plan.asked.detect.is_split_by();
+    diagnose::warn_unless_empty(
+        diagnose::traced_warning(report.building_outlines, report.contour_outlines, walls, cell_m_),
+        context_);
 }
 
 std::optional<DrawnStack> FeatureWriter::finish() {
