@@ -1,10 +1,10 @@
-// Whether the pictures that the documents show are those that their commands make:
+// Compares the pictures that the documents show with those that their commands make:
 //   compare_pictures <pictures of the documents> <folder where the commands ran>
 // Letters and noise may differ by a little; a picture of something else may not. Pictures that QGIS and a
 // browser have made (qgis_*, page_*) are compared by the tests in tests/desk, those of the page on Python
-// (python_*) in tests/python. Those of tiers as they once were (tiers_*) show what no command makes any more;
-// those of the thesis (thesis_*) are tests/bench/thesis's, those of crowns at walls (crowns_*) and of
-// parcels (houses_*) show a real place, and those of wind (wind_*) are .ci/flow's.
+// (python_*) in tests/python. Those of walls (walls_*), of crowns at walls (crowns_*) and of parcels
+// (houses_*) show real places; those of the thesis (thesis_*) are tests/bench/thesis's, and those of wind
+// (wind_*) are .ci/flow's.
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
     for (const auto& entry : fs::directory_iterator(argv[1])) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("qgis_") || name.starts_with("page_") || name.starts_with("python_") ||
-            name.starts_with("tiers_") || name.starts_with("thesis_") || name.starts_with("accuracy_") ||
+            name.starts_with("walls_") || name.starts_with("thesis_") || name.starts_with("accuracy_") ||
             name.starts_with("crowns_") || name.starts_with("houses_") || name.starts_with("wind_"))
             continue;
         ++seen;

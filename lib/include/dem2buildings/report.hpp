@@ -96,7 +96,9 @@ struct OutlineLength {
 
     [[nodiscard]] double whole() const { return fitted + simplified + traced; }
     [[nodiscard]] double traced_share() const { return traced > 0 ? traced / whole() : 0; }
-    [[nodiscard]] double share_without_walls() const { return whole() > 0 ? (simplified + traced) / whole() : 0; }
+    [[nodiscard]] double share_without_walls() const {
+        return whole() > 0 ? (simplified + traced) / whole() : 0;
+    }
 };
 
 struct UnitReport {

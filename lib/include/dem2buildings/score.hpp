@@ -26,8 +26,8 @@ struct PolygonLayer {
     std::vector<PolygonFeature> features;
 };
 
-/// How much polygons look like buildings: those that touch the region, whole, without vertices that are
-/// within 5 cm of a line.
+/// Measures how much polygons look like buildings: those that touch the region, whole, without vertices that
+/// are within 5 cm of a line.
 struct ShapeScore {
     std::size_t polygons = 0;
     std::size_t corners = 0;

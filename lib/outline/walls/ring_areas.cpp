@@ -161,7 +161,7 @@ void RingAreas::tighten_highest_rank(const Ring& ring) {
         parts.push_back({c, steps[k], steps[k + 1]});
         rank = std::max(rank, graph_.chains[c].rank);
     }
-    // Nothing but the chains on which it ends can displace a ring that follows its trace.
+    // A ring that follows its trace can be displaced by the chains on which it ends alone.
     if (parts.empty() && ring.level <= 1)
         for (const ArcUse& use : *ring.uses)
             for (const std::uint32_t node : graph_.ends[use.arc])
