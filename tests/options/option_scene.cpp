@@ -23,8 +23,8 @@
 namespace d2b::test {
 namespace {
 
-constexpr int rows = 100;
-constexpr int cols = 120;
+constexpr int scene_rows = 100;
+constexpr int scene_cols = 120;
 constexpr double no_data = 98;
 
 /// Hilly, and above 0, so that elevations may pass for heights.
@@ -82,8 +82,8 @@ std::vector<double> surface() {
     std::mt19937 random(7);
     const auto share = [&] { return static_cast<double>(random() % 10000) / 10000; };
     std::vector<double> z;
-    for (int r = 0; r < rows; ++r)
-        for (int c = 0; c < cols; ++c) {
+    for (int r = 0; r < scene_rows; ++r)
+        for (int c = 0; c < scene_cols; ++c) {
             const double noise = 0.05 * (share() - 0.5);
             const double tree = wood.holds(r, c) && share() < 0.7 ? 3 + 9 * share() : 0;
             const double rubble = ruin.holds(r, c) ? 4 + 1.6 * share() : rough.holds(r, c) ? 4 + share() : 0;
@@ -98,15 +98,15 @@ std::vector<double> surface() {
 }
 
 void write_band(GDALDatasetH dataset, int band, std::vector<double> values) {
-    ASSERT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, band), GF_Write, 0, 0, cols, rows, values.data(), cols,
-                           rows, GDT_Float64, 0, 0),
+    ASSERT_EQ(GDALRasterIO(GDALGetRasterBand(dataset, band), GF_Write, 0, 0, scene_cols, scene_rows,
+                           values.data(), scene_cols, scene_rows, GDT_Float64, 0, 0),
               CE_None);
 }
 
 RasterSpec grid() {
     RasterSpec spec;
-    spec.cols = cols;
-    spec.rows = rows;
+    spec.cols = scene_cols;
+    spec.rows = scene_rows;
     spec.type = GDT_Float32;
     spec.transform = std::array<double, 6>{391000, 1, 0, 5820000, 0, -1};
     spec.crs = "EPSG:25833";
@@ -120,20 +120,20 @@ void write_rasters(const std::string& folder) {
     const GDALDatasetH dem = create(folder + "dem.tif", spec);
     std::vector<double> z = surface();
     write_band(dem, 1, z);
-    for (int r = 0; r < rows; ++r)
-        for (int c = 0; c < cols; ++c)
-            if (double& value = z[static_cast<std::size_t>(r * cols + c)]; value != no_data)
+    for (int r = 0; r < scene_rows; ++r)
+        for (int c = 0; c < scene_cols; ++c)
+            if (double& value = z[static_cast<std::size_t>(r * scene_cols + c)]; value != no_data)
                 value = ground(r, c) + (value - ground(r, c)) / 2;
     write_band(dem, 2, z);
     GDALClose(dem);
     spec = grid();
-    for (int r = 0; r < rows; ++r)
-        for (int c = 0; c < cols; ++c)
+    for (int r = 0; r < scene_rows; ++r)
+        for (int c = 0; c < scene_cols; ++c)
             spec.values.push_back(ground(r, c) - 0.4);
     write(folder + "dtm.tif", spec);
     spec.values.clear();
-    for (int r = 0; r < rows; ++r)
-        for (int c = 0; c < cols; ++c)
+    for (int r = 0; r < scene_rows; ++r)
+        for (int c = 0; c < scene_cols; ++c)
             spec.values.push_back(wood.holds(r, c) || rough.holds(r, c) ? 0.6 : 0.05);
     write(folder + "ndvi.tif", spec);
 }
