@@ -18,6 +18,12 @@
 namespace d2b {
 namespace {
 
+using namespace tiles;
+using detect::CounterEvidence;
+using features::DrawnContour;
+using features::FeaturePolygon;
+using reading::start_gdal;
+
 constexpr std::int32_t levels = 4;  ///< of a house
 constexpr std::int32_t side = 10;   ///< cells of a house, in a row and in a column
 constexpr std::int32_t step = 40;   ///< from a house to the next one

@@ -17,6 +17,14 @@
 
 namespace d2b::bench {
 
+// Stages of all modules are measured one after the other.
+using namespace contours;
+using namespace detect;
+using namespace features;
+using namespace d2b::outline;
+using namespace pipeline;
+using namespace reading;
+
 /// What every stage gets from those before it, made once.
 class PreparedRun {
   public:

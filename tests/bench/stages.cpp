@@ -15,6 +15,9 @@
 #include "support/memory_io.hpp"
 
 namespace d2b::bench {
+
+using namespace d2b::ground;
+
 namespace {
 
 using State = benchmark::State;

@@ -22,7 +22,7 @@ int run_all(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;
-    start_gdal();
+    reading::start_gdal();
     write_city(city_path, {}, 2);
     register_stages();
     benchmark::RunSpecifiedBenchmarks();

@@ -89,7 +89,7 @@ int run_once(std::span<char* const> words) {
     callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
     callbacks.on_work = [&](const WorkSpan& span) { timeline.add(span); };
     const Clock::time_point begin = Clock::now();
-    start_gdal();
+    reading::start_gdal();
     const Inputs inputs = open_inputs(options, callbacks);
     const auto sink = open_sink(options.write, callbacks);
     run(options, inputs.sources(), {*sink}, callbacks, size);
