@@ -79,13 +79,6 @@ Vec2 project(const WallSegment& segment, Vec2 p) {
     return segment.circle ? segment.circle->project(p) : segment.line.project(p);
 }
 
-std::optional<Vec2> crossing(const Line2& a, const Line2& b) {
-    const double sine = cross(a.along, b.along);
-    if (std::abs(sine) < min_sine)
-        return {};
-    return a.through + cross(b.through - a.through, b.along) / sine * a.along;
-}
-
 /// Intersection of a line and a circle nearest to a point.
 std::optional<Vec2> crossing(const Line2& line, const Circle& circle, Vec2 near) {
     const Vec2 middle = line.project(circle.centre);
@@ -103,7 +96,7 @@ std::optional<Vec2> crossing(const WallSegment& a, const WallSegment& b, Vec2 ne
         return crossing(b.line, *a.circle, near);
     if (b.circle)
         return crossing(a.line, *b.circle, near);
-    return crossing(a.line, b.line);
+    return crossing(a.line, b.line, min_sine);
 }
 
 /// Draws one chain.

@@ -378,11 +378,11 @@ void WallFitter::resolve(Edge a, Edge b) {
         std::swap(a, b);
         std::swap(near_a, near_b);
     }
-    bool any = layout_.lower_price(near_a.chain);
-    if (any) {
+    if (layout_.lower_price(near_a.chain)) {
         in_conflict_[graph_.component_of[near_a.chain]] = true;
         return;
     }
+    bool any = false;
     if (rank(a) > rank(b)) {
         any = tighten(near_a) || tighten(near_b);
     } else {

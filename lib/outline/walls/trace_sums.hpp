@@ -66,6 +66,14 @@ struct Line2 {
     [[nodiscard]] Vec2 project(Vec2 p) const { return through + dot(p - through, along) * along; }
 };
 
+/// Point at which two lines cross. @return nullopt if the sine of their angle is less than `min_sine`
+[[nodiscard]] inline std::optional<Vec2> crossing(const Line2& a, const Line2& b, double min_sine) {
+    const double sine = cross(a.along, b.along);
+    if (std::abs(sine) < min_sine)
+        return {};
+    return a.through + cross(b.through - a.through, b.along) / sine * a.along;
+}
+
 /// Unit steps of a traced chain, relative to its first point, with prefix sums of their moments. Lines are
 /// fitted to the midpoints of steps, because these lie evenly on both sides of the wall that the staircase
 /// stands for. Fitting a line to any range of steps is O(1).

@@ -502,10 +502,7 @@ void fit_offset(const TraceSums& samples, WallSegment& wall) {
 }
 
 std::optional<Vec2> corner(const WallSegment& a, const WallSegment& b) {
-    const double sine = cross(a.line.along, b.line.along);
-    if (std::abs(sine) < std::sin(min_turn) / 2)
-        return {};
-    return a.line.through + cross(b.line.through - a.line.through, b.line.along) / sine * a.line.along;
+    return crossing(a.line, b.line, std::sin(min_turn) / 2);
 }
 
 /// Removes walls that run backwards between their corners, because lines cross far from where the trace

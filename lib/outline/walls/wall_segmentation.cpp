@@ -20,7 +20,6 @@ namespace d2b::outline {
 
 namespace {
 
-constexpr double variance = WallParameters::variance;
 constexpr double chord_price = 2.2;        // cost of a straight stretch
 constexpr double max_arc_distance = 1.25;  // cells
 constexpr double arc_price = 3.2;          // cost of an arc: more than a stretch, less than two
