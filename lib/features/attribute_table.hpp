@@ -50,7 +50,7 @@ template <typename Record>
     return id > 0 ? FieldValue{id} : FieldValue{};
 }
 
-/// Describes the layers as Markdown tables, which docs/output.md contains.
+/// Describes the layers as Markdown tables, which docs/reference/output.md contains.
 [[nodiscard]] std::string schema_markdown();
 
 }  // namespace d2b::features

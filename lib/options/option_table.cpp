@@ -117,7 +117,8 @@ void apply_option(const OptionRow& row, Request& request, OptionValues values) {
 void set_option(Options& options, std::string_view name, const std::vector<std::string>& values) {
     const OptionRow* const row = find_option(name);
     if (row == nullptr)
-        throw OptionError("There is no option '" + std::string(name) + "'; docs/options.md lists all.");
+        throw OptionError("There is no option '" + std::string(name) +
+                          "'; docs/reference/options.md lists all.");
     Request request{options, {}};
     apply_option(*row, request, values);
     if (request.tool != ToolOptions{})

@@ -4,7 +4,7 @@
     cmake -S . -B build -D D2B_BUILD_BENCHMARKS=ON && cmake --build build --parallel
     tests/bench/run.py build
 
-Makes the cities that are missing in the work folder, prints tables for docs/performance.md, and writes every time
+Makes the cities that are missing in the work folder, prints tables for docs/developers/performance.md, and writes every time
 that was taken to results.json there. Needs gdal-bin, python3-gdal and python3-numpy; 2 GB of disk, 7 GB with --huge.
 """
 import argparse

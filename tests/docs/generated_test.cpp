@@ -20,11 +20,11 @@ std::string text_of(const std::string& path) {
 
 // Both pages are written by tests/docs/write_generated; a difference means that it was not run.
 TEST(GeneratedDocs, SchemaIsThatOfTheAttributeTable) {
-    EXPECT_NE(text_of(D2B_DOCS "/output.md").find(features::schema_markdown()), std::string::npos);
+    EXPECT_NE(text_of(D2B_DOCS "/reference/output.md").find(features::schema_markdown()), std::string::npos);
 }
 
 TEST(GeneratedDocs, OptionsAreThoseOfTheOptionTable) {
-    EXPECT_EQ(text_of(D2B_DOCS "/options.md"), options_markdown());
+    EXPECT_EQ(text_of(D2B_DOCS "/reference/options.md"), options_markdown());
 }
 
 }  // namespace

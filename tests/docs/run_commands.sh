@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs every command of README.md, docs/*.md and docs/tasks/*.md that stands in a block marked ```sh, in a scratch folder where
-# sample_dems/ lies beside and the tool is on the PATH. A block marked ```output holds what the block before it prints;
+# Runs every command of README.md and of the pages of docs, except docs/research and docs/design, that stands in a block
+# marked ```sh, in a scratch folder that has sample_dems/, with the tool on the PATH. A block marked ```output holds what the block before it prints;
 # empty lines do not count. Blocks marked ```sh mesh are run where dem2buildings_mesh is built, those
 # marked ```sh page where pages are (D2B_BUILD_PAGE).
 #   run_commands.sh <source folder> <folder of the tool> <scratch folder> <build folder>
@@ -21,7 +21,8 @@ mesh=$(command -v dem2buildings_mesh || true)
 pages=$(grep -x D2B_BUILD_PAGE:BOOL=ON "$4/CMakeCache.txt" || true)
 count=0
 compared=0
-for page in "$source_folder"/README.md "$source_folder"/docs/*.md "$source_folder"/docs/tasks/*.md; do
+for page in "$source_folder"/README.md "$source_folder"/docs/*.md "$source_folder"/docs/tasks/*.md \
+        "$source_folder"/docs/reference/*.md "$source_folder"/docs/developers/*.md; do
     awk -v mesh="$mesh" -v pages="$pages" '/^```sh$/ || (mesh && /^```sh mesh$/) || (pages && /^```sh page$/) {
              kind = "C"; print "B"; next}
          /^```sh (mesh|page)$/ {without = 1}

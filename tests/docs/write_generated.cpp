@@ -24,18 +24,18 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::string docs = argv[1];
-    std::ofstream(docs + "/options.md") << d2b::options_markdown();
+    std::ofstream(docs + "/reference/options.md") << d2b::options_markdown();
 
     const std::string begin = "<!-- schema -->\n";
     const std::string end = "<!-- end of schema -->";
-    std::string page = read(docs + "/output.md");
+    std::string page = read(docs + "/reference/output.md");
     const std::size_t from = page.find(begin);
     const std::size_t to = page.find(end);
     if (from == std::string::npos || to == std::string::npos) {
-        std::cerr << docs << "/output.md lacks the marks of the schema\n";
+        std::cerr << docs << "/reference/output.md lacks the marks of the schema\n";
         return 1;
     }
     page.replace(from + begin.size(), to - from - begin.size(), d2b::features::schema_markdown());
-    std::ofstream(docs + "/output.md") << page;
+    std::ofstream(docs + "/reference/output.md") << page;
     return 0;
 }

@@ -190,8 +190,8 @@ bool same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-/// What docs/options.md says of -snodata and -inodata, a cell at a time. @return nothing where it is not
-/// valid
+/// What docs/reference/options.md says of -snodata and -inodata, a cell at a time. @return nothing where it
+/// is not valid
 std::optional<double> reference(const Case& c, const d2b::ReadOptions& options, std::size_t cell) {
     const double stored = c.stored[cell];
     const bool masked = c.holes == Holes::mask || c.holes == Holes::alpha;

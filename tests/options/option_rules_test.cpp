@@ -287,7 +287,8 @@ TEST(SetOption, RefusesWhatTheTableRefuses) {
         Options options;
         return error_of([&] { set_option(options, name, values); });
     };
-    EXPECT_EQ(refusal("nonesuch", {"1"}), "There is no option 'nonesuch'; docs/options.md lists all.");
+    EXPECT_EQ(refusal("nonesuch", {"1"}),
+              "There is no option 'nonesuch'; docs/reference/options.md lists all.");
     EXPECT_NE(refusal("lod", {"many"}).find("-lod must be"), std::string::npos);
     EXPECT_EQ(refusal("disjoint", {"1"}), "-disjoint takes no value.");
     EXPECT_EQ(refusal("json", {}), "-json is of the program alone; leave it out.");

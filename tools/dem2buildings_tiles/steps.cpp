@@ -25,7 +25,7 @@
 namespace d2b {
 namespace {
 
-// Measured on a dense town (docs/scaling.md).
+// Measured on a dense town (docs/developers/scaling.md).
 constexpr double find_seconds = 0.36e-6;   // per point that a tile sees, on one core
 constexpr double draw_seconds = 0.23e-6;   // per point of its own
 constexpr std::int64_t memory_bytes = 30;  // per point that it sees

@@ -172,9 +172,9 @@ struct Options {
     std::set<std::string, std::less<>> given;
 };
 
-/// Sets an option by its name on the command line; docs/options.md lists them. @param name with or without
-/// dashes, or an alias @param values as texts; none for a switch @throws OptionError: unknown option or
-/// invalid values. Contradictions between options are detected when a run begins
+/// Sets an option by its name on the command line; docs/reference/options.md lists them. @param name with or
+/// without dashes, or an alias @param values as texts; none for a switch @throws OptionError: unknown option
+/// or invalid values. Contradictions between options are detected when a run begins
 void set_option(Options& options, std::string_view name, const std::vector<std::string>& values = {});
 
 }  // namespace d2b
