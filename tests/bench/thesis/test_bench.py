@@ -1,4 +1,4 @@
-"""The bench on a small made scene, and what docs/thesis.md says of the samples."""
+"""The bench on a small made scene, and what docs/research/thesis_tables.md says of the samples."""
 import os
 import re
 import subprocess
@@ -25,7 +25,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 TOOL = Path(os.environ.get("D2B_TOOL", "dem2buildings"))
 CITIES = Path(os.environ.get("D2B_SHARED", ROOT.parent / "shared")) / "cities"
-PAGE = ROOT / "docs/thesis.md"
+PAGE = ROOT / "docs/research/thesis_tables.md"
 
 
 def made_scene(folder):
