@@ -60,7 +60,8 @@ int main(int argc, char** argv) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("qgis_") || name.starts_with("page_") || name.starts_with("python_") ||
             name.starts_with("walls_") || name.starts_with("thesis_") || name.starts_with("accuracy_") ||
-            name.starts_with("crowns_") || name.starts_with("houses_") || name.starts_with("wind_"))
+            name.starts_with("crowns_") || name.starts_with("houses_") || name.starts_with("wind_") ||
+            name.starts_with("raster_"))
             continue;
         ++seen;
         const double share = share_of_difference(read(entry.path()), read(fs::path(argv[2]) / name));
