@@ -14,6 +14,9 @@ page_packages="esbuild libjs-three"
 python_packages="python3-dev pybind11-dev python3-numpy"
 python_test_packages="mypy python3-geopandas python3-matplotlib"
 
+# What the site of docs/ is built with.
+site_packages="mkdocs mkdocs-material mkdocstrings mkdocstrings-python-handlers doxygen"
+
 # as_root command...: with sudo only where it is needed
 as_root() {
     if [ "$(id -u)" -eq 0 ]; then
