@@ -198,7 +198,7 @@ std::vector<std::array<FinePoint, 3>> Geos::triangles(const FinePolygon& polygon
     std::vector<std::array<FinePoint, 3>> triangles;
     for (const FinePolygon& part : geos.polygons_of<FinePolygon>(parts.get())) {
         if (part.exterior.size() != 3)
-            throw GeometryError("GEOS made a piece of a polygon that is no triangle.");
+            throw GeometryError("GEOS divided a polygon into a piece that is not a triangle.");
         triangles.push_back({part.exterior[0], part.exterior[1], part.exterior[2]});
     }
     return triangles;

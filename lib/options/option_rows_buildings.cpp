@@ -25,7 +25,7 @@ OptionRow ground() {
          .section = DialogSection::ground,
          .help = "The ground below the buildings.",
          .details = "auto: estimated from the input. none: the input holds heights above ground. A terrain "
-                    "model may have any CRS and unit. A file called auto or none needs its path: ./auto.",
+                    "model can be in any CRS and unit. A file called auto or none needs its path: ./auto.",
          .scope = detection_scope("none"),
          .item = "GROUND"});
     row.choices = words_of(modes);

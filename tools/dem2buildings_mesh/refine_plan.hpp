@@ -8,7 +8,7 @@ namespace d2b::mesh {
 
 /// Edges cross, or do not agree on what lies between them.
 struct PlanFault : GeometryError {
-    explicit PlanFault(const Position& place) : GeometryError("The plan is no partition."), at(place) {}
+    explicit PlanFault(const Position& place) : GeometryError("The plan is not a partition."), at(place) {}
     Position at;
 };
 

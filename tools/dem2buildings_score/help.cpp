@@ -46,8 +46,8 @@ std::string score_man_page() {
         roff_section("SYNOPSIS") + ".B dem2buildings_score\n[options] <found> <reference>\n" +
         roff_section("DESCRIPTION") + roff_paragraph(description) +
         roff_paragraph(
-            "Both are vector datasets with polygons, in any CRS. Lengths are in m and areas in m2, whatever "
-            "the units of the data. Invalid polygons are counted and repaired.") +
+            "Both are vector datasets with polygons, in any CRS. Lengths are in m and areas in m2, also "
+            "if the data have other units. Invalid polygons are counted and repaired.") +
         roff_paragraph(
             "Options may stand anywhere and begin with one dash or two; values follow after a blank or an "
             "equals sign. After -- only file names follow.") +
@@ -57,9 +57,9 @@ std::string score_man_page() {
     text += ".SS GDAL\n";
     for (const auto& [synopsis, help] : gdal_switches())
         text += roff_item(synopsis, help);
-    text += roff_section("EXIT STATUS") + roff_item("0", "Done, whatever the figures.") +
+    text += roff_section("EXIT STATUS") + roff_item("0", "Done; the figures may be good or bad.") +
             roff_item("1", "Failed: an input cannot be read, or the inputs lie in different places.") +
-            roff_item("2", "Wrong usage: an option, or one that does not fit the inputs.");
+            roff_item("2", "Wrong usage: a wrong option, or one that does not fit the inputs.");
     text += roff_section("EXAMPLES") + roff_example("dem2buildings_score buildings.gpkg cadastre.gpkg") +
             roff_example("dem2buildings_score -json -dem dsm.tif -aoi quarter.gpkg found.gpkg cadastre.gpkg");
     return text + roff_section("SEE ALSO") + "dem2buildings(1), ogrinfo(1)\n";

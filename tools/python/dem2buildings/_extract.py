@@ -13,7 +13,7 @@ from ._result import Result
 
 
 class _Ears:
-    """What the compiled part tells while it works. Its messages call options as the function does."""
+    """Takes warnings and errors of the compiled part, and names options in them as the function does."""
 
     def __init__(self, options, progress=None):
         self._options = options
@@ -37,19 +37,19 @@ def extract(dem, *, transform=None, progress=None, **options):
     """Finds the buildings of a DEM and returns them as polygons in memory, a Result.
 
     dem: a path of anything that GDAL opens, or a NumPy array of rows and columns: float32, float64 or integers. NaN,
-        infinite values and masked cells are not valid. An array is not copied, and must not change meanwhile.
-    transform: of an array, the six terms of GDAL's order, (x of the upper left corner, width of a cell, 0, y of the
-        same corner, 0, -height of a cell) where north is up; or an affine.Affine, as rasterio has it. Without it
-        coordinates are columns and, upwards, rows.
-    progress: called some times a second with the share that is done, 0 to 1, by the thread that calls; the run ends
-        with Cancelled where it returns False, or anything that is false but None.
+        infinite values and masked cells are not valid. An array is not copied, so do not change it during the run.
+    transform: for an array, six terms in GDAL's order: (x of the upper left corner, width of a cell, 0, y of that
+        corner, 0, -height of a cell) if north is up; or an affine.Affine, as rasterio has it. Without it, coordinates
+        are columns and, upwards, rows.
+    progress: a function that gets the share of the work done, from 0 to 1, a few times per second. The calling thread
+        calls it. If it returns False, or another false value except None, the run ends with Cancelled.
     ground, mask, ndvi: a path, or an array with the shape of the DEM and its transform; ground in the DEM's vertical
         unit. They are copied.
 
-    Paths are what os.fsencode() takes: str, bytes or os.PathLike. Where the name of a file is not UTF-8, texts of the
-    result have U+FFFD for what cannot be read.
+    Paths are str, bytes or os.PathLike. If the name of a file is not UTF-8, texts of the result have U+FFFD for its
+    invalid bytes.
 
-    Doubts about the result are Python warnings, and in the report. Ctrl-C ends the run. Other threads of Python go on
+    Warnings about the result are Python warnings, and in the report. Ctrl-C ends the run. Other Python threads go on
     meanwhile.
 
     >>> import numpy
@@ -77,11 +77,11 @@ def extract_file(src, dst, *, progress=None, **options):
     """Does what the program does: finds the buildings of a raster and writes them to a vector dataset.
 
     src: a path of anything that GDAL opens
-    dst: a path of any format that GDAL writes, by its extension. It keeps its old content or gets the new, never half
-        of it. An existing one is refused without overwrite or append.
+    dst: a path of any format that GDAL writes, by its extension. It keeps its old content or gets the new one, never
+        a part of it. An existing dataset is refused without overwrite or append.
     progress, ground, mask, ndvi: as for extract()
 
-    Returns the report, a dict. Warnings, Ctrl-C and other threads are as with extract().
+    Returns the report, a dict. Warnings, Ctrl-C and other threads are as in extract().
 
     >>> import pathlib, tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -100,9 +100,9 @@ def extract_file(src, dst, *, progress=None, **options):
 def score(found, reference, **options):
     """Measures how well footprints agree with a reference, as the program dem2buildings_score does.
 
-    found, reference: a path of anything that GDAL opens, or a Result of extract(), whose buildings count
+    found, reference: a path of anything that GDAL opens, or a Result of extract(), whose buildings are compared
 
-    Returns a dict, which dem2buildings_score -json prints as well.
+    Returns a dict, the same as dem2buildings_score -json prints.
 
     >>> dem = "sample_dems/thesis_50x36.tif"
     >>> result = score(extract(dem), "sample_dems/samples_truth.gpkg", reference_layer="thesis_50x36", dem=dem)

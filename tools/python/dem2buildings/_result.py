@@ -6,9 +6,9 @@ import json
 class Result:
     """Buildings and contours in memory.
 
-    buildings, contours, doubtful, rejected, problems: Layer, or None where it was not asked for
-    crs: of the coordinates, as WKT; None where there is none
-    metadata: how the result was made, as a dict of texts: source, options, thresholds, units, version
+    buildings, contours, doubtful, rejected, problems: a Layer, or None if it was not requested
+    crs: the coordinate reference system as WKT; None if unknown
+    metadata: how the result was made, a dict of texts: source, options, thresholds, units, version
     report: the report of the run, a dict, as dem2buildings -json prints it
     """
 
