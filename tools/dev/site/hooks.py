@@ -113,8 +113,9 @@ def on_files(files, config):
         for path in sorted((folder / "cpp").rglob("*")):
             if path.is_file():
                 add(files, config, folder, path.relative_to(folder).as_posix())
-        text = ("# Interface of C++\n\n[The public headers](../cpp/index.html), with all classes and functions. "
-                "[Your own program on the C++ library](library.md) shows how they are used.\n")
+        text = ("# Interface of C++\n\n[Your own program on the C++ library](library.md) shows how it is used. Doxygen's pages:\n\n"
+                "- [classes](../cpp/annotated.html)\n- [functions and types](../cpp/namespaced2b.html)\n"
+                "- [headers](../cpp/files.html)\n")
     else:
         text = "# Interface of C++\n\nIt was not made: install Doxygen, and make the site again.\n"
     add_text(files, config, "reference/cpp_interface.md", text)
