@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""The thesis's tables and figures again, beside what it compared itself with: the figures of docs/research/thesis_tables.md.
+"""The thesis's tables and figures again, beside what it compared itself with: the figures of
+docs/research/thesis_tables.md.
 
 The errors of each method are those of docs/research/thesis_methods.md.
 
