@@ -9,7 +9,8 @@ namespace d2b::sample {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> roof_names{"flat", "shed", "gabled", "hipped", "cone", "dome"};
+constexpr std::array<std::string_view, 7> roof_names{"flat", "shed", "gabled", "hipped",
+                                                     "cone", "dome", "mansard"};
 
 /// How far up the slope a point is, 0 at the eave to 1 at the ridge.
 double share_of_rise(const RoofPart& part, const Position& local) {
@@ -32,6 +33,12 @@ double share_of_rise(const RoofPart& part, const Position& local) {
             return across;
         case Roof::hipped:
             return std::min(across, std::min(x, length - x) / (span / 2));
+        case Roof::mansard: {
+            const double way = std::min(across, std::min(x, length - x) / (span / 2));
+            return way < mansard_way
+                       ? way * mansard_rise / mansard_way
+                       : mansard_rise + (way - mansard_way) * (1 - mansard_rise) / (1 - mansard_way);
+        }
         default: {
             const double u = 2 * x / length - 1;
             const double v = 2 * y / span - 1;
@@ -63,12 +70,10 @@ double Building::top() const {
         ->top;
 }
 
-Roof Building::main_roof() const {
-    return std::max_element(parts.begin(), parts.end(),
-                            [](const auto& a, const auto& b) {
-                                return a.rect.width() * a.rect.depth() < b.rect.width() * b.rect.depth();
-                            })
-        ->roof;
+const RoofPart& Building::main_part() const {
+    return *std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
+        return a.rect.width() * a.rect.depth() < b.rect.width() * b.rect.depth();
+    });
 }
 
 std::optional<double> Building::elevation_at(const Position& p) const {

@@ -10,8 +10,13 @@
 
 namespace d2b::sample {
 
-enum class Roof { flat, shed, gabled, hipped, cone, dome };
+enum class Roof { flat, shed, gabled, hipped, cone, dome, mansard };
 [[nodiscard]] std::string_view roof_name(Roof roof);
+
+/// The slopes of a mansard roof break at this share of the way from the eave to the ridge, and at this share
+/// of the rise.
+inline constexpr double mansard_way = 0.3;
+inline constexpr double mansard_rise = 0.7;
 
 /// One wing, tower or storey set back: a rectangle in the building's frame and the roof over it. Heights in
 /// metres above the building's ground. Where parts overlap, the higher one is seen.
@@ -20,7 +25,7 @@ struct RoofPart {
     Roof roof = Roof::flat;
     double eave = 0;
     double top = 0;             ///< of the ridge or peak; the eave's where the roof is flat
-    bool ridge_along_x = true;  ///< gabled and hipped: the ridge; shed: the level line
+    bool ridge_along_x = true;  ///< gabled, hipped and mansard: the ridge; shed: the level line
 };
 
 /// The height of a part's roof over a point of its rectangle.
@@ -45,9 +50,9 @@ struct Building {
     double width = 0;             ///< metres, of that box, along the frame's x axis
     double length = 0;            ///< along its y axis
 
-    [[nodiscard]] double eave() const;     ///< lowest eave, metres above ground
-    [[nodiscard]] double top() const;      ///< highest point, metres above ground
-    [[nodiscard]] Roof main_roof() const;  ///< of the largest part
+    [[nodiscard]] double eave() const;                ///< lowest eave, metres above ground
+    [[nodiscard]] double top() const;                 ///< highest point, metres above ground
+    [[nodiscard]] const RoofPart& main_part() const;  ///< the largest one
     /// Elevation of the roof in metres; empty outside the footprint.
     [[nodiscard]] std::optional<double> elevation_at(const Position& p) const;
 };

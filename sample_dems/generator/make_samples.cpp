@@ -71,6 +71,9 @@ void make_samples(const std::string& folder) {
     truth.add_buildings("buildings", sample.raster, sample.scene.buildings);
     truth.add_dissolved("blocks_dissolved", sample.raster, sample.scene.buildings);
     truth.finish();
+    TruthWriter roofs(folder + "/town_roofs.gpkg");
+    roofs.add_roofs("roofs", sample.raster, sample.scene.buildings);
+    roofs.finish();
     TruthWriter parcels(folder + "/town_parcels.gpkg");
     parcels.add_parcels("parcels", sample.raster, sample.scene.parcels);
     parcels.finish();

@@ -52,6 +52,7 @@ void write_truth(const std::string& path, const RasterSpec& spec, const Scene& s
     truth.add_dissolved("blocks_dissolved", spec, scene.buildings);
     if (!scene.parcels.empty())
         truth.add_parcels("parcels", spec, scene.parcels);
+    truth.add_roofs("roofs", spec, scene.buildings);
     truth.finish();
 }
 

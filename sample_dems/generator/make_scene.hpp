@@ -29,7 +29,8 @@ struct SceneChoice {
 
 /// Writes a folder `<folder>/<name>` with dsm.tif, dtm.tif (the bare earth at the middles of cells) and
 /// reference_buildings.gpkg: exact footprints in `buildings`, these without shared walls in
-/// `blocks_dissolved`, and plots in `parcels` where there are any. @throws OutputError
+/// `blocks_dissolved`, plots in `parcels` where there are any, and planes of roofs in `roofs`.
+/// @throws OutputError
 void make_scene(const std::string& folder, const SceneChoice& choice, std::uint64_t seed);
 
 }  // namespace d2b::sample

@@ -21,7 +21,7 @@ Scene town_place(std::uint64_t seed) {
     return scene;
 }
 
-constexpr std::array<Place, 10> all{{{"village", 600, village},
+constexpr std::array<Place, 11> all{{{"village", 600, village},
                                      {"hamlet", 500, hamlet},
                                      {"pines", 300, pines},
                                      {"hillside", 400, hillside},
@@ -29,6 +29,7 @@ constexpr std::array<Place, 10> all{{{"village", 600, village},
                                      {"outskirts", 600, outskirts},
                                      {"park", 500, park},
                                      {"town", 1000, town_place},
+                                     {"estate", 400, estate},
                                      {"forest", 1000, forest},
                                      {"fields", 1000, fields}}};
 

@@ -25,6 +25,7 @@ struct Place {
 [[nodiscard]] Scene rows(std::uint64_t seed);       ///< rows of equal houses, each on a parcel of its own
 [[nodiscard]] Scene outskirts(std::uint64_t seed);  ///< a mall of 260 x 125 m, halls, slabs
 [[nodiscard]] Scene park(std::uint64_t seed);       ///< woods, meadows, a brook, a bridge, kiosks
+[[nodiscard]] Scene estate(std::uint64_t seed);     ///< single houses with each form of roof
 [[nodiscard]] Scene forest(std::uint64_t seed);     ///< closed, on hills: no building
 [[nodiscard]] Scene fields(std::uint64_t seed);     ///< furrows, ditches, a dike, bushes: no building
 

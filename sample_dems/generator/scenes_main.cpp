@@ -1,6 +1,7 @@
 #include <charconv>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,38 +14,74 @@
 namespace {
 
 constexpr const char* usage =
-    "Usage: d2b_make_scenes [-seed <n>] <folder> [<place>_<survey>...]\n"
+    "Usage: d2b_make_scenes [-seed <n>] [-cell <m>] [-pulses <n>] <folder> [<place>_<survey>...]\n"
     "Makes scenes with exact truth in a folder that exists, a folder a scene: dsm.tif, dtm.tif and\n"
-    "reference_buildings.gpkg. Without names those that accuracy is measured on.\n";
+    "reference_buildings.gpkg. Without names those that accuracy is measured on.\n"
+    "-cell and -pulses replace the cell size and the pulses a square metre of the surveys; with 0 pulses\n"
+    "the surface itself is measured at the middles of cells.\n";
+
+/// What can be told before the folder.
+struct Choices {
+    std::uint64_t seed = 1;
+    std::optional<double> cell;
+    std::optional<double> pulses;
+};
+
+template <typename Number>
+bool read(const std::string& word, Number& number) {
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    return error == std::errc() && *end == '\0';
+}
+
+/// Takes an option and its value off the words. @return what is wrong with it; "" if nothing is
+std::string take_option(std::vector<std::string>& words, Choices& choices) {
+    const std::string option = words[0];
+    const std::string value = words[1];
+    words.erase(words.begin(), words.begin() + 2);
+    if (option == "-seed")
+        return read(value, choices.seed) ? "" : "-seed needs a whole number, not " + value + ".";
+    double number = 0;
+    const bool good = read(value, number) && number <= 1000;
+    if (option == "-cell") {
+        choices.cell = number;
+        return good && number >= 0.1 ? "" : "-cell needs a number of 0.1 to 1000, not " + value + ".";
+    }
+    choices.pulses = number;
+    return good && number >= 0 ? "" : "-pulses needs a number of 0 to 1000, not " + value + ".";
+}
+
+void make_scenes(const std::vector<std::string>& words, const Choices& choices) {
+    using namespace d2b::sample;
+    GDALAllRegister();
+    std::vector<SceneChoice> chosen;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        chosen.push_back(choose_scene(words[i]));
+    if (chosen.empty())
+        chosen = measured_scenes();
+    for (SceneChoice& choice : chosen) {
+        choice.survey.cell = choices.cell.value_or(choice.survey.cell);
+        choice.survey.pulses = choices.pulses.value_or(choice.survey.pulses);
+        make_scene(words[0], choice, choices.seed);
+        std::cout << choice.name() << std::endl;
+    }
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
-    std::uint64_t seed = 1;
-    if (words.size() > 2 && words[0] == "-seed") {
-        const auto [end, error] = std::from_chars(words[1].data(), words[1].data() + words[1].size(), seed);
-        if (error != std::errc() || *end != '\0') {
-            std::cerr << "d2b_make_scenes: -seed needs a whole number, not " << words[1] << ".\n";
+    Choices choices;
+    while (words.size() > 2 && (words[0] == "-seed" || words[0] == "-cell" || words[0] == "-pulses"))
+        if (const std::string wrong = take_option(words, choices); !wrong.empty()) {
+            std::cerr << "d2b_make_scenes: " << wrong << '\n';
             return 2;
         }
-        words.erase(words.begin(), words.begin() + 2);
-    }
     if (words.empty() || words[0].starts_with("-")) {
         std::cerr << usage;
         return 2;
     }
     try {
-        GDALAllRegister();
-        std::vector<d2b::sample::SceneChoice> chosen;
-        for (std::size_t i = 1; i < words.size(); ++i)
-            chosen.push_back(d2b::sample::choose_scene(words[i]));
-        if (chosen.empty())
-            chosen = d2b::sample::measured_scenes();
-        for (const d2b::sample::SceneChoice& choice : chosen) {
-            d2b::sample::make_scene(words[0], choice, seed);
-            std::cout << choice.name() << std::endl;
-        }
+        make_scenes(words, choices);
     } catch (const std::exception& error) {
         std::cerr << "d2b_make_scenes: " << error.what() << '\n';
         return 1;

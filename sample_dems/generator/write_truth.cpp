@@ -7,6 +7,7 @@
 #include <ogrsf_frmts.h>
 
 #include "gdal_guard.hpp"
+#include "roof_faces.hpp"
 
 namespace d2b::sample {
 
@@ -23,6 +24,8 @@ constexpr Field building_fields[] = {{"id", OFTInteger64}, {"kind", OFTString}, 
                                      {"ground", OFTReal},  {"eave_h", OFTReal},  {"roof_h", OFTReal},
                                      {"unit", OFTString},  {"width_m", OFTReal}, {"length_m", OFTReal}};
 constexpr Field parcel_fields[] = {{"parcel", OFTString}};
+constexpr Field face_fields[] = {
+    {"bldg_id", OFTInteger64}, {"roof_type", OFTString}, {"slope", OFTReal}, {"azimuth", OFTReal}};
 constexpr Field dissolved_fields[] = {{"id", OFTInteger64}, {"area_m2", OFTReal}};
 
 OGRLinearRing world_ring(const WorldRing& ring, const Grid& grid) {
@@ -46,10 +49,24 @@ OGRPolygon world_polygon(const WorldPolygon& polygon, const Grid& grid) {
     return result;
 }
 
+OGRPolygon world_polygon(const RoofFace& face, const RasterSpec& raster) {
+    OGRPolygon result;
+    for (const std::vector<RoofCorner>& ring : face.rings) {
+        OGRLinearRing line;
+        for (const RoofCorner& corner : ring) {
+            const Position world = raster.grid.to_world(corner.at);
+            line.addPoint(world.x, world.y, corner.elevation / raster.unit.metres);
+        }
+        line.closeRings();
+        result.addRing(&line);
+    }
+    return result;
+}
+
 void set_values(OGRFeature& feature, const Building& building, const VerticalUnit& unit) {
     feature.SetField("id", static_cast<GIntBig>(building.id));
     feature.SetField("kind", building.kind.c_str());
-    feature.SetField("roof", std::string(roof_name(building.main_roof())).c_str());
+    feature.SetField("roof", std::string(roof_name(building.main_part().roof)).c_str());
     feature.SetField("ground", building.ground / unit.metres);
     feature.SetField("eave_h", building.eave() / unit.metres);
     feature.SetField("roof_h", building.top() / unit.metres);
@@ -89,11 +106,13 @@ struct TruthWriter::Impl {
     Dataset dataset;
 
     OGRLayer& add_layer(const std::string& name, const RasterSpec& raster, std::span<const Field> fields,
-                        const std::string& description) {
+                        const std::string& description, OGRwkbGeometryType type = wkbPolygon) {
         OGRSpatialReference reference = spatial_reference(raster.crs, path);
         CPLStringList options;
         options.SetNameValue("DESCRIPTION", description.c_str());
-        OGRLayer* const layer = dataset->CreateLayer(name.c_str(), &reference, wkbPolygon, options.List());
+        // The index of roof planes would be a quarter of their file.
+        options.SetNameValue("SPATIAL_INDEX", type == wkbPolygon ? "YES" : "NO");
+        OGRLayer* const layer = dataset->CreateLayer(name.c_str(), &reference, type, options.List());
         QuietGdal::require(layer != nullptr, path);
         for (const Field& field : fields) {
             OGRFieldDefn definition(field.name, field.type);
@@ -152,6 +171,29 @@ void TruthWriter::add_dissolved(const std::string& name, const RasterSpec& raste
         feature.SetField("area_m2", polygon->get_Area());
         feature.SetGeometry(polygon);
         impl_->write(layer, feature);
+    }
+    impl_->commit();
+}
+
+void TruthWriter::add_roofs(const std::string& name, const RasterSpec& raster,
+                            std::span<const Building> buildings) {
+    OGRLayer& layer =
+        impl_->add_layer(name, raster, face_fields,
+                         "True planes of roofs; slope and azimuth in degrees, azimuth clockwise "
+                         "from north, in the direction in which water runs",
+                         wkbPolygon25D);
+    for (const Building& building : buildings) {
+        for (const RoofFace& face : roof_faces(building)) {
+            OGRFeature feature(layer.GetLayerDefn());
+            feature.SetField("bldg_id", static_cast<GIntBig>(building.id));
+            feature.SetField("roof_type", std::string(roof_type(building)).c_str());
+            feature.SetField("slope", face.slope);
+            if (face.azimuth)
+                feature.SetField("azimuth", *face.azimuth);
+            const OGRPolygon polygon = world_polygon(face, raster);
+            feature.SetGeometry(&polygon);
+            impl_->write(layer, feature);
+        }
     }
     impl_->commit();
 }

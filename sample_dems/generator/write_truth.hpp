@@ -25,6 +25,9 @@ class TruthWriter {
     /// A layer with one polygon for each group of buildings that share walls. @throws OutputError
     void add_dissolved(const std::string& layer, const RasterSpec& raster,
                        std::span<const Building> buildings);
+    /// A layer with a PolygonZ for each plane of a roof, whose elevations are in the unit of the raster.
+    /// Cones and domes are left out. @throws OutputError
+    void add_roofs(const std::string& layer, const RasterSpec& raster, std::span<const Building> buildings);
     /// A layer of plots of land, each with its name in the field `parcel`. @throws OutputError
     void add_parcels(const std::string& layer, const RasterSpec& raster, std::span<const Parcel> parcels);
     /// @throws OutputError

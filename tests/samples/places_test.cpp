@@ -1,5 +1,6 @@
 // What stands at the places of scenes, and that its truth is sound.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -159,8 +160,10 @@ TEST(Scenes, WriteFoldersThatTellTheTruth) {
     EXPECT_EQ(surface.cols, 120);
     EXPECT_EQ(terrain.rows, 120);
     const auto layers = read_truth(own, "reference_buildings.gpkg");
-    ASSERT_EQ(layers.size(), 3U);
+    ASSERT_EQ(layers.size(), 4U);
     EXPECT_EQ(layers[2].name, "parcels");
+    EXPECT_EQ(layers[3].name, "roofs");
+    EXPECT_GE(layers[3].footprints.size(), layers[0].footprints.size());
     double area = 0;
     int roof = 0;
     int low = 0;
@@ -182,6 +185,18 @@ TEST(Scenes, WriteFoldersThatTellTheTruth) {
     // Where no pulse came down on a narrow house its cell may have been filled from beside it.
     EXPECT_LE(low, roof / 50);
     VSIRmdirRecursive(folder.c_str());
+}
+
+TEST(Scenes, HaveOtherCellsAndPulsesIfTheyAreAskedFor) {
+    SceneChoice choice = choose_scene("rows_lidar2");
+    EXPECT_EQ(grid_over(choice).cols, 300);
+    choice.survey.cell = 0.5;
+    EXPECT_EQ(grid_over(choice).cols, 600);
+    // A pulse comes down in about every other cell, and fills those around it.
+    const Seen seen = see(choice.place.make(1), grid_over(choice), choice.survey);
+    ASSERT_EQ(seen.elevations.size(), 360000U);
+    EXPECT_TRUE(
+        std::none_of(seen.elevations.begin(), seen.elevations.end(), [](float z) { return std::isnan(z); }));
 }
 
 }  // namespace

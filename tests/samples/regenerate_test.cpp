@@ -55,7 +55,8 @@ TEST_F(Regenerate, RastersAreTheCommittedOnes) {
 
 TEST_F(Regenerate, TruthIsTheCommittedOne) {
     sample::make_samples(folder_);
-    for (const char* file : {"samples_truth.gpkg", "town_truth.gpkg", "town_parcels.gpkg"}) {
+    for (const char* file :
+         {"samples_truth.gpkg", "town_truth.gpkg", "town_roofs.gpkg", "town_parcels.gpkg"}) {
         const auto committed = read_truth(D2B_SAMPLES, file);
         const auto made = read_truth(folder_, file);
         ASSERT_EQ(made.size(), committed.size());
@@ -95,7 +96,7 @@ TEST_F(Regenerate, TwiceGivesTheSameBytes) {
         EXPECT_TRUE(read(folder_ + "/" + name) == read(entry.path().string())) << name;
         ++files;
     }
-    EXPECT_EQ(files, 10);
+    EXPECT_EQ(files, 11);
 }
 
 TEST_F(Regenerate, MissingFolderIsAnError) {
