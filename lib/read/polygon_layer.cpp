@@ -25,15 +25,6 @@
 namespace d2b::reading {
 namespace {
 
-std::string field_list(OGRFeatureDefnH schema) {
-    const int count = OGR_FD_GetFieldCount(schema);
-    std::vector<std::string> names;
-    names.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-        names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(schema, i)));
-    return quoted_names(names);
-}
-
 /// Returns the index of the height field, or -1.
 int pick_height(OGRLayerH layer, const LayerChoice& choice) {
     const OGRFeatureDefnH schema = OGR_L_GetLayerDefn(layer);
@@ -46,10 +37,7 @@ int pick_height(OGRLayerH layer, const LayerChoice& choice) {
     const int field = OGR_FD_GetFieldIndex(schema, choice.height_field.c_str());
     if (field >= 0)
         return field;
-    const std::string names = field_list(schema);
-    throw OptionError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of '" + choice.dataset +
-                      "' has no field '" + choice.height_field + "'; " +
-                      (names.empty() ? "it has no fields at all." : "its fields are " + names + "."));
+    refuse_missing_field(layer, choice.dataset, choice.height_field);
 }
 
 /// Returns the height of a feature. Texts count if they are numbers throughout, because heights of
@@ -69,17 +57,6 @@ std::optional<double> height_of(OGRFeatureH feature, int field) {
             return std::nullopt;
     }
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
-void warn_of_others(std::size_t others, const PolygonLayer& layer, Warnings& warnings) {
-    if (others > 0)
-        warnings.add(std::to_string(others) + (others == 1 ? " feature" : " features") + " of the layer '" +
-                     layer.name + "' of '" + layer.dataset + "' " + (others == 1 ? "has" : "have") +
-                     " no polygon and " + (others == 1 ? "is" : "are") + " left out.");
-}
-
-DatasetOwner open_polygons(const std::string& path, Warnings& warnings) {
-    return open_vector_dataset(path, "'" + path + "' cannot be opened as a vector dataset", warnings);
 }
 
 }  // namespace
@@ -107,7 +84,7 @@ PolygonLayer read_polygon_layer(const LayerChoice& choice, Warnings& warnings) {
                           else
                               result.features.push_back(std::move(found));
                       });
-    warn_of_others(others, result, warnings);
+    warn_of_others(others, result.dataset, result.name, warnings);
     return result;
 }
 

@@ -13,7 +13,8 @@
 namespace d2b::reading {
 namespace {
 
-WorldRing ring_of(OGRGeometryH line, bool& open) {
+/// @param elevations those of the vertices are added, if it is not null
+WorldRing ring_of(OGRGeometryH line, bool& open, std::vector<double>* elevations) {
     const int count = OGR_G_GetPointCount(line);
     WorldRing ring(static_cast<std::size_t>(count));
     constexpr int stride = sizeof(Position);
@@ -23,13 +24,15 @@ WorldRing ring_of(OGRGeometryH line, bool& open) {
         ring.pop_back();
     else if (!ring.empty())
         open = true;
+    for (int i = 0; elevations != nullptr && i < static_cast<int>(ring.size()); ++i)
+        elevations->push_back(OGR_G_GetZ(line, i));
     return ring;
 }
 
-void add_polygon(OGRGeometryH polygon, PolygonFeature& feature) {
+void add_polygon(OGRGeometryH polygon, PolygonFeature& feature, std::vector<double>* elevations) {
     WorldPolygon result;
     for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i) {
-        WorldRing ring = ring_of(OGR_G_GetGeometryRef(polygon, i), feature.open_ring);
+        WorldRing ring = ring_of(OGR_G_GetGeometryRef(polygon, i), feature.open_ring, elevations);
         if (i == 0)
             result.exterior = std::move(ring);
         else if (!ring.empty())
@@ -69,12 +72,12 @@ std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry) {
     return parts_within(geometry, [](OGRwkbGeometryType type) { return type == wkbLineString; });
 }
 
-PolygonFeature polygon_feature_of(OGRGeometryH geometry) {
+PolygonFeature polygon_feature_of(OGRGeometryH geometry, std::vector<double>* elevations) {
     PolygonFeature feature;
     const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));
     if (straight)
         for (OGRGeometryH const polygon : polygons_within(straight.get()))
-            add_polygon(polygon, feature);
+            add_polygon(polygon, feature, elevations);
     return feature;
 }
 
@@ -85,6 +88,10 @@ DatasetOwner open_vector_dataset(const std::string& path, const std::string& com
         throw InputError(complaint + ": " + messages.reason_for(path) + ".");
     messages.pass_all(warnings);
     return dataset;
+}
+
+DatasetOwner open_polygons(const std::string& path, Warnings& warnings) {
+    return open_vector_dataset(path, "'" + path + "' cannot be opened as a vector dataset", warnings);
 }
 
 std::vector<std::string> geometry_layers(GDALDatasetH dataset) {
@@ -125,6 +132,24 @@ void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warni
     if (messages.failed())
         throw InputError(what + " cannot be read: " + messages.reason() + ".");
     messages.pass_warnings(warnings);
+}
+
+void refuse_missing_field(OGRLayerH layer, const std::string& dataset, const std::string& field) {
+    const OGRFeatureDefnH schema = OGR_L_GetLayerDefn(layer);
+    std::vector<std::string> names;
+    for (int i = 0; i < OGR_FD_GetFieldCount(schema); ++i)
+        names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(schema, i)));
+    throw OptionError(
+        "The layer '" + std::string(OGR_L_GetName(layer)) + "' of '" + dataset + "' has no field '" + field +
+        "'; " + (names.empty() ? "it has no fields at all." : "its fields are " + quoted_names(names) + "."));
+}
+
+void warn_of_others(std::size_t others, const std::string& dataset, const std::string& layer,
+                    Warnings& warnings) {
+    if (others > 0)
+        warnings.add(std::to_string(others) + (others == 1 ? " feature" : " features") + " of the layer '" +
+                     layer + "' of '" + dataset + "' " + (others == 1 ? "has" : "have") + " no polygon and " +
+                     (others == 1 ? "is" : "are") + " left out.");
 }
 
 std::string quoted_names(std::span<const std::string> names) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
@@ -20,13 +21,18 @@ namespace d2b::reading {
 [[nodiscard]] std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry);
 
 /// Returns the polygons of a geometry of any type without heights of vertices. Curves become lines; the
-/// result is empty if it contains no polygon.
-[[nodiscard]] PolygonFeature polygon_feature_of(OGRGeometryH geometry);
+/// result is empty if it contains no polygon. @param elevations gets the heights, ring by ring in the order
+/// of the vertices, if it is not null
+[[nodiscard]] PolygonFeature polygon_feature_of(OGRGeometryH geometry,
+                                                std::vector<double>* elevations = nullptr);
 
 /// Opens a dataset with vector layers. @param complaint "'x' cannot be opened", before GDAL's reason @throws
 /// InputError
 [[nodiscard]] DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint,
                                                Warnings& warnings);
+
+/// Opens a dataset with polygons for a comparison. @throws InputError
+[[nodiscard]] DatasetOwner open_polygons(const std::string& path, Warnings& warnings);
 
 /// Names of layers with geometries, in order.
 [[nodiscard]] std::vector<std::string> geometry_layers(GDALDatasetH dataset);
@@ -39,6 +45,13 @@ namespace d2b::reading {
 /// @param what "The layer 'x' of 'y'", for messages @throws InputError if it cannot be read to its end
 void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warnings,
                        const std::function<void(OGRFeatureH, OGRGeometryH)>& visit);
+
+/// Names the fields that a layer has instead. @throws OptionError
+[[noreturn]] void refuse_missing_field(OGRLayerH layer, const std::string& dataset, const std::string& field);
+
+/// Warns of features without polygons, if there are any.
+void warn_of_others(std::size_t others, const std::string& dataset, const std::string& layer,
+                    Warnings& warnings);
 
 /// Formats "'a', 'b' and 'c'", shortened if there are very many; "" for none.
 [[nodiscard]] std::string quoted_names(std::span<const std::string> names);

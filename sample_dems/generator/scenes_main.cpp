@@ -1,4 +1,5 @@
 #include <charconv>
+#include <cstdint>
 #include <exception>
 #include <iostream>
 #include <optional>
@@ -6,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <cpl_conv.h>
 #include <gdal_priv.h>
 
 #include "dem2buildings/error.hpp"
@@ -27,10 +29,16 @@ struct Choices {
     std::optional<double> pulses;
 };
 
-template <typename Number>
-bool read(const std::string& word, Number& number) {
+bool read(const std::string& word, std::uint64_t& number) {
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     return error == std::errc() && *end == '\0';
+}
+
+/// With a decimal point in any locale.
+bool read(const std::string& word, double& number) {
+    char* end = nullptr;
+    number = CPLStrtod(word.c_str(), &end);
+    return !word.empty() && *end == '\0';
 }
 
 /// Takes an option and its value off the words. @return what is wrong with it; "" if nothing is

@@ -26,6 +26,15 @@ void take_file_names(const std::vector<std::string>& names, ScoreCommand& reques
     request.reference = names[1];
 }
 
+void check_roofs(const ScoreCommand& request) {
+    if (request.roofs && !request.height_field.empty())
+        throw OptionError(
+            "-height_field has no effect with -roofs, because planes have elevations; leave one "
+            "of them out.");
+    if (!request.roofs && !request.roof_types.empty())
+        throw OptionError("-roof_types has no effect without -roofs; give -roofs, too, or leave it out.");
+}
+
 }  // namespace
 
 const std::vector<ScoreOption>& score_options() {
@@ -57,6 +66,15 @@ const std::vector<ScoreOption>& score_options() {
              range.lowest = 0;
              r.min_object_m2 = parse_number("min_object", range, value);
          }},
+        {{"roofs", "", "switch",
+          "Compare the layers roofs, which have a polygon for each plane of a roof: slopes, directions, "
+          "elevations and types of roofs. -layer and -reference_layer then name other layers of planes."},
+         [](ScoreCommand& r, Text) { r.roofs = true; }},
+        {{"roof_types", "<dataset>", "dataset",
+          "Reference buildings with the types of their roofs, in field roof_type or roof of the layer "
+          "buildings. Only with -roofs. Default: the reference."},
+         [](ScoreCommand& r, Text value) { r.roof_types = value; },
+         true},
         {{"json", "", "switch", "Print the result as JSON."}, [](ScoreCommand& r, Text) { r.json = true; }},
         {{"q", "", "switch", "Print only the figures, without file names and the numbers behind them."},
          [](ScoreCommand& r, Text) { r.quiet = true; }},
@@ -80,6 +98,7 @@ ScoreCommand parse_score_command_line(const std::vector<std::string>& arguments)
     if (line.unknown)
         refuse_unknown_option(*line.unknown, table, program);
     take_file_names(line.names, request);
+    check_roofs(request);
     return request;
 }
 

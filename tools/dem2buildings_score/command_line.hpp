@@ -11,6 +11,7 @@ namespace d2b {
 
 /// All that the command line can set.
 struct ScoreCommand : ScoreRequest {
+    bool roofs = false;
     bool json = false;
     bool quiet = false;
     bool help = false;
@@ -21,6 +22,7 @@ struct ScoreCommand : ScoreRequest {
 /// One option. Parser, help and man page are all made from these rows.
 struct ScoreOption : ToolOption {
     std::function<void(ScoreCommand&, const std::string&)> apply;  ///< @throws OptionError
+    bool of_roofs = false;                                         ///< has a meaning with -roofs alone
 };
 
 /// In the order in which help lists them.

@@ -13,7 +13,9 @@ namespace {
 constexpr std::string_view description =
     "Measures how well building footprints agree with a reference: area and objects that were found, the "
     "distance of outlines, overlaps, invalid polygons, the number of vertices, and heights. Also how much "
-    "both look like buildings: corners, main directions, short edges.";
+    "both look like buildings: corners, main directions, short edges. With -roofs, measures how well planes "
+    "of "
+    "roofs agree.";
 
 }  // namespace
 
@@ -60,15 +62,17 @@ std::string score_man_page() {
     text += roff_section("EXIT STATUS") + roff_item("0", "Done; the figures may be good or bad.") +
             roff_item("1", "Failed: an input cannot be read, or the inputs lie in different places.") +
             roff_item("2", "Wrong usage: a wrong option, or one that does not fit the inputs.");
-    text += roff_section("EXAMPLES") + roff_example("dem2buildings_score buildings.gpkg cadastre.gpkg") +
-            roff_example("dem2buildings_score -json -dem dsm.tif -aoi quarter.gpkg found.gpkg cadastre.gpkg");
+    text +=
+        roff_section("EXAMPLES") + roff_example("dem2buildings_score buildings.gpkg cadastre.gpkg") +
+        roff_example("dem2buildings_score -json -dem dsm.tif -aoi quarter.gpkg found.gpkg cadastre.gpkg") +
+        roff_example("dem2buildings_score -roofs found.gpkg planes.gpkg");
     return text + roff_section("SEE ALSO") + "dem2buildings(1), ogrinfo(1)\n";
 }
 
 std::string score_options_json() {
     nlohmann::ordered_json options = nlohmann::ordered_json::array();
     for (const ScoreOption& option : score_options())
-        if (!option.value.empty())
+        if (!option.value.empty() && !option.of_roofs)
             options.push_back({{"name", option.name}, {"kind", option.kind}, {"help", option.help}});
     return options.dump() + "\n";
 }

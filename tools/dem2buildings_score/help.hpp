@@ -12,7 +12,7 @@ namespace d2b {
 [[nodiscard]] std::string score_help();
 /// The man page, as roff.
 [[nodiscard]] std::string score_man_page();
-/// The options that say what is measured, as JSON: name, kind and help of each.
+/// The options that say what is measured of footprints, as JSON: name, kind and help of each.
 [[nodiscard]] std::string score_options_json();
 
 }  // namespace d2b

@@ -24,9 +24,15 @@ void measure(const ScoreCommand& request) {
         print_line("Warning: ", text);
     };
     reading::start_gdal();
-    const ScoreRun run = compare_datasets(request, callbacks);
-    std::cout << (request.json ? score_json(request, run, warnings)
-                               : score_text(request, run, request.quiet));
+    if (request.roofs) {
+        const RoofScoreRun run = compare_roofs(request, callbacks);
+        std::cout << (request.json ? roof_score_json(request, run, warnings)
+                                   : roof_score_text(request, run, request.quiet));
+    } else {
+        const ScoreRun run = compare_datasets(request, callbacks);
+        std::cout << (request.json ? score_json(request, run, warnings)
+                                   : score_text(request, run, request.quiet));
+    }
     own_stdout.finish();
 }
 

@@ -210,4 +210,99 @@ std::string score_json(const ScoreRequest& request, const ScoreRun& run,
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+namespace {
+
+void add_angles(Lines& lines, const std::string& name, const std::optional<AngleErrors>& errors) {
+    lines.add(name + ", median", errors ? degrees(errors->median_deg) : "-");
+    lines.add(name + ", p90", errors ? degrees(errors->p90_deg) : "-");
+}
+
+/// What the buildings of each type were taken for: "gabled 140, hipped 14".
+void add_types(Lines& lines, const RoofScore& score) {
+    for (const auto& [type, found] : score.types) {
+        std::size_t all = 0;
+        std::string text;
+        for (const auto& [name, count] : found) {
+            all += count;
+            text += (text.empty() ? "" : ", ") + std::string(name) + " " + std::to_string(count);
+        }
+        // Names are those of the datasets.
+        lines.add("  " + type.substr(0, 18), of(found.contains(type) ? found.at(type) : 0, all), text);
+    }
+}
+
+Json json_of(const std::optional<AngleErrors>& errors) {
+    if (!errors)
+        return nullptr;
+    return {{"median_deg", errors->median_deg}, {"p90_deg", errors->p90_deg}};
+}
+
+}  // namespace
+
+std::string roof_score_text(const ScoreRequest& request, const RoofScoreRun& run, bool quiet) {
+    const RoofScore& score = run.score;
+    const std::string shared = "of " + square_metres(score.shared_m2);
+    Lines lines(quiet);
+    if (!quiet) {
+        lines.add("found", request.found + ", layer " + run.found_layer);
+        lines.add("reference", request.reference + ", layer " + run.reference_layer);
+        lines.add("measured in", run.crs.empty() ? "plain units" : run.crs);
+    }
+    lines.add("roofs covered", percent(score.covered),
+              square_metres(score.shared_m2) + " of " + square_metres(score.reference_m2));
+    lines.add("overlap", percent(score.overlap));
+    lines.add("slope and azimuth", percent(score.angles_right), shared + ", within 5 and 10 deg");
+    lines.add("without a slope", percent(score.without_slope), shared);
+    add_angles(lines, "slope error", score.slope);
+    add_angles(lines, "azimuth error", score.azimuth);
+    lines.add("height and slope", percent(score.heights_right), shared + ", within 1 m and 5 deg");
+    lines.add("  IoU", percent(score.heights_iou), "of the area in either");
+    lines.add("roof type", percent(score.type_right),
+              of(score.right, score.compared) + " buildings covered by half, of " +
+                  std::to_string(score.buildings));
+    lines.add("  of pairs", percent(score.pair_type_right),
+              of(score.pairs_right, score.pairs) + " with an IoU of 0.5 or more");
+    if (!quiet)
+        add_types(lines, score);
+    return lines.text();
+}
+
+std::string roof_score_json(const ScoreRequest& request, const RoofScoreRun& run,
+                            const std::vector<std::string>& warnings) {
+    const RoofScore& score = run.score;
+    const auto side = [](const std::string& dataset, const std::string& layer, std::size_t faces,
+                         double area) {
+        return Json{{"dataset", dataset}, {"layer", layer}, {"faces", faces}, {"area_m2", area}};
+    };
+    Json types = Json::object();
+    for (const auto& [type, found] : score.types)
+        for (const auto& [name, count] : found)
+            types[type][name] = count;
+    const Json json{{"version", version},
+                    {"found", side(request.found, run.found_layer, score.found_faces, score.found_m2)},
+                    {"reference",
+                     side(request.reference, run.reference_layer, score.reference_faces, score.reference_m2)},
+                    {"crs", run.crs},
+                    {"metres", run.metres},
+                    {"limited", run.limited},
+                    {"min_object_m2", request.min_object_m2},
+                    {"shared_m2", score.shared_m2},
+                    {"covered", score.covered},
+                    {"overlap", score.overlap},
+                    {"slope_azimuth_right", score.angles_right},
+                    {"without_slope", score.without_slope},
+                    {"slope_error", json_of(score.slope)},
+                    {"azimuth_error", json_of(score.azimuth)},
+                    {"height_slope_right", score.heights_right},
+                    {"height_slope_iou", score.heights_iou},
+                    {"buildings", score.buildings},
+                    {"buildings_compared", score.compared},
+                    {"type_right", score.type_right},
+                    {"pairs", score.pairs},
+                    {"pair_type_right", score.pair_type_right},
+                    {"types", types},
+                    {"warnings", warnings}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 }  // namespace d2b

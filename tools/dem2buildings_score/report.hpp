@@ -14,4 +14,9 @@ namespace d2b {
 [[nodiscard]] std::string score_json(const ScoreRequest& request, const ScoreRun& run,
                                      const std::vector<std::string>& warnings);
 
+/// The same of planes of roofs.
+[[nodiscard]] std::string roof_score_text(const ScoreRequest& request, const RoofScoreRun& run, bool quiet);
+[[nodiscard]] std::string roof_score_json(const ScoreRequest& request, const RoofScoreRun& run,
+                                          const std::vector<std::string>& warnings);
+
 }  // namespace d2b

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -96,6 +97,8 @@ struct ScoreRequest {
     std::string area_of_interest;  ///< a layer of the reference, or a dataset; "": the layer "aoi", if any
     std::string dem;               ///< excludes everything outside of its valid cells; "": no limit
     double min_object_m2 = 50;
+    std::string roof_types;  ///< of compare_roofs(): dataset with types of the reference's roofs; "": the
+                             ///< reference
 };
 
 /// Compared layers and the result.
@@ -120,5 +123,54 @@ struct ScoreRun {
 /// @throws InputError: one cannot be read, or they do not overlap. @throws OptionError: no such layer or
 /// field
 [[nodiscard]] ScoreRun compare_datasets(const ScoreRequest& request, const Callbacks& callbacks = {});
+
+/// Errors of an angle, weighted by area: those not exceeded on a half and on nine tenths of it.
+struct AngleErrors {
+    double median_deg = 0;
+    double p90_deg = 0;
+};
+
+/// Agreement of roof planes with a reference. Areas are those in plan, within the region. Ratios with a zero
+/// denominator are 0.
+struct RoofScore {
+    std::size_t found_faces = 0;      ///< all, also outside of the region
+    std::size_t reference_faces = 0;  ///< same
+    double found_m2 = 0;
+    double reference_m2 = 0;
+    double shared_m2 = 0;      ///< of the reference, inside found faces
+    double covered = 0;        ///< shared / reference
+    double angles_right = 0;   ///< share of the shared area with slope within 5 and azimuth within 10 degrees
+    double overlap = 0;        ///< area covered by several found faces / area covered
+    double without_slope = 0;  ///< share of the shared area on which the found faces have no slope
+    std::optional<AngleErrors> slope;    ///< where both have a slope
+    std::optional<AngleErrors> azimuth;  ///< where both have an azimuth and are 8 degrees or steeper
+    double heights_right =
+        0;  ///< share of the shared area with elevation within 1 m and slope within 5 degrees
+    double heights_iou = 0;     ///< that area / area in either
+    std::size_t buildings = 0;  ///< of the reference, with a type, not below the smallest size
+    std::size_t compared = 0;   ///< of these, covered at least half by one found building
+    std::size_t right = 0;      ///< of these, with the type of that building
+    double type_right = 0;      ///< right / compared
+    std::size_t pairs = 0;      ///< of those compared, with an IoU of at least 0.5
+    std::size_t pairs_right = 0;
+    double pair_type_right = 0;  ///< pairs_right / pairs
+    /// number of buildings compared, by the reference's type and the found type
+    std::map<std::string, std::map<std::string, std::size_t>> types;
+};
+
+/// Compared layers of roof planes and the result.
+struct RoofScoreRun {
+    std::string found_layer;
+    std::string reference_layer;
+    std::string crs;       ///< CRS of the measurement; "" if there is none
+    double metres = 1;     ///< metres in one unit of it
+    bool limited = false;  ///< by an area of interest or a raster
+    RoofScore score;
+};
+
+/// Reads two layers of roof planes (`roofs`, or as the request names them) with the buildings under them,
+/// brings them to one CRS and compares them. Warns if a side is empty. @throws InputError: one cannot be
+/// read, has no elevations, or they do not overlap. @throws OptionError: no such layer or field
+[[nodiscard]] RoofScoreRun compare_roofs(const ScoreRequest& request, const Callbacks& callbacks = {});
 
 }  // namespace d2b
