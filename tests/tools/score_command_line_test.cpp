@@ -41,7 +41,8 @@ TEST(ScoreCommandLine, hasDefaults) {
     const ScoreCommand request = parse_score_command_line({"a", "b"});
     EXPECT_EQ(request.min_object_m2, 50);
     EXPECT_EQ(request.layer + request.reference_layer + request.area_of_interest + request.dem, "");
-    EXPECT_FALSE(request.json || request.quiet || request.help || request.version || request.man_page);
+    EXPECT_FALSE(request.roofs || request.json || request.quiet || request.help || request.version ||
+                 request.man_page);
 }
 
 TEST(ScoreCommandLine, takesFileNamesBehindTwoDashes) {
@@ -82,6 +83,22 @@ TEST(ScoreCommandLine, refusesWrongValues) {
               "-min_object must be a number of at least 0, not '-1'.");
     EXPECT_EQ(refusal_of_score({"a", "b", "-min_object", "big"}),
               "-min_object must be a number of at least 0, not 'big'.");
+}
+
+TEST(ScoreCommandLine, comparesRoofs) {
+    const ScoreCommand request = parse_score_command_line({"-roofs", "-roof_types", "t.gpkg", "a", "b"});
+    EXPECT_TRUE(request.roofs);
+    EXPECT_EQ(request.roof_types, "t.gpkg");
+    EXPECT_EQ(
+        refusal_of_score({"-roofs", "-height_field", "h", "a", "b"}),
+        "-height_field has no effect with -roofs, because planes have elevations; leave one of them out.");
+    EXPECT_EQ(refusal_of_score({"-roof_types", "t.gpkg", "a", "b"}),
+              "-roof_types has no effect without -roofs; give -roofs, too, or leave it out.");
+}
+
+TEST(ScoreHelp, leavesOptionsOfRoofsOutOfThoseOfFootprints) {
+    EXPECT_NE(score_options_json().find("min_object"), std::string::npos);
+    EXPECT_EQ(score_options_json().find("roof_types"), std::string::npos);
 }
 
 TEST(ScoreHelp, namesEveryOptionAndFitsALine) {
