@@ -136,8 +136,10 @@ void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warni
 
 void refuse_missing_field(OGRLayerH layer, const std::string& dataset, const std::string& field) {
     const OGRFeatureDefnH schema = OGR_L_GetLayerDefn(layer);
+    const int count = OGR_FD_GetFieldCount(schema);
     std::vector<std::string> names;
-    for (int i = 0; i < OGR_FD_GetFieldCount(schema); ++i)
+    names.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
         names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(schema, i)));
     throw OptionError(
         "The layer '" + std::string(OGR_L_GetName(layer)) + "' of '" + dataset + "' has no field '" + field +
