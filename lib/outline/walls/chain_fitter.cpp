@@ -166,7 +166,7 @@ std::vector<StepMidpoints::Candidate> StepMidpoints::candidates(const ChainFitMo
     for (std::size_t k = stretch.first; k < stretch.last; ++k) {
         if ((k > stretch.first || whole) && is_vertex(k, stretch.mode))
             points.push_back({samples_.at(k), k, true, stretch.mode == FitMode::beveled && is_node(k)});
-        points.push_back({0.5 * (samples_.at(k) + samples_.at(k + 1)), k, false, false});
+        points.push_back({samples_.midpoint(k), k, false, false});
     }
     return points;
 }

@@ -208,7 +208,7 @@ CircleMoments moments(const TraceSums& samples, std::size_t first, std::size_t l
     CircleMoments m;
     m.mean = samples.sums(first, last).mean;
     for (std::size_t i = first; i < last; ++i) {
-        const Vec2 p = 0.5 * (samples.at(i) + samples.at(i + 1)) - m.mean;
+        const Vec2 p = samples.midpoint(i) - m.mean;
         const double z = dot(p, p);
         m.xx += p.x * p.x;
         m.xy += p.x * p.y;

@@ -86,6 +86,10 @@ class TraceSums {
     [[nodiscard]] std::size_t steps() const { return steps_; }
     /// Lattice point at the beginning of a step. Steps of closed chains wrap around.
     [[nodiscard]] Vec2 at(std::size_t step) const { return points_[wrap(step)]; }
+    /// Middle of a step.
+    [[nodiscard]] Vec2 midpoint(std::size_t step) const { return 0.5 * (at(step) + at(step + 1)); }
+    /// Length of the longest step.
+    [[nodiscard]] double longest_step() const { return shape_.longer_side(); }
     /// Calls visit(step, point) for the corners and ends in [first, last], until it returns false.
     template <typename Visit>
     void for_corners(std::size_t first, std::size_t last, const Visit& visit) const {

@@ -10,6 +10,8 @@
 namespace d2b::outline {
 
 constexpr double degree = std::numbers::pi / 180;  // in radians
+constexpr double min_turn = 12 * degree;           ///< between two walls; flatter corners are not corners
+constexpr double sharpest_turn = 122 * degree;     ///< same, unless the trace itself has a sharper corner
 
 /// Directions in which the walls of a chain may run, in radians modulo 90 degrees.
 struct WallDirections {

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "core/grid.hpp"
+#include "outline/walls/backward_walls.hpp"
+#include "outline/walls/wall_adjustment.hpp"
 
 namespace d2b::outline {
 namespace {
@@ -21,10 +23,8 @@ constexpr double diagonal_price = 1.7;
 constexpr double single_price = 2.0;
 constexpr double oblique_price = 0.8;  // of a corner that is not right, in addition
 
-constexpr double soft_distance = 0.75;    // cells below which a distance counts by its square
-constexpr double tie = 0.04;              // per cell that runs across its wall, times the root of the price
-constexpr double min_turn = 12 * degree;  // flatter corners are not corners
-constexpr double sharpest_turn = 122 * degree;
+constexpr double soft_distance = 0.75;  // cells below which a distance counts by its square
+constexpr double tie = 0.04;            // per cell that runs across its wall, times the root of the price
 constexpr double sharp_turn = 165 * degree;  // where the trace itself has such a corner
 
 /// Lines cross far from the trace if their angle is small, so they change only near it: shares of the reach
@@ -166,14 +166,11 @@ class PathFinder {
     void set_costs();
     /// Offset of the midpoint of a step from the first point of the chain, in intervals.
     [[nodiscard]] double offset(std::size_t step, std::size_t heading) const {
-        return cross(headings_[heading].along, midpoint(step)) * per_interval_;
+        return cross(headings_[heading].along, samples_.midpoint(step)) * per_interval_;
     }
     /// Offset of the middle of the window of a heading at a step.
     [[nodiscard]] std::int64_t base(std::size_t step, std::size_t heading) const {
         return static_cast<std::int64_t>(nearest_integer(offset(step, heading)));
-    }
-    [[nodiscard]] Vec2 midpoint(std::size_t step) const {
-        return 0.5 * (samples_.at(step) + samples_.at(step + 1));
     }
 
     /// Sets the costs of the first step. @param line the only one, if it is given
@@ -290,7 +287,7 @@ void PathFinder::set_costs() {
 /// porch would vanish behind a wall of no length.
 void PathFinder::set_steps(std::size_t step) {
     const Vec2 along = samples_.at(step + 1) - samples_.at(step);
-    const Vec2 middle = samples_.at(step) + 0.5 * along;
+    const Vec2 middle = samples_.midpoint(step);
     const double size = length(along);
     const double tie_price = tie * std::sqrt(price_);
     const auto farthest = static_cast<std::int64_t>(windows_.padding);
@@ -482,126 +479,6 @@ std::vector<std::uint8_t> sharp_steps(const TraceSums& samples, const std::vecto
     return sharp;
 }
 
-/// Moves the line of a wall to the mean of the midpoints that lie near it.
-void fit_offset(const TraceSums& samples, WallSegment& wall) {
-    constexpr double near = 0.9;  // cells
-    constexpr double min_weight = 0.35;
-    double sum = 0;
-    double weights = 0;
-    for (std::size_t step = wall.first; step < wall.last; ++step) {
-        const Vec2 along = samples.at(step + 1) - samples.at(step);
-        const double weight = dot(along, wall.line.along);
-        const double offset = wall.line.offset(samples.at(step) + 0.5 * along);
-        if (weight <= 0 || std::abs(offset) > near)
-            continue;
-        sum += weight * offset;
-        weights += weight;
-    }
-    if (weights > min_weight)
-        wall.line.through = wall.line.through + sum / weights * Vec2{-wall.line.along.y, wall.line.along.x};
-}
-
-std::optional<Vec2> corner(const WallSegment& a, const WallSegment& b) {
-    return crossing(a.line, b.line, std::sin(min_turn) / 2);
-}
-
-/// Removes walls that run backwards between their corners, because lines cross far from where the trace
-/// turns; their neighbours meet, or become one wall if they are parallel.
-class BackwardWalls {
-  public:
-    /// @param end last step of an open chain; of a closed one, the number of its steps
-    BackwardWalls(std::vector<WallSegment>& walls, bool closed, std::size_t end)
-        : walls_(walls), closed_(closed), end_(end) {}
-    void remove();
-
-  private:
-    [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 < walls_.size() ? i + 1 : 0; }
-    [[nodiscard]] std::size_t previous(std::size_t i) const { return (i > 0 ? i : walls_.size()) - 1; }
-    [[nodiscard]] bool runs_backwards(std::size_t i) const;
-    /// Number of steps, from the beginnings of walls alone, which are what is kept up to date.
-    [[nodiscard]] std::size_t steps(std::size_t i) const {
-        if (!closed_)
-            return (i + 1 < walls_.size() ? walls_[i + 1].first : end_) - walls_[i].first;
-        const std::size_t size = (walls_[next(i)].first + end_ - walls_[i].first) % end_;
-        return size > 0 ? size : end_;
-    }
-    void unite_neighbours(std::size_t i);
-    void remove_wall(std::size_t i);
-
-    std::vector<WallSegment>& walls_;
-    bool closed_;
-    std::size_t end_;
-};
-
-bool BackwardWalls::runs_backwards(std::size_t i) const {
-    if (!closed_ && (i == 0 || i + 1 == walls_.size()))
-        return false;
-    const auto from = corner(walls_[previous(i)], walls_[i]);
-    const auto to = corner(walls_[i], walls_[next(i)]);
-    return from && to && dot(*to - *from, walls_[i].line.along) < 0;
-}
-
-/// Moves the wall before to the mean of both, weighted by their lengths, and removes the other one.
-void BackwardWalls::unite_neighbours(std::size_t i) {
-    WallSegment& before = walls_[previous(i)];
-    const WallSegment& after = walls_[next(i)];
-    const auto a = static_cast<double>(steps(previous(i)));
-    const auto b = static_cast<double>(steps(next(i)));
-    before.line.through = before.line.through + b / (a + b) * before.line.offset(after.line.through) *
-                                                    Vec2{-before.line.along.y, before.line.along.x};
-    const std::size_t high = std::max(i, next(i));
-    const std::size_t low = std::min(i, next(i));
-    walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(high));
-    walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(low));
-}
-
-/// Removes a wall; each neighbour takes half of its steps.
-void BackwardWalls::remove_wall(std::size_t i) {
-    if (closed_ || (i > 0 && i + 1 < walls_.size()))
-        walls_[next(i)].first = walls_[i].first + steps(i) / 2;
-    else if (i == 0)
-        walls_[1].first = walls_[0].first;
-    if (closed_)
-        walls_[next(i)].first %= end_;
-    walls_.erase(walls_.begin() + static_cast<std::ptrdiff_t>(i));
-}
-
-void BackwardWalls::remove() {
-    const std::size_t least = closed_ ? 4 : 3;
-    if (closed_)
-        for (WallSegment& wall : walls_)
-            wall.first %= end_;
-    std::size_t i = 0;
-    for (std::size_t sound = 0; walls_.size() >= least && sound < walls_.size();) {
-        if (i >= walls_.size())
-            i = 0;
-        const Vec2 a = walls_[previous(i)].line.along;
-        const Vec2 b = walls_[next(i)].line.along;
-        const double turn = std::atan2(std::abs(cross(a, b)), dot(a, b));
-        const bool parallel = turn < min_turn / 2;
-        if (!runs_backwards(i) || (parallel && walls_.size() == least)) {
-            ++i;
-            ++sound;
-            continue;
-        }
-        sound = 0;
-        if (parallel) {
-            unite_neighbours(i);
-        } else if (turn > sharpest_turn) {
-            // The neighbours cannot meet, so that the shorter one goes.
-            const bool last = steps(next(i)) < steps(previous(i));
-            remove_wall(last ? next(i) : previous(i));
-        } else {
-            remove_wall(i);
-        }
-        i = i > 1 ? i - 2 : 0;
-    }
-    if (closed_)
-        std::rotate(walls_.begin(), std::ranges::min_element(walls_, {}, &WallSegment::first), walls_.end());
-    for (std::size_t k = 0; k < walls_.size(); ++k)
-        walls_[k].last = walls_[k].first + steps(k);
-}
-
 /// Middle of the longest stretch, at which a closed chain is cut.
 std::size_t middle_of_longest(const TraceSums& samples, const std::vector<std::size_t>& points) {
     std::size_t best = 0;
@@ -669,133 +546,10 @@ std::optional<std::vector<WallSegment>> find_walls(const TraceSums& samples, std
     }
     for (WallSegment& wall : walls)
         fit_offset(samples, wall);
-    BackwardWalls(walls, around, around ? steps : last).remove();
+    remove_backward_walls(around, around ? steps : last, walls);
     if (around && walls.size() < 3)
         return {};
     return walls;
-}
-
-std::optional<std::vector<WallSegment>> fit_rectangle(const TraceSums& samples, double frame) {
-    const Vec2 u{std::cos(frame), std::sin(frame)};
-    const Vec2 v{-u.y, u.x};
-    // Area and moments of the ring in the frame, by Green's theorem.
-    double twice = 0;
-    Vec2 first;
-    Vec2 second;
-    for (std::size_t i = 0; i < samples.steps(); ++i) {
-        const Vec2 a{dot(samples.at(i), u), dot(samples.at(i), v)};
-        const Vec2 b{dot(samples.at(i + 1), u), dot(samples.at(i + 1), v)};
-        const double part = cross(a, b);
-        twice += part;
-        first = first + part * (a + b);
-        second = second + part * Vec2{a.x * a.x + a.x * b.x + b.x * b.x, a.y * a.y + a.y * b.y + b.y * b.y};
-    }
-    const double area = twice / 2;
-    const Vec2 centre = 1 / (3 * twice) * first;
-    const double variance_u = second.x / (12 * area) - centre.x * centre.x;
-    const double variance_v = second.y / (12 * area) - centre.y * centre.y;
-    if (!(variance_u > 0) || !(variance_v > 0))
-        return {};
-    const double proportion = std::sqrt(std::sqrt(variance_u / variance_v));
-    const double half = std::sqrt(std::abs(area)) / 2;
-    const double half_u = half * proportion;
-    const double half_v = half / proportion;
-    // The corners in the order of the chain, and the steps nearest to them.
-    const double way = area > 0 ? 1 : -1;
-    std::array<std::size_t, 4> steps{};
-    std::array<Vec2, 4> corners{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const double along = k == 1 || k == 2 ? half_u : -half_u;
-        const double across = way * (k >= 2 ? half_v : -half_v);
-        corners[k] = (centre.x + along) * u + (centre.y + across) * v;
-        for (std::size_t i = 1; i < samples.steps(); ++i)
-            if (length(samples.at(i) - corners[k]) < length(samples.at(steps[k]) - corners[k]))
-                steps[k] = i;
-    }
-    const auto begin = static_cast<std::size_t>(std::ranges::min_element(steps) - steps.begin());
-    std::vector<WallSegment> walls;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const std::size_t k = (begin + i) % 4;
-        const std::size_t next = (k + 1) % 4;
-        const std::size_t last = i < 3 ? steps[next] : steps[begin] + samples.steps();
-        if (last <= steps[k])
-            return {};
-        const Vec2 side = corners[next] - corners[k];
-        walls.push_back({steps[k], last, 0, {corners[k], 1 / length(side) * side}, {}});
-    }
-    return walls;
-}
-
-double align_frames(const TraceSums& samples, const std::vector<WallSegment>& walls,
-                    WallDirections& directions) {
-    constexpr double near = 1;        // cells
-    constexpr double min_length = 5;  // cells
-    constexpr double most = 4 * degree;
-    const std::size_t n = directions.frames.size() + directions.single.size();
-    std::vector<double> turns(n + 1);
-    std::vector<double> weights(n + 1);
-    for (const WallSegment& wall : walls) {
-        if (wall.circle || wall.family > static_cast<int>(n))
-            continue;
-        double w = 0;
-        double x = 0;
-        double y = 0;
-        double xx = 0;
-        double xy = 0;
-        for (std::size_t step = wall.first; step < wall.last; ++step) {
-            const Vec2 along = samples.at(step + 1) - samples.at(step);
-            const Vec2 middle = samples.at(step) + 0.5 * along;
-            const double weight = std::abs(dot(along, wall.line.along));
-            const double offset = wall.line.offset(middle);
-            if (std::abs(offset) > near)
-                continue;
-            const double at = dot(middle, wall.line.along);
-            w += weight;
-            x += weight * at;
-            y += weight * offset;
-            xx += weight * at * at;
-            xy += weight * at * offset;
-        }
-        if (w < min_length)
-            continue;
-        const double variance = xx - x * x / w;
-        // The walls at 45 degrees follow the main direction.
-        const std::size_t slot =
-            static_cast<std::size_t>(wall.family) == n ? 0 : static_cast<std::size_t>(wall.family);
-        turns[slot] += xy - x * y / w;
-        weights[slot] += variance;
-    }
-    double largest = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        if (!(weights[i] > 0))
-            continue;
-        const double turn = std::clamp(turns[i] / weights[i], -most, most);
-        double& direction = i < directions.frames.size() ? directions.frames[i]
-                                                         : directions.single[i - directions.frames.size()];
-        direction += turn;
-        largest = std::max(largest, std::abs(turn));
-    }
-    return largest;
-}
-
-void turn_walls(const TraceSums& samples, const WallDirections& from, const WallDirections& to,
-                std::vector<WallSegment>& walls) {
-    const std::size_t frames = from.frames.size();
-    for (WallSegment& wall : walls) {
-        if (wall.circle)
-            continue;
-        const auto family = static_cast<std::size_t>(wall.family);
-        const bool single = family >= frames && family < frames + from.single.size();
-        const std::size_t frame = family < frames ? family : 0;
-        const double turn = single ? to.single[family - frames] - from.single[family - frames]
-                                   : to.frames[frame] - from.frames[frame];
-        wall.line.through = wall.line.project(samples.sums(wall.first, wall.last).mean);
-        const Vec2 along = wall.line.along;
-        const double c = std::cos(turn);
-        const double s = std::sin(turn);
-        wall.line.along = {c * along.x - s * along.y, s * along.x + c * along.y};
-        fit_offset(samples, wall);
-    }
 }
 
 }  // namespace d2b::outline

@@ -26,19 +26,4 @@ namespace d2b::outline {
     const TraceSums& samples, std::size_t first, std::size_t last, const std::vector<std::size_t>& points,
     const WallParameters& parameters, const WallDirections& directions, const StopToken& stop);
 
-/// Rectangle with the area, the centroid and the proportions of a closed chain, for rings too small for a
-/// path.
-/// @param frame direction of its sides in radians
-/// @return nullopt if its corners are not near four steps in the order of the chain
-[[nodiscard]] std::optional<std::vector<WallSegment>> fit_rectangle(const TraceSums& samples, double frame);
-
-/// Turns frames to the walls that follow them, by least squares over the midpoints of their steps.
-/// @return largest turn in radians
-double align_frames(const TraceSums& samples, const std::vector<WallSegment>& walls,
-                    WallDirections& directions);
-
-/// Turns walls from their directions to others that differ slightly, about the middle of their steps.
-void turn_walls(const TraceSums& samples, const WallDirections& from, const WallDirections& to,
-                std::vector<WallSegment>& walls);
-
 }  // namespace d2b::outline

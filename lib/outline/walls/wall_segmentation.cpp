@@ -14,7 +14,9 @@
 
 #include "core/stop_token.hpp"
 #include "outline/walls/chain_polyline.hpp"
+#include "outline/walls/wall_adjustment.hpp"
 #include "outline/walls/wall_path.hpp"
+#include "outline/walls/wall_rectangle.hpp"
 
 namespace d2b::outline {
 
@@ -86,7 +88,7 @@ std::optional<WallSegment> fit_arc(const TraceSums& samples, const WallParameter
     double largest = 0;
     const double limit = std::min(parameters.tolerance, max_arc_distance) - wall_clearance;
     for (std::size_t i = first; i < last; ++i) {
-        squares += std::pow(circle->offset(0.5 * (samples.at(i) + samples.at(i + 1))), 2);
+        squares += std::pow(circle->offset(samples.midpoint(i)), 2);
         largest = std::max(largest, std::abs(circle->offset(samples.at(i))));
         if (largest > limit)
             return {};
@@ -310,7 +312,7 @@ void Separator::find_events(const WallSegment& segment) {
     for (std::size_t step = segment.first; step < segment.last; ++step) {
         // Bays and corners that the wall cuts off say nothing about its position.
         const Vec2 along = samples_.at(step + 1) - samples_.at(step);
-        if (std::abs(segment.line.offset(samples_.at(step) + 0.5 * along)) > max_move + 0.5 ||
+        if (std::abs(segment.line.offset(samples_.midpoint(step))) > max_move + 0.5 ||
             dot(along, segment.line.along) * dot(run, segment.line.along) <= 0)
             continue;
         const TraceSums::Cells cells = samples_.adjacent_cells(step);
@@ -384,7 +386,7 @@ bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallParamete
         return false;
     if (turn_frames) {
         WallDirections turned = directions;
-        if (align_frames(samples_, *segments, turned) < slight)
+        if (adjust_frames(samples_, *segments, turned) < slight)
             turn_walls(samples_, directions, turned, *segments);
         else if (auto again = divide(samples_, points, arcs, parameters, turned, stop))
             segments = std::move(again);
