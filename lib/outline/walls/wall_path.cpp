@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -49,6 +50,25 @@ struct Heading {
     Vec2 along;
     int family;
     double price;
+};
+
+/// Change from one family of headings to another, by a number of quarters of a turn.
+struct Turn {
+    std::size_t zone;
+    float cost;  ///< infinite if it is forbidden
+};
+
+/// A turn for all headings of a family.
+struct FamilyTurn {
+    std::size_t ending;     ///< index of the first heading that ends
+    std::size_t beginning;  ///< index of the first heading that begins
+    float cost;
+};
+
+/// Turns that are allowed at a step.
+struct Turns {
+    std::vector<Turn> all;            ///< [from family][to family][quarters]
+    std::vector<FamilyTurn> allowed;  ///< the same without forbidden ones
 };
 
 /// Line of a step: a heading and an offset, in intervals from the first point of the chain.
@@ -100,15 +120,28 @@ struct HeadingStep {
 
 /// Layout of the costs of a step: for each heading, a window of lines between paddings of infinite costs.
 struct Windows {
-    std::size_t width;    ///< a multiple of `lanes`
-    std::size_t padding;  ///< on either side
-    std::size_t stride;
+    std::size_t width;         ///< a multiple of `lanes`
+    std::size_t padding;       ///< before and after each window
     std::vector<float> zones;  ///< [zone][line]: 0 if the line belongs to the zone, otherwise infinite
+
+    [[nodiscard]] std::size_t begin(std::size_t heading) const {
+        return padding + heading * (width + padding);
+    }
 };
 constexpr std::size_t lanes = 8;
+constexpr std::size_t quarters = 4;  // headings of a family
+
+/// Least of the values of lanes.
+float least_of(std::array<float, lanes>& values) {
+    for (std::size_t half = lanes / 2; half > 0; half /= 2)
+        for (std::size_t i = 0; i < half; ++i)
+            values[i] = std::min(values[i], values[i + half]);
+    return values[0];
+}
 
 /// Advances all headings by a step, and finds the least cost of each in each zone.
-/// @param beginnings costs of beginning a wall, [zone][heading] @param endings [zone][heading]
+/// @param beginnings costs of beginning a wall, [zone][heading]
+/// @param endings [zone][family][twice the quarters]
 D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector<HeadingStep>& steps,
                                        const float* before, const float* beginnings, float* costs,
                                        float* endings) {
@@ -116,11 +149,11 @@ D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector
     const float* wide = windows.zones.data();
     const float* middle = wide + windows.width;
     const float* narrow = middle + windows.width;
-    const float* valid = narrow + windows.width;
+    std::fill_n(costs, windows.padding, infinite);
     for (std::size_t h = 0; h < n; ++h) {
         const HeadingStep& step = steps[h];
-        const std::size_t begin = h * windows.stride + windows.padding;
-        const float* same = before + begin + step.moved;
+        const std::size_t begin = windows.begin(h);
+        const float* same = before + static_cast<std::ptrdiff_t>(begin) + step.moved;
         float* own = costs + begin;
         const float from_wide = beginnings[h];
         const float from_middle = beginnings[n + h];
@@ -134,22 +167,26 @@ D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector
                 float cost = std::min(same[w], from_wide + wide[w]);
                 cost = std::min(cost, from_middle + middle[w]);
                 cost = std::min(cost, from_narrow + narrow[w]);
-                cost += step.factor * step.costs[w] + step.fixed + valid[w];
+                cost += step.factor * step.costs[w] + step.fixed;
                 own[w] = cost;
                 least[0][lane] = std::min(least[0][lane], cost + wide[w]);
                 least[1][lane] = std::min(least[1][lane], cost + middle[w]);
                 least[2][lane] = std::min(least[2][lane], cost + narrow[w]);
             }
-        for (std::size_t z = 0; z < zone_count; ++z)
-            endings[z * n + h] = *std::ranges::min_element(least[z]);
+        std::fill_n(own + windows.width, windows.padding, infinite);
+        for (std::size_t z = 0; z < zone_count; ++z) {
+            float* ending = endings + 2 * (z * n + h - h % quarters) + h % quarters;
+            ending[0] = ending[quarters] = least_of(least[z]);
+        }
     }
 }
 
 /// Shortest path over the lines of consecutive steps.
 class PathFinder {
   public:
+    /// @param longest largest number of steps of a path
     PathFinder(const TraceSums& samples, const WallParameters& parameters, std::vector<Heading> headings,
-               std::vector<std::uint8_t> sharp, const StopToken& stop);
+               std::vector<std::uint8_t> sharp, std::size_t longest, const StopToken& stop);
 
     /// @param first, last steps @param ends lines of the first and the last step, if they are given
     /// @return line of each step; empty if there is no path
@@ -162,8 +199,14 @@ class PathFinder {
     static constexpr std::size_t fractions = 16;
     static constexpr std::size_t block = 1024;  // steps whose costs are kept; those of others are found again
 
-    void set_jumps();
+    void set_turns();
     void set_costs();
+    [[nodiscard]] std::size_t families() const { return headings_.size() / quarters; }
+    /// Turn from one heading to another.
+    [[nodiscard]] const Turn& turn(const Turns& turns, std::size_t from, std::size_t to) const {
+        return turns.all[(from / quarters * families() + to / quarters) * quarters +
+                         (to + quarters - from % quarters) % quarters];
+    }
     /// Offset of the midpoint of a step from the first point of the chain, in intervals.
     [[nodiscard]] double offset(std::size_t step, std::size_t heading) const {
         return cross(headings_[heading].along, samples_.midpoint(step)) * per_interval_;
@@ -188,8 +231,12 @@ class PathFinder {
     /// path
     [[nodiscard]] std::optional<WallLine> cheapest_line(std::size_t step, const float* costs,
                                                         const std::optional<WallLine>& only) const;
-    [[nodiscard]] const std::vector<float>& jumps(std::size_t step) const {
-        return sharp_[step % sharp_.size()] != 0 ? sharp_jumps_ : jumps_;
+    [[nodiscard]] const Turns& turns(std::size_t step) const {
+        return sharp_[step % sharp_.size()] != 0 ? sharp_turns_ : turns_;
+    }
+    /// Least cost of a heading in a zone.
+    [[nodiscard]] float& ending(std::size_t zone, std::size_t heading) {
+        return endings_[2 * (zone * headings_.size() + heading - heading % quarters) + heading % quarters];
     }
 
     const TraceSums& samples_;
@@ -204,17 +251,20 @@ class PathFinder {
     std::size_t half_;  // offsets on either side of the middle of a window
     Windows windows_;
     std::array<std::size_t, zone_count> zone_half_{};
-    std::vector<float> jumps_;  // [zone][from][to]
-    std::vector<float> sharp_jumps_;
+    Turns turns_;
+    Turns sharp_turns_;
     std::vector<float> distance_costs_;  // [fraction][offset]
     std::vector<HeadingStep> steps_;     // of the step that is advanced to
     std::vector<std::int64_t> bases_;    // of that step
-    std::vector<float> endings_;         // least costs of a wall that ends, [zone][heading]
-    std::vector<float> costs_;           // of the steps of a block
+    std::vector<float> endings_;      // least costs of a wall that ends, [zone][family][twice the quarters]
+    std::size_t row_;                 // size of the costs of a step
+    std::unique_ptr<float[]> costs_;  // of the steps of a block
+    std::unique_ptr<float[]> beginnings_;  // of the block's steps and the next one, [step][zone][heading]
 };
 
 PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameters,
-                       std::vector<Heading> headings, std::vector<std::uint8_t> sharp, const StopToken& stop)
+                       std::vector<Heading> headings, std::vector<std::uint8_t> sharp, std::size_t longest,
+                       const StopToken& stop)
     : samples_(samples),
       stop_(stop),
       headings_(std::move(headings)),
@@ -227,43 +277,49 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
       half_(static_cast<std::size_t>(reach(parameters.tolerance) / interval_)),
       steps_(headings_.size()),
       bases_(headings_.size()),
-      endings_(zone_count * headings_.size()) {
+      endings_(2 * zone_count * headings_.size()) {
     windows_.width = (2 * half_ + lanes) / lanes * lanes;
-    windows_.padding =
-        std::max(windows_.width, static_cast<std::size_t>(2 * parameters.side / interval_) + 2);
-    windows_.stride = windows_.width + 2 * windows_.padding;
-    windows_.zones.assign((zone_count + 1) * windows_.width, infinite);
-    for (std::size_t z = 0; z <= zone_count; ++z) {
-        const std::size_t half =
-            z < zone_count ? static_cast<std::size_t>(zone_shares[z] * static_cast<double>(half_)) : half_;
-        if (z < zone_count)
-            zone_half_[z] = half;
-        std::fill_n(windows_.zones.begin() + static_cast<std::ptrdiff_t>(z * windows_.width + half_ - half),
-                    2 * half + 1, 0.0F);
+    // A window moves by the length of a step at most, and one line by rounding. Beyond its width all is
+    // alike.
+    const auto farthest = static_cast<std::size_t>(samples.longest_step() / interval_) + 2;
+    windows_.padding = std::min(windows_.width, (farthest + lanes - 1) / lanes * lanes);
+    windows_.zones.assign(zone_count * windows_.width, infinite);
+    for (std::size_t z = 0; z < zone_count; ++z) {
+        zone_half_[z] = static_cast<std::size_t>(zone_shares[z] * static_cast<double>(half_));
+        std::fill_n(
+            windows_.zones.begin() + static_cast<std::ptrdiff_t>(z * windows_.width + half_ - zone_half_[z]),
+            2 * zone_half_[z] + 1, 0.0F);
     }
-    set_jumps();
+    row_ = windows_.begin(headings_.size());
+    costs_ = std::make_unique_for_overwrite<float[]>(std::min(longest, block) * row_);
+    beginnings_ = std::make_unique_for_overwrite<float[]>((std::min(longest, block) + 1) * zone_count *
+                                                          headings_.size());
+    set_turns();
     set_costs();
 }
 
-void PathFinder::set_jumps() {
-    const std::size_t n = headings_.size();
-    jumps_.assign(zone_count * n * n, infinite);
-    sharp_jumps_ = jumps_;
+void PathFinder::set_turns() {
+    const std::size_t n = families();
     for (std::size_t from = 0; from < n; ++from)
-        for (std::size_t to = 0; to < n; ++to) {
-            const double cosine = dot(headings_[from].along, headings_[to].along);  // of the turn
-            const std::size_t zone = std::abs(cosine) < wide_cosine     ? 0
-                                     : std::abs(cosine) < narrow_cosine ? 1
-                                                                        : 2;
-            const bool right = std::abs(cosine) < right_cosine;
-            const auto cost =
-                static_cast<float>(price_ * (headings_[to].price + (right ? 0 : oblique_price)));
-            const std::size_t place = (zone * n + from) * n + to;
-            if (cosine < flat_cosine && cosine > sharpest_cosine)
-                jumps_[place] = cost;
-            if (cosine < flat_cosine && cosine > sharp_cosine)
-                sharp_jumps_[place] = cost;
-        }
+        for (std::size_t to = 0; to < n; ++to)
+            for (std::size_t q = 0; q < quarters; ++q) {
+                const Heading& end = headings_[to * quarters + q];
+                const double cosine = dot(headings_[from * quarters].along, end.along);  // of the turn
+                const std::size_t zone = std::abs(cosine) < wide_cosine     ? 0
+                                         : std::abs(cosine) < narrow_cosine ? 1
+                                                                            : 2;
+                const bool right = std::abs(cosine) < right_cosine;
+                const auto cost = static_cast<float>(price_ * (end.price + (right ? 0 : oblique_price)));
+                const auto add = [&](double sharpest, Turns& turns) {
+                    const bool allowed = cosine < flat_cosine && cosine > sharpest;
+                    turns.all.push_back({zone, allowed ? cost : infinite});
+                    if (allowed)
+                        turns.allowed.push_back({2 * (zone * n + from) * quarters + (quarters - q) % quarters,
+                                                 (zone * n + to) * quarters, cost});
+                };
+                add(sharpest_cosine, turns_);
+                add(sharp_cosine, sharp_turns_);
+            }
 }
 
 /// Distances beyond the soft one count as areas; those of lower ground more, because a cell of it in a
@@ -280,6 +336,8 @@ void PathFinder::set_costs() {
             distance_costs_[f * width + w] = static_cast<float>(
                 away < soft_distance ? away * away / (2 * soft_distance)
                                      : factor * (away - soft_distance) + soft_distance / 2);
+            if (w > 2 * half_)
+                distance_costs_[f * width + w] = infinite;
         }
 }
 
@@ -305,10 +363,10 @@ void PathFinder::set_steps(std::size_t step) {
 }
 
 void PathFinder::begin(std::size_t step, const std::optional<WallLine>& line, float* costs) {
-    std::fill(costs, costs + headings_.size() * windows_.stride, infinite);
+    std::fill_n(costs, row_, infinite);
     set_steps(step);
     for (std::size_t h = 0; h < headings_.size(); ++h) {
-        float* own = costs + h * windows_.stride + windows_.padding;
+        float* own = costs + windows_.begin(h);
         if (!line) {
             for (std::size_t w = 0; w <= 2 * half_; ++w)
                 own[w] = steps_[h].factor * steps_[h].costs[w] + steps_[h].fixed;
@@ -322,30 +380,30 @@ void PathFinder::begin(std::size_t step, const std::optional<WallLine>& line, fl
 }
 
 void PathFinder::find_endings(const float* costs) {
-    const std::size_t n = headings_.size();
     for (std::size_t z = 0; z < zone_count; ++z)
-        for (std::size_t h = 0; h < n; ++h) {
-            const float* middle = costs + h * windows_.stride + windows_.padding + half_;
-            endings_[z * n + h] = *std::min_element(middle - zone_half_[z], middle + zone_half_[z] + 1);
+        for (std::size_t h = 0; h < headings_.size(); ++h) {
+            const float* middle = costs + windows_.begin(h) + half_;
+            float* least = &ending(z, h);
+            least[0] = least[quarters] =
+                *std::min_element(middle - zone_half_[z], middle + zone_half_[z] + 1);
         }
 }
 
 void PathFinder::advance(std::size_t step, const float* before, float* costs, float* beginnings) {
-    const std::size_t n = headings_.size();
-    std::fill(beginnings, beginnings + zone_count * n, infinite);
-    const float* jump = jumps(step).data();
-    for (std::size_t z = 0; z < zone_count; ++z)
-        for (std::size_t from = 0; from < n; ++from, jump += n)
-            if (endings_[z * n + from] < infinite)
-                for (std::size_t h = 0; h < n; ++h)
-                    beginnings[z * n + h] = std::min(beginnings[z * n + h], endings_[z * n + from] + jump[h]);
+    std::fill_n(beginnings, zone_count * headings_.size(), infinite);
+    for (const FamilyTurn& turn : turns(step).allowed) {
+        const float* ended = endings_.data() + turn.ending;
+        float* begun = beginnings + turn.beginning;
+        for (std::size_t q = 0; q < quarters; ++q)
+            begun[q] = std::min(begun[q], ended[q] + turn.cost);
+    }
     set_steps(step);
     advance_headings(windows_, steps_, before, beginnings, costs, endings_.data());
     // Costs stay small, because sums of floats are exact to a share of their size.
     if (step % 64 == 0) {
         const float least = *std::ranges::min_element(endings_);
         if (least < infinite) {
-            for (std::size_t i = 0; i < n * windows_.stride; ++i)
+            for (std::size_t i = 0; i < row_; ++i)
                 costs[i] -= least;
             for (float& ending : endings_)
                 ending -= least;
@@ -358,10 +416,9 @@ WallLine PathFinder::before(std::size_t step, WallLine line, const float* costs,
     const auto half = static_cast<std::int64_t>(half_);
     const std::int64_t own = line.offset - base(step, line.heading);
     const std::int64_t same = line.offset - base(step - 1, line.heading);
-    float least =
-        std::abs(same) <= half
-            ? costs[line.heading * windows_.stride + windows_.padding + static_cast<std::size_t>(same + half)]
-            : infinite;
+    float least = std::abs(same) <= half
+                      ? costs[windows_.begin(line.heading) + static_cast<std::size_t>(same + half)]
+                      : infinite;
     std::optional<std::size_t> turned;
     for (std::size_t z = 0; z < zone_count; ++z)
         if (std::abs(own) <= static_cast<std::int64_t>(zone_half_[z]) &&
@@ -372,13 +429,16 @@ WallLine PathFinder::before(std::size_t step, WallLine line, const float* costs,
     if (!turned)
         return line;
     find_endings(costs);
-    const float* jump = jumps(step).data() + *turned * n * n;
     std::size_t from = 0;
-    while (endings_[*turned * n + from] + jump[from * n + line.heading] != least)
+    const auto is_best = [&] {
+        const Turn& there = turn(turns(step), from, line.heading);
+        return there.zone == *turned && ending(*turned, from) + there.cost == least;
+    };
+    while (!is_best())
         ++from;
-    const float* ended = costs + from * windows_.stride + windows_.padding;
+    const float* ended = costs + windows_.begin(from);
     std::size_t offset = half_ - zone_half_[*turned];
-    while (ended[offset] != endings_[*turned * n + from])
+    while (ended[offset] != ending(*turned, from))
         ++offset;
     return {from, base(step - 1, from) + static_cast<std::int64_t>(offset) - half};
 }
@@ -388,51 +448,47 @@ std::optional<WallLine> PathFinder::cheapest_line(std::size_t step, const float*
     const auto half = static_cast<std::int64_t>(half_);
     if (only) {
         const std::int64_t w = only->offset - base(step, only->heading);
-        const std::size_t begin = only->heading * windows_.stride + windows_.padding;
-        if (std::abs(w) > half || costs[begin + static_cast<std::size_t>(w + half)] == infinite)
+        if (std::abs(w) > half ||
+            costs[windows_.begin(only->heading) + static_cast<std::size_t>(w + half)] == infinite)
             return {};
         return only;
     }
-    const std::size_t size = headings_.size() * windows_.stride;
-    const auto least = static_cast<std::size_t>(std::min_element(costs, costs + size) - costs);
+    const auto least = static_cast<std::size_t>(std::min_element(costs, costs + row_) - costs);
     if (costs[least] == infinite)
         return {};
-    const std::size_t heading = least / windows_.stride;
-    return WallLine{heading, base(step, heading) + static_cast<std::int64_t>(least % windows_.stride) -
-                                 static_cast<std::int64_t>(windows_.padding) - half};
+    const std::size_t heading = (least - windows_.padding) / (windows_.width + windows_.padding);
+    return WallLine{heading, base(step, heading) + static_cast<std::int64_t>(least) -
+                                 static_cast<std::int64_t>(windows_.begin(heading)) - half};
 }
 
 std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
                                        const std::optional<std::pair<WallLine, WallLine>>& ends) {
     const std::size_t n = last - first;
-    const std::size_t size = headings_.size() * windows_.stride;
     const std::size_t blocks = (n + block - 1) / block;
-    std::vector<float> starts(blocks * size, infinite);  // costs of the first step of each block
-    if (costs_.size() < std::min(n, block) * size)
-        costs_.resize(std::min(n, block) * size, infinite);
-    const std::size_t turns = zone_count * headings_.size();
-    std::vector<float> beginnings(std::min(n, block + 1) * turns);  // of the block's steps and the next one
+    std::vector<float> starts(blocks * row_);  // costs of the first step of each block
+    const auto beginnings = [&](std::size_t k) {
+        return beginnings_.get() + k * zone_count * headings_.size();
+    };
     const auto fill = [&](std::size_t b) {
-        std::copy_n(starts.begin() + static_cast<std::ptrdiff_t>(b * size), size, costs_.begin());
+        std::copy_n(starts.data() + b * row_, row_, costs_.get());
         for (std::size_t h = 0; h < headings_.size(); ++h)
             bases_[h] = base(first + b * block, h);
-        find_endings(costs_.data());
+        find_endings(costs_.get());
         const std::size_t end = std::min(n, (b + 1) * block);
         for (std::size_t k = b * block + 1; k < end; ++k) {
             if (k % 64 == 0)
                 stop_.check();
-            float* own = costs_.data() + (k - b * block) * size;
-            advance(first + k, own - size, own, beginnings.data() + (k - b * block) * turns);
+            float* own = costs_.get() + (k - b * block) * row_;
+            advance(first + k, own - row_, own, beginnings(k - b * block));
         }
-        return costs_.data() + (end - 1 - b * block) * size;
+        return costs_.get() + (end - 1 - b * block) * row_;
     };
     begin(first, ends ? std::optional(ends->first) : std::nullopt, starts.data());
     const float* reached = nullptr;
     for (std::size_t b = 0; b < blocks; ++b) {
         reached = fill(b);
         if (b + 1 < blocks)
-            advance(first + (b + 1) * block, reached, starts.data() + (b + 1) * size,
-                    beginnings.data() + block * turns);
+            advance(first + (b + 1) * block, reached, starts.data() + (b + 1) * row_, beginnings(block));
     }
     const std::optional<WallLine> reached_line =
         cheapest_line(last - 1, reached, ends ? std::optional(ends->second) : std::nullopt);
@@ -445,15 +501,15 @@ std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
         if (b + 1 < blocks) {
             // The costs of beginning a wall at the next block are found anew with those of this one.
             const float* end = fill(b);
-            next.resize(size, infinite);
-            advance(first + (b + 1) * block, end, next.data(), beginnings.data() + block * turns);
-            line = before(first + (b + 1) * block, line, end, beginnings.data() + block * turns);
+            next.resize(row_);
+            advance(first + (b + 1) * block, end, next.data(), beginnings(block));
+            line = before(first + (b + 1) * block, line, end, beginnings(block));
         }
         for (std::size_t k = std::min(n, (b + 1) * block); k-- > b * block;) {
             lines[k] = line;
             if (k > b * block)
-                line = before(first + k, line, costs_.data() + (k - b * block - 1) * size,
-                              beginnings.data() + (k - b * block) * turns);
+                line = before(first + k, line, costs_.get() + (k - b * block - 1) * row_,
+                              beginnings(k - b * block));
         }
     }
     return lines;
@@ -504,7 +560,7 @@ std::optional<std::vector<WallSegment>> find_walls(const TraceSums& samples, std
     const std::size_t steps = samples.steps();
     const bool around = samples.closed() && last - first == steps;
     PathFinder finder(samples, parameters, headings_of(directions, parameters.walls, steps >= least_diagonal),
-                      sharp_steps(samples, points), stop);
+                      sharp_steps(samples, points), last - first + 1, stop);
     std::vector<WallLine> lines;
     if (around) {
         // The line at the cut is found first, among the steps around it.
