@@ -139,44 +139,61 @@ float least_of(std::array<float, lanes>& values) {
     return values[0];
 }
 
-/// Advances all headings by a step, and finds the least cost of each in each zone.
+using Lanes = std::array<float, lanes>;
+
+/// Adds infinite costs before or after a window.
+void pad(std::size_t padding, float* costs) {
+    for (std::size_t block = 0; block < padding; block += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            costs[block + lane] = infinite;
+}
+
+/// Advances all headings by a step, and finds the least cost of each in each zone. The costs of a block are
+/// put into a variable first, because they might be anywhere for all that the compiler knows.
 /// @param beginnings costs of beginning a wall, [zone][heading]
 /// @param endings [zone][family][twice the quarters]
 D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector<HeadingStep>& steps,
                                        const float* before, const float* beginnings, float* costs,
                                        float* endings) {
     const std::size_t n = steps.size();
+    const std::size_t width = windows.width;
+    const std::size_t padding = windows.padding;
     const float* wide = windows.zones.data();
-    const float* middle = wide + windows.width;
-    const float* narrow = middle + windows.width;
-    std::fill_n(costs, windows.padding, infinite);
-    for (std::size_t h = 0; h < n; ++h) {
-        const HeadingStep& step = steps[h];
-        const std::size_t begin = windows.begin(h);
-        const float* same = before + static_cast<std::ptrdiff_t>(begin) + step.moved;
-        float* own = costs + begin;
+    const float* middle = wide + width;
+    const float* narrow = middle + width;
+    pad(padding, costs);
+    float* own = costs + padding;
+    before += padding;
+    for (std::size_t h = 0; h < n; ++h, own += width + padding, before += width + padding) {
+        const HeadingStep step = steps[h];
+        const float* same = before + step.moved;
         const float from_wide = beginnings[h];
         const float from_middle = beginnings[n + h];
         const float from_narrow = beginnings[2 * n + h];
-        std::array<std::array<float, lanes>, zone_count> least;
-        for (auto& zone : least)
-            zone.fill(infinite);
-        for (std::size_t block = 0; block < windows.width; block += lanes)
+        Lanes least_wide;
+        Lanes least_middle;
+        Lanes least_narrow;
+        least_wide.fill(infinite);
+        least_middle.fill(infinite);
+        least_narrow.fill(infinite);
+        for (std::size_t block = 0; block < width; block += lanes) {
+            Lanes cost;
             for (std::size_t lane = 0; lane < lanes; ++lane) {
                 const std::size_t w = block + lane;
-                float cost = std::min(same[w], from_wide + wide[w]);
-                cost = std::min(cost, from_middle + middle[w]);
-                cost = std::min(cost, from_narrow + narrow[w]);
-                cost += step.factor * step.costs[w] + step.fixed;
-                own[w] = cost;
-                least[0][lane] = std::min(least[0][lane], cost + wide[w]);
-                least[1][lane] = std::min(least[1][lane], cost + middle[w]);
-                least[2][lane] = std::min(least[2][lane], cost + narrow[w]);
+                const float turned =
+                    std::min(std::min(from_wide + wide[w], from_middle + middle[w]), from_narrow + narrow[w]);
+                cost[lane] = std::min(same[w], turned) + (step.factor * step.costs[w] + step.fixed);
+                least_wide[lane] = std::min(least_wide[lane], cost[lane] + wide[w]);
+                least_middle[lane] = std::min(least_middle[lane], cost[lane] + middle[w]);
+                least_narrow[lane] = std::min(least_narrow[lane], cost[lane] + narrow[w]);
             }
-        std::fill_n(own + windows.width, windows.padding, infinite);
-        for (std::size_t z = 0; z < zone_count; ++z) {
-            float* ending = endings + 2 * (z * n + h - h % quarters) + h % quarters;
-            ending[0] = ending[quarters] = least_of(least[z]);
+            std::copy(cost.begin(), cost.end(), own + block);
+        }
+        pad(padding, own + width);
+        float* ending = endings + 2 * (h - h % quarters) + h % quarters;
+        for (Lanes* least : {&least_wide, &least_middle, &least_narrow}) {
+            ending[0] = ending[quarters] = least_of(*least);
+            ending += 2 * n;
         }
     }
 }
