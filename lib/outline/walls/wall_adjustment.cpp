@@ -40,7 +40,8 @@ double adjust_frames(const TraceSums& samples, const std::vector<WallSegment>& w
         double y = 0;
         double xx = 0;
         double xy = 0;
-        for (std::size_t step = wall.first; step < wall.last; ++step) {
+        const std::size_t cut = steps_at_corner(wall.last - wall.first);
+        for (std::size_t step = wall.first + cut; step < wall.last - cut; ++step) {
             const Vec2 along = samples.at(step + 1) - samples.at(step);
             const Vec2 middle = samples.midpoint(step);
             const double weight = std::abs(dot(along, wall.line.along));

@@ -22,7 +22,8 @@ std::vector<Direction> stretch_directions(const TraceSums& samples, const std::v
     for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
         const std::size_t first = points[i];
         const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
-        const Vec2 along = samples.sums(first, last).direction();
+        const std::size_t cut = steps_at_corner(last - first);
+        const Vec2 along = samples.sums(first + cut, last - cut).direction();
         found.push_back({length(samples.at(last) - samples.at(first)), std::atan2(along.y, along.x)});
     }
     return found;

@@ -19,6 +19,12 @@ struct WallDirections {
     std::vector<double> single;  ///< directions of long stretches that no frame explains
 };
 
+/// Steps at either end of a stretch that say nothing of its direction, because traces cut corners off by a
+/// cell.
+[[nodiscard]] constexpr std::size_t steps_at_corner(std::size_t steps) {
+    return steps < 12 ? 0 : 1;
+}
+
 /// Smallest angle between two directions modulo 90 degrees, in radians, with its sign.
 [[nodiscard]] double angle_between(double from, double to);
 

@@ -379,20 +379,25 @@ std::vector<WallSegment> ChainWalls::segments() const {
 
 bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallParameters& parameters,
                       WallDirections& directions, bool turn_frames, const StopToken& stop) {
-    constexpr double slight = 2.0 / 180 * std::numbers::pi;  // frames that turn by less have the same walls
+    constexpr double slight = 2 * degree;  // frames that turn by less have the same walls
+    constexpr double negligible = 0.1 * degree;
+    constexpr int most_rounds = 3;
     const std::vector<WallSegment> arcs = find_circular_arcs(samples_, points, parameters, stop);
     auto segments = divide(samples_, points, arcs, parameters, directions, stop);
     if (!segments)
         return false;
-    if (turn_frames) {
+    for (int round = 0; turn_frames && round < most_rounds; ++round) {
         WallDirections turned = directions;
-        if (adjust_frames(samples_, *segments, turned) < slight)
+        const double turn = adjust_frames(samples_, *segments, turned);
+        if (turn < slight)
             turn_walls(samples_, directions, turned, *segments);
         else if (auto again = divide(samples_, points, arcs, parameters, turned, stop))
             segments = std::move(again);
         else
-            turned = directions;
+            break;
         directions = std::move(turned);
+        if (turn < negligible)
+            break;
     }
     const double limit = parameters.tolerance - wall_clearance;
     separate_cells(samples_, parameters.higher, limit, *segments);
