@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -67,7 +66,7 @@ struct FamilyTurn {
 
 /// Turns that are allowed at a step.
 struct Turns {
-    std::vector<Turn> all;            ///< [from family][to family][quarters]
+    std::vector<Turn> all;            ///< [from family][to family][quarter turns]
     std::vector<FamilyTurn> allowed;  ///< the same without forbidden ones
 };
 
@@ -129,7 +128,7 @@ struct Windows {
     }
 };
 constexpr std::size_t lanes = 8;
-constexpr std::size_t quarters = 4;  // headings of a family
+constexpr std::size_t quarter_turns = 4;  // headings of a family
 
 /// Least of the values of lanes.
 float least_of(std::array<float, lanes>& values) {
@@ -151,7 +150,7 @@ void pad(std::size_t padding, float* costs) {
 /// Advances all headings by a step, and finds the least cost of each in each zone. The costs of a block are
 /// put into a variable first, because they might be anywhere for all that the compiler knows.
 /// @param beginnings costs of beginning a wall, [zone][heading]
-/// @param endings [zone][family][twice the quarters]
+/// @param endings [zone][family][twice the quarter turns]
 D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector<HeadingStep>& steps,
                                        const float* before, const float* beginnings, float* costs,
                                        float* endings) {
@@ -190,9 +189,9 @@ D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector
             std::copy(cost.begin(), cost.end(), own + block);
         }
         pad(padding, own + width);
-        float* ending = endings + 2 * (h - h % quarters) + h % quarters;
+        float* ending = endings + 2 * (h - h % quarter_turns) + h % quarter_turns;
         for (Lanes* least : {&least_wide, &least_middle, &least_narrow}) {
-            ending[0] = ending[quarters] = least_of(*least);
+            ending[0] = ending[quarter_turns] = least_of(*least);
             ending += 2 * n;
         }
     }
@@ -216,13 +215,15 @@ class PathFinder {
     static constexpr std::size_t fractions = 16;
     static constexpr std::size_t block = 1024;  // steps whose costs are kept; those of others are found again
 
-    void set_turns();
+    [[nodiscard]] Turn turn_between(const Heading& from, const Heading& to, double sharpest) const;
+    /// @param sharpest cosine of the sharpest turn
+    [[nodiscard]] Turns turns_up_to(double sharpest) const;
     void set_costs();
-    [[nodiscard]] std::size_t families() const { return headings_.size() / quarters; }
+    [[nodiscard]] std::size_t families() const { return headings_.size() / quarter_turns; }
     /// Turn from one heading to another.
     [[nodiscard]] const Turn& turn(const Turns& turns, std::size_t from, std::size_t to) const {
-        return turns.all[(from / quarters * families() + to / quarters) * quarters +
-                         (to + quarters - from % quarters) % quarters];
+        return turns.all[(from / quarter_turns * families() + to / quarter_turns) * quarter_turns +
+                         (to + quarter_turns - from % quarter_turns) % quarter_turns];
     }
     /// Offset of the midpoint of a step from the first point of the chain, in intervals.
     [[nodiscard]] double offset(std::size_t step, std::size_t heading) const {
@@ -253,7 +254,8 @@ class PathFinder {
     }
     /// Least cost of a heading in a zone.
     [[nodiscard]] float& ending(std::size_t zone, std::size_t heading) {
-        return endings_[2 * (zone * headings_.size() + heading - heading % quarters) + heading % quarters];
+        return endings_[2 * (zone * headings_.size() + heading - heading % quarter_turns) +
+                        heading % quarter_turns];
     }
 
     const TraceSums& samples_;
@@ -273,10 +275,10 @@ class PathFinder {
     std::vector<float> distance_costs_;  // [fraction][offset]
     std::vector<HeadingStep> steps_;     // of the step that is advanced to
     std::vector<std::int64_t> bases_;    // of that step
-    std::vector<float> endings_;      // least costs of a wall that ends, [zone][family][twice the quarters]
-    std::size_t row_;                 // size of the costs of a step
-    std::unique_ptr<float[]> costs_;  // of the steps of a block
-    std::unique_ptr<float[]> beginnings_;  // of the block's steps and the next one, [step][zone][heading]
+    std::vector<float> endings_;  // least costs of a wall that ends, [zone][family][twice the quarter turns]
+    std::size_t row_;             // size of the costs of a step
+    std::vector<float> costs_;    // of the steps of a block
+    std::vector<float> beginnings_;  // of the block's steps and the next one, [step][zone][heading]
 };
 
 PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameters,
@@ -308,35 +310,37 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
             2 * zone_half_[z] + 1, 0.0F);
     }
     row_ = windows_.begin(headings_.size());
-    costs_ = std::make_unique_for_overwrite<float[]>(std::min(longest, block) * row_);
-    beginnings_ = std::make_unique_for_overwrite<float[]>((std::min(longest, block) + 1) * zone_count *
-                                                          headings_.size());
-    set_turns();
+    costs_.resize(std::min(longest, block) * row_);
+    beginnings_.resize((std::min(longest, block) + 1) * zone_count * headings_.size());
+    turns_ = turns_up_to(sharpest_cosine);
+    sharp_turns_ = turns_up_to(sharp_cosine);
     set_costs();
 }
 
-void PathFinder::set_turns() {
+Turn PathFinder::turn_between(const Heading& from, const Heading& to, double sharpest) const {
+    const double cosine = dot(from.along, to.along);  // of the turn
+    const double size = std::abs(cosine);
+    const std::size_t zone = size < wide_cosine ? 0 : size < narrow_cosine ? 1 : 2;
+    const bool allowed = cosine < flat_cosine && cosine > sharpest;
+    const double price = price_ * (to.price + (size < right_cosine ? 0 : oblique_price));
+    return {zone, allowed ? static_cast<float>(price) : infinite};
+}
+
+Turns PathFinder::turns_up_to(double sharpest) const {
     const std::size_t n = families();
+    Turns found;
     for (std::size_t from = 0; from < n; ++from)
         for (std::size_t to = 0; to < n; ++to)
-            for (std::size_t q = 0; q < quarters; ++q) {
-                const Heading& end = headings_[to * quarters + q];
-                const double cosine = dot(headings_[from * quarters].along, end.along);  // of the turn
-                const std::size_t zone = std::abs(cosine) < wide_cosine     ? 0
-                                         : std::abs(cosine) < narrow_cosine ? 1
-                                                                            : 2;
-                const bool right = std::abs(cosine) < right_cosine;
-                const auto cost = static_cast<float>(price_ * (end.price + (right ? 0 : oblique_price)));
-                const auto add = [&](double sharpest, Turns& turns) {
-                    const bool allowed = cosine < flat_cosine && cosine > sharpest;
-                    turns.all.push_back({zone, allowed ? cost : infinite});
-                    if (allowed)
-                        turns.allowed.push_back({2 * (zone * n + from) * quarters + (quarters - q) % quarters,
-                                                 (zone * n + to) * quarters, cost});
-                };
-                add(sharpest_cosine, turns_);
-                add(sharp_cosine, sharp_turns_);
+            for (std::size_t q = 0; q < quarter_turns; ++q) {
+                const Turn change = turn_between(headings_[from * quarter_turns],
+                                                 headings_[to * quarter_turns + q], sharpest);
+                found.all.push_back(change);
+                if (change.cost < infinite)
+                    found.allowed.push_back(
+                        {2 * (change.zone * n + from) * quarter_turns + (quarter_turns - q) % quarter_turns,
+                         (change.zone * n + to) * quarter_turns, change.cost});
             }
+    return found;
 }
 
 /// Distances beyond the soft one count as areas; those of lower ground more, because a cell of it in a
@@ -401,7 +405,7 @@ void PathFinder::find_endings(const float* costs) {
         for (std::size_t h = 0; h < headings_.size(); ++h) {
             const float* middle = costs + windows_.begin(h) + half_;
             float* least = &ending(z, h);
-            least[0] = least[quarters] =
+            least[0] = least[quarter_turns] =
                 *std::min_element(middle - zone_half_[z], middle + zone_half_[z] + 1);
         }
 }
@@ -411,7 +415,7 @@ void PathFinder::advance(std::size_t step, const float* before, float* costs, fl
     for (const FamilyTurn& turn : turns(step).allowed) {
         const float* ended = endings_.data() + turn.ending;
         float* begun = beginnings + turn.beginning;
-        for (std::size_t q = 0; q < quarters; ++q)
+        for (std::size_t q = 0; q < quarter_turns; ++q)
             begun[q] = std::min(begun[q], ended[q] + turn.cost);
     }
     set_steps(step);
@@ -484,21 +488,21 @@ std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
     const std::size_t blocks = (n + block - 1) / block;
     std::vector<float> starts(blocks * row_);  // costs of the first step of each block
     const auto beginnings = [&](std::size_t k) {
-        return beginnings_.get() + k * zone_count * headings_.size();
+        return beginnings_.data() + k * zone_count * headings_.size();
     };
     const auto fill = [&](std::size_t b) {
-        std::copy_n(starts.data() + b * row_, row_, costs_.get());
+        std::copy_n(starts.data() + b * row_, row_, costs_.data());
         for (std::size_t h = 0; h < headings_.size(); ++h)
             bases_[h] = base(first + b * block, h);
-        find_endings(costs_.get());
+        find_endings(costs_.data());
         const std::size_t end = std::min(n, (b + 1) * block);
         for (std::size_t k = b * block + 1; k < end; ++k) {
             if (k % 64 == 0)
                 stop_.check();
-            float* own = costs_.get() + (k - b * block) * row_;
+            float* own = costs_.data() + (k - b * block) * row_;
             advance(first + k, own - row_, own, beginnings(k - b * block));
         }
-        return costs_.get() + (end - 1 - b * block) * row_;
+        return costs_.data() + (end - 1 - b * block) * row_;
     };
     begin(first, ends ? std::optional(ends->first) : std::nullopt, starts.data());
     const float* reached = nullptr;
@@ -525,7 +529,7 @@ std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
         for (std::size_t k = std::min(n, (b + 1) * block); k-- > b * block;) {
             lines[k] = line;
             if (k > b * block)
-                line = before(first + k, line, costs_.get() + (k - b * block - 1) * row_,
+                line = before(first + k, line, costs_.data() + (k - b * block - 1) * row_,
                               beginnings(k - b * block));
         }
     }
