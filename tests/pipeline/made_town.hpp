@@ -78,7 +78,16 @@ struct MadeTown {
             }
         return z;
     }
-    /// The same less the ground.
+    /// The same, but the first wall of the flat house runs one row down in four columns: only such a wall has
+    /// a staircase.
+    [[nodiscard]] static std::vector<double> slanted() {
+        std::vector<double> z = surface();
+        for (int c = 0; c < flat.cols; ++c)
+            for (int r = 0; 4 * r < c; ++r)
+                z[index(flat.row + r, flat.col + c)] = ground(flat.row + r, flat.col + c);
+        return z;
+    }
+    /// The surface less the ground.
     [[nodiscard]] static std::vector<double> heights() {
         std::vector<double> z = surface();
         for (int r = 0; r < rows; ++r)

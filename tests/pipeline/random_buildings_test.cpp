@@ -206,7 +206,7 @@ TEST(Rejected, WhatStandsOnNoiseIsThereToo) {
 }
 
 TEST(Rejected, OutlinesThatStayAsTracedNameWhatTheyAreOf) {
-    TownRun town;
+    TownRun town(MadeTown::slanted());
     town.options.write.rejected = true;
     town.options.levels.lod = 6;
     town.options.filter.noise_factor = 4;
@@ -236,7 +236,7 @@ TEST(Rejected, OutlinesThatStayAsTracedNameWhatTheyAreOf) {
 
 /// What a feature is and what its fields say are one thing.
 TEST(FeatureRecords, SayWhatTheFieldsSay) {
-    TownRun town;
+    TownRun town(MadeTown::slanted());
     town.options.write.rejected = true;
     town.options.outline.wall_tolerance = 0.2;  // no wall comes so near to a staircase
     town.run();

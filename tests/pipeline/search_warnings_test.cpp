@@ -250,7 +250,7 @@ TEST(SearchWarnings, ABarePlaneHasNoBuilding) {
 }
 
 TEST(SearchWarnings, OutlinesThatStayAsTraced) {
-    TownRun coarse;
+    TownRun coarse(MadeTown::slanted());
     coarse.dem.edit().transform = {600000, 2.5, 0, 5800000, 0, -2.5};
     coarse.dem.edit().crs_wkt = Crs("EPSG:25832").wkt();
     coarse.options.outline.wall_tolerance = 0.01;
