@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include <boost/container/small_vector.hpp>
-
+#include "contours/region_adjacency_graph.hpp"
 #include "core/disjoint_sets.hpp"
 #include "core/stop_token.hpp"
 
@@ -73,168 +72,27 @@ class NeighbourScan {
     std::vector<Seen> above_;
 };
 
-/// Region adjacency graph whose regions are merged, with their sums and the lengths of their common borders.
-class RegionAdjacencyGraph {
-  public:
-    static constexpr std::uint32_t none = 0xFFFFFFFF;
+/// Points of a region and their mean.
+struct MeanRegion {
+    double points = 0;
+    double sum = 0;   ///< sum of elevations
+    double mean = 0;  ///< undefined without points
 
-    struct Region {
-        double points = 0;
-        double sum = 0;   ///< sum of elevations
-        double mean = 0;  ///< undefined without points
-
-        void add(const Region& other) {
-            points += other.points;
-            sum += other.sum;
-            mean = sum / points;
-        }
-    };
+    void add(const MeanRegion& other) {
+        points += other.points;
+        sum += other.sum;
+        mean = sum / points;
+    }
     /// Squared error added by merging two regions.
-    [[nodiscard]] static double added_error(const Region& one, const Region& other) {
+    [[nodiscard]] static double added_error(const MeanRegion& one, const MeanRegion& other) {
         if (one.points == 0 || other.points == 0)
             return 0;
         const double step = one.mean - other.mean;
         return one.points * other.points / (one.points + other.points) * step * step;
     }
-
-    /// @param own_border border in cells that each region has in addition to its actual one
-    explicit RegionAdjacencyGraph(std::vector<Region> regions, double own_border = 0);
-
-    /// Adds a border. Repeated calls for the same two regions add up.
-    /// @param length length in cells
-    void add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length);
-
-    [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(regions_.size()); }
-    [[nodiscard]] std::uint32_t root(std::uint32_t region) { return sets_.find(region); }
-    [[nodiscard]] bool is_root(std::uint32_t region) const { return sets_.is_root(region); }
-    [[nodiscard]] const Region& of(std::uint32_t root) const { return regions_[root]; }
-
-    struct Neighbour {
-        std::uint32_t region = none;
-        double cost = 0;  ///< cost of merging: added squared error per length of the removed border,
-                          ///< including a region's own one
-    };
-    /// Returns the cheapest neighbour to merge with; the lowest index in case of a tie. Cached until the
-    /// region or a neighbour changes.
-    [[nodiscard]] Neighbour cheapest(std::uint32_t root);
-    /// @return the root of both
-    std::uint32_t merge(std::uint32_t a, std::uint32_t b);
-
-  private:
-    struct Border {
-        std::uint32_t region = none;
-        std::uint32_t length = 0;
-    };
-    /// Cached cheapest neighbour, and the number of merges at that time; none if not cached.
-    struct Cheapest {
-        Neighbour neighbour;
-        std::uint32_t merges = none;
-    };
-    [[nodiscard]] bool still_holds(std::uint32_t root) const;
-    /// Merges the borders with the same neighbour.
-    void merge_duplicate_borders(std::uint32_t root);
-
-    /// Borders of a region. Most regions have few, which need no heap allocation: the average of a planar
-    /// graph is below six.
-    using Borders = boost::container::small_vector<Border, 10>;
-
-    double own_border_;
-    std::vector<Region> regions_;
-    DisjointSets sets_;
-    std::vector<Borders> borders_;
-    std::vector<std::uint32_t>
-        given_;  ///< number of borders as added, which determines the list that is moved
-    std::vector<Cheapest> cheapest_;
-    std::vector<std::uint32_t> changed_;  ///< number of merges when it last grew or was merged
-    std::uint32_t merges_ = 0;
-    std::vector<std::uint32_t>
-        place_;  ///< scratch of merge_duplicate_borders(): index of a neighbour in the list of borders
 };
 
-RegionAdjacencyGraph::RegionAdjacencyGraph(std::vector<Region> regions, double own_border)
-    : own_border_(own_border),
-      regions_(std::move(regions)),
-      sets_(static_cast<std::uint32_t>(regions_.size())),
-      borders_(regions_.size()),
-      given_(regions_.size(), 0),
-      cheapest_(regions_.size()),
-      changed_(regions_.size(), 0),
-      place_(regions_.size(), none) {}
-
-void RegionAdjacencyGraph::add_border(std::uint32_t a, std::uint32_t b, std::uint32_t length) {
-    const auto add = [&](std::uint32_t from, std::uint32_t to) {
-        ++given_[from];
-        // Borders are added cell by cell, so the last one mostly matches.
-        if (Borders& borders = borders_[from]; !borders.empty() && borders.back().region == to)
-            borders.back().length += length;
-        else
-            borders.push_back({to, length});
-    };
-    add(a, b);
-    add(b, a);
-}
-
-void RegionAdjacencyGraph::merge_duplicate_borders(std::uint32_t root_of) {
-    Borders& borders = borders_[root_of];
-    Border* const all = borders.data();
-    const std::size_t count = borders.size();
-    std::uint32_t kept = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-        const std::uint32_t length = all[k].length;
-        const std::uint32_t other = root(all[k].region);
-        if (other == root_of)
-            continue;
-        const std::uint32_t place = place_[other];
-        if (place == none) {
-            place_[other] = kept;
-            all[kept++] = {other, length};
-        } else {
-            all[place].length += length;
-        }
-    }
-    borders.resize(kept);
-    given_[root_of] = kept;
-}
-
-bool RegionAdjacencyGraph::still_holds(std::uint32_t root_of) const {
-    const std::uint32_t then = cheapest_[root_of].merges;
-    if (then == none || changed_[root_of] > then)
-        return false;
-    const Borders& borders = borders_[root_of];
-    return std::ranges::all_of(borders,
-                               [&](const Border& border) { return changed_[border.region] <= then; });
-}
-
-RegionAdjacencyGraph::Neighbour RegionAdjacencyGraph::cheapest(std::uint32_t root_of) {
-    if (still_holds(root_of))
-        return cheapest_[root_of].neighbour;
-    merge_duplicate_borders(root_of);
-    Neighbour best{none, std::numeric_limits<double>::infinity()};
-    const Region here = regions_[root_of];
-    const double own = own_border_;
-    for (const Border& border : borders_[root_of]) {
-        place_[border.region] = none;
-        const double cost = added_error(here, regions_[border.region]) / (border.length + own);
-        const bool better = (cost < best.cost) | ((cost == best.cost) & (border.region < best.region));
-        best.cost = better ? cost : best.cost;
-        best.region = better ? border.region : best.region;
-    }
-    cheapest_[root_of] = {best, merges_};
-    return best;
-}
-
-std::uint32_t RegionAdjacencyGraph::merge(std::uint32_t a, std::uint32_t b) {
-    // Moves the shorter list, so that each border moves O(log n) times.
-    if (given_[a] < given_[b])
-        std::swap(a, b);
-    sets_.merge_roots(a, b);
-    regions_[a].add(regions_[b]);
-    borders_[a].insert(borders_[a].end(), borders_[b].begin(), borders_[b].end());
-    given_[a] += given_[b];
-    borders_[b] = {};
-    changed_[a] = changed_[b] = ++merges_;
-    return a;
-}
+using TierGraph = RegionAdjacencyGraph<MeanRegion>;
 
 namespace {
 
@@ -261,13 +119,13 @@ class Seeds {
             });
     }
     [[nodiscard]] std::uint32_t root(std::uint32_t cell) { return sets_.find(cell); }
-    [[nodiscard]] const RegionAdjacencyGraph::Region& of(std::uint32_t root) const { return sums_[root]; }
+    [[nodiscard]] const MeanRegion& of(std::uint32_t root) const { return sums_[root]; }
 
   private:
     void join(std::uint32_t one, std::uint32_t other, double price) {
         one = root(one);
         other = root(other);
-        if (one == other || RegionAdjacencyGraph::added_error(sums_[one], sums_[other]) > price)
+        if (one == other || MeanRegion::added_error(sums_[one], sums_[other]) > price)
             return;
         const auto [low, high] = std::minmax(one, other);
         sets_.merge_roots(low, high);
@@ -275,13 +133,13 @@ class Seeds {
     }
 
     DisjointSets sets_;
-    std::vector<RegionAdjacencyGraph::Region> sums_;
+    std::vector<MeanRegion> sums_;
 };
 
 /// Region adjacency graph, and the initial region of each cell.
 struct Image {
     std::vector<std::uint32_t> first;  ///< by cell
-    RegionAdjacencyGraph graph;
+    TierGraph graph;
 
     [[nodiscard]] std::uint32_t region(std::uint32_t cell) { return graph.root(first[cell]); }
 };
@@ -289,7 +147,7 @@ struct Image {
 Image first_image(const BuildingCells& cells, const RegionOptions& options, const StopToken& stop) {
     Seeds seeds(cells, shares_of_price.front() * options.price, stop);
     std::vector<std::uint32_t> number(cells.elevations.size());
-    std::vector<RegionAdjacencyGraph::Region> regions;
+    std::vector<MeanRegion> regions;
     for (std::uint32_t cell = 0; cell < number.size(); ++cell) {
         const std::uint32_t root = seeds.root(cell);  // first cell of the region
         if (root == cell) {
@@ -299,7 +157,7 @@ Image first_image(const BuildingCells& cells, const RegionOptions& options, cons
             number[cell] = number[root];
         }
     }
-    Image image{std::move(number), RegionAdjacencyGraph(std::move(regions), options.own_border)};
+    Image image{std::move(number), TierGraph(std::move(regions), options.own_border)};
     NeighbourScan(cells, stop)
         .for_each([&](std::uint32_t cell, std::uint32_t left, std::uint32_t up, std::uint32_t) {
             for (const std::uint32_t beside : {left, up})
@@ -309,34 +167,12 @@ Image first_image(const BuildingCells& cells, const RegionOptions& options, cons
     return image;
 }
 
-/// Merges each region with its cheapest neighbour while that costs at most the price.
-/// @param roots in ascending order; merged ones are removed, because most merge early
-void merge_up_to(RegionAdjacencyGraph& graph, double price, std::vector<std::uint32_t>& roots,
-                 const StopToken& stop) {
-    for (bool merged = true; merged;) {
-        merged = false;
-        std::size_t kept = 0;
-        for (const std::uint32_t region : roots) {
-            if (!graph.is_root(region))
-                continue;
-            roots[kept++] = region;
-            stop.check();
-            const RegionAdjacencyGraph::Neighbour neighbour = graph.cheapest(region);
-            if (neighbour.region == RegionAdjacencyGraph::none || neighbour.cost > price)
-                continue;
-            graph.merge(region, neighbour.region);
-            merged = true;
-        }
-        roots.resize(kept);
-    }
-}
-
 /// Flags the regions that contain a square of the given width.
 std::vector<bool> wide_regions(const BuildingCells& cells, Image& image, int width, const StopToken& stop) {
     std::vector<bool> wide(image.graph.size());
     /// Largest square within a region whose lower right corner is a cell.
     struct Corner {
-        std::uint32_t region = RegionAdjacencyGraph::none;
+        std::uint32_t region = TierGraph::none;
         std::int32_t side = 1;
     };
     std::vector<Corner> corners(cells.elevations.size());
@@ -356,7 +192,7 @@ std::vector<bool> wide_regions(const BuildingCells& cells, Image& image, int wid
 }
 
 void merge_narrow(const BuildingCells& cells, Image& image, int width, const StopToken& stop) {
-    RegionAdjacencyGraph& graph = image.graph;
+    TierGraph& graph = image.graph;
     for (int round = 0; width > 1 && round < most_rounds; ++round) {
         const std::vector<bool> wide = wide_regions(cells, image, width, stop);
         std::vector<std::uint32_t> narrow;
@@ -368,8 +204,8 @@ void merge_narrow(const BuildingCells& cells, Image& image, int width, const Sto
         for (const std::uint32_t region : narrow) {
             if (!graph.is_root(region))
                 continue;
-            const RegionAdjacencyGraph::Neighbour neighbour = graph.cheapest(region);
-            if (neighbour.region == RegionAdjacencyGraph::none)
+            const TierGraph::Neighbour neighbour = graph.cheapest(region);
+            if (neighbour.region == TierGraph::none)
                 continue;
             graph.merge(region, neighbour.region);
             merged = true;
@@ -380,15 +216,15 @@ void merge_narrow(const BuildingCells& cells, Image& image, int width, const Sto
 }
 
 TierRegions numbered(Image& image) {
-    const RegionAdjacencyGraph& graph = image.graph;
+    const TierGraph& graph = image.graph;
     TierRegions result;
     result.of_cell.resize(image.first.size());
-    std::vector<std::uint32_t> number(graph.size(), RegionAdjacencyGraph::none);
+    std::vector<std::uint32_t> number(graph.size(), TierGraph::none);
     for (std::uint32_t cell = 0; cell < result.of_cell.size(); ++cell) {
         const std::uint32_t root = image.region(cell);
-        if (number[root] == RegionAdjacencyGraph::none) {
+        if (number[root] == TierGraph::none) {
             number[root] = static_cast<std::uint32_t>(result.regions.size());
-            const RegionAdjacencyGraph::Region& region = graph.of(root);
+            const MeanRegion& region = graph.of(root);
             result.regions.push_back({static_cast<std::int64_t>(region.points),
                                       region.points > 0 ? region.sum / region.points : 0});
         }

@@ -19,9 +19,14 @@ Georeference::Georeference(const AffineTransform& transform, TraceMode mode)
       mirrored_(transform[1] * transform[5] - transform[2] * transform[4] > 0) {}
 
 Position Georeference::position(FinePoint point) const {
+    return position(point, 1);
+}
+
+Position Georeference::position(FinePoint point, std::int64_t divisor) const {
     // Exact, because the divisor is a power of two.
-    const double col = static_cast<double>(point.col) / FinePoint::steps + shift_;
-    const double row = static_cast<double>(point.row) / FinePoint::steps + shift_;
+    const auto steps = static_cast<double>(FinePoint::steps * divisor);
+    const double col = static_cast<double>(point.col) / steps + shift_;
+    const double row = static_cast<double>(point.row) / steps + shift_;
     return {transform_[0] + col * transform_[1] + row * transform_[2],
             transform_[3] + col * transform_[4] + row * transform_[5]};
 }
@@ -51,21 +56,21 @@ WorldRing Georeference::corners(const LatticeBox& box) const {
             position(LatticePoint{low.row, high.col})};
 }
 
-WorldRing Georeference::ring(const FineRing& ring) const {
+WorldRing Georeference::ring(const FineRing& ring, std::int64_t divisor) const {
     WorldRing result;
     result.reserve(ring.size());
     for (const FinePoint point : ring)
-        result.push_back(position(point));
+        result.push_back(position(point, divisor));
     if (mirrored_)
         std::reverse(result.begin() + 1, result.end());
     return result;
 }
 
-WorldPolygon Georeference::polygon(const FinePolygon& polygon) const {
-    WorldPolygon result{ring(polygon.exterior), {}};
+WorldPolygon Georeference::polygon(const FinePolygon& polygon, std::int64_t divisor) const {
+    WorldPolygon result{ring(polygon.exterior, divisor), {}};
     result.interiors.reserve(polygon.interiors.size());
     for (const FineRing& interior : polygon.interiors)
-        result.interiors.push_back(ring(interior));
+        result.interiors.push_back(ring(interior, divisor));
     result.arcs = polygon.arcs;
     if (mirrored_)
         for (CircularArc& arc : result.arcs) {

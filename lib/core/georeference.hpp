@@ -21,15 +21,22 @@ class Georeference {
 
     [[nodiscard]] Position position(FinePoint point) const;
     [[nodiscard]] Position position(LatticePoint point) const { return position(fine(point)); }
+    /// Returns the position of a point between those of the fine lattice. @param divisor of its row and column,
+    /// a power of two
+    [[nodiscard]] Position position(FinePoint point, std::int64_t divisor) const;
     /// Returns the corners of a box, starting at the low one, along the column first.
     [[nodiscard]] WorldRing corners(const LatticeBox& box) const;
     /// Returns exterior rings counter-clockwise with y up, whichever way the raster's rows run.
-    [[nodiscard]] WorldPolygon polygon(const FinePolygon& polygon) const;
+    [[nodiscard]] WorldPolygon polygon(const FinePolygon& polygon) const { return this->polygon(polygon, 1); }
+    /// Same on a lattice that is finer by a divisor, a power of two.
+    [[nodiscard]] WorldPolygon polygon(const FinePolygon& polygon, std::int64_t divisor) const;
     [[nodiscard]] WorldPolygon polygon(const LatticePolygon& traced) const { return polygon(fine(traced)); }
     /// Returns the vector of a step of rows and columns, in units of the CRS.
     [[nodiscard]] Position step(double rows, double cols) const;
     /// Returns the area of a cell, in square units of the CRS.
     [[nodiscard]] double cell_area() const;
+    /// Returns true if rows run in the direction of y, so that rings are reversed about their first vertices.
+    [[nodiscard]] bool mirrored() const { return mirrored_; }
     /// Returns true if rows and columns run along the axes.
     [[nodiscard]] bool axis_parallel() const { return transform_[2] == 0 && transform_[4] == 0; }
     /// Returns true if rows and columns run along the axes and the coordinates of neighbouring lines of a
@@ -38,7 +45,7 @@ class Georeference {
     [[nodiscard]] bool is_exact(const Window& window) const;
 
   private:
-    [[nodiscard]] WorldRing ring(const FineRing& ring) const;
+    [[nodiscard]] WorldRing ring(const FineRing& ring, std::int64_t divisor) const;
 
     AffineTransform transform_;
     double shift_;   ///< 0.5 if lattice points are centres

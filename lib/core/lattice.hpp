@@ -50,6 +50,12 @@ struct FinePolygon {
     std::vector<CircularArc> arcs = {};
 };
 
+/// Straight line between two points.
+struct FineSegment {
+    FinePoint from;
+    FinePoint to;
+};
+
 [[nodiscard]] inline FinePoint fine(LatticePoint point) {
     return {point.row * FinePoint::steps, point.col * FinePoint::steps};
 }

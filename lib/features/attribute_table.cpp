@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "core/text.hpp"
 
@@ -150,12 +151,75 @@ constexpr std::array building_table{
     Attribute<BuildingRecord>{"area_chg", "Area change", FieldType::real, Unit::none,
                               "relative change of the traced area by straight walls",
                               [](const BuildingRecord& r) { return number(r.area_change); }},
+};
+
+constexpr std::array roof_table{
+    Attribute<BuildingRecord>{"roof_type", "Roof type", FieldType::text, Unit::none,
+                              "flat, shed, gabled, hipped, pyramidal, mansard, domed, complex or unknown",
+                              [](const BuildingRecord& r) {
+                                  return r.roof_shape.type.empty()
+                                             ? FieldValue{}
+                                             : FieldValue{std::string(r.roof_shape.type)};
+                              }},
+    Attribute<BuildingRecord>{"flat_m2", "Flat roofs", FieldType::real, Unit::square_metre,
+                              "area of faces that slope by less than 8 degrees",
+                              [](const BuildingRecord& r) { return measure(r.roof_shape.flat_share * r.area_m2); }},
+    Attribute<BuildingRecord>{"ridge_z", "Ridge", FieldType::real, Unit::vertical,
+                              "highest corner of the faces",
+                              [](const BuildingRecord& r) { return number(r.roof_shape.ridge_z); }},
+    Attribute<BuildingRecord>{"eave_z", "Eaves", FieldType::real, Unit::vertical,
+                              "mean of the lowest corners of the faces, weighted by area",
+                              [](const BuildingRecord& r) { return number(r.roof_shape.eave_z); }},
+    Attribute<BuildingRecord>{"roof_rmse", "Roof error", FieldType::real, Unit::metre,
+                              "root mean square distance of the points from the faces",
+                              [](const BuildingRecord& r) { return measure(r.roof_shape.rmse_m); }},
+};
+
+constexpr std::array parcel_table{
     Attribute<BuildingRecord>{
         "parcel", "Parcel", FieldType::text, Unit::none,
         "identifier of the -split_by polygon that holds most of it; only with that option, NULL for lines",
         [](const BuildingRecord& r) {
             return r.parcel.empty() ? FieldValue{} : FieldValue{std::string(r.parcel)};
         }},
+};
+
+constexpr std::array roof_face_table{
+    Attribute<RoofFaceRecord>{"id", "Face", FieldType::integer, Unit::none,
+                              "number of the face, from 1, by building",
+                              [](const RoofFaceRecord& r) -> FieldValue { return r.id; }},
+    Attribute<RoofFaceRecord>{"bldg_id", "Building", FieldType::integer, Unit::none, "id of the building",
+                              [](const RoofFaceRecord& r) { return reference(r.building_id); }},
+    Attribute<RoofFaceRecord>{"part_id", "Part of", FieldType::integer, Unit::none,
+                              "lowest id of the buildings into which its building was divided; NULL if it was not",
+                              [](const RoofFaceRecord& r) { return reference(r.whole); }},
+    Attribute<RoofFaceRecord>{"slope", "Slope", FieldType::real, Unit::none,
+                              "degrees from the horizontal; NULL if doubtful",
+                              [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.slope)); }},
+    Attribute<RoofFaceRecord>{"azimuth", "Azimuth", FieldType::real, Unit::none,
+                              "direction in which water runs, degrees clockwise from the north of the CRS; NULL "
+                              "below a slope of 8 degrees",
+                              [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.azimuth)); }},
+    Attribute<RoofFaceRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre, "area in plan",
+                              [](const RoofFaceRecord& r) { return measure(r.area_m2); }},
+    Attribute<RoofFaceRecord>{"roof_m2", "Roof area", FieldType::real, Unit::square_metre, "area along the slope",
+                              [](const RoofFaceRecord& r) { return measure(r.roof_m2); }},
+    Attribute<RoofFaceRecord>{"z_low", "Lowest corner", FieldType::real, Unit::vertical,
+                              "elevation of the lowest corner",
+                              [](const RoofFaceRecord& r) { return number(r.lowest); }},
+    Attribute<RoofFaceRecord>{"z_high", "Highest corner", FieldType::real, Unit::vertical,
+                              "elevation of the highest corner",
+                              [](const RoofFaceRecord& r) { return number(r.highest); }},
+    Attribute<RoofFaceRecord>{"rmse_m", "Error", FieldType::real, Unit::metre,
+                              "root mean square distance of the points from the face, vertically",
+                              [](const RoofFaceRecord& r) { return measure(r.rmse_m); }},
+    Attribute<RoofFaceRecord>{"n_cells", "Cells", FieldType::integer, Unit::none,
+                              "cells of the DEM with a valid point and their centre in it",
+                              [](const RoofFaceRecord& r) -> FieldValue { return r.cells; }},
+    Attribute<RoofFaceRecord>{"kind", "Kind", FieldType::text, Unit::none,
+                              "flat (below 8 degrees), pitched, or doubtful: too narrow for a slope, or level "
+                              "because no plane suits the points",
+                              [](const RoofFaceRecord& r) -> FieldValue { return std::string(r.kind); }},
 };
 
 constexpr std::array contour_table{
@@ -249,8 +313,22 @@ std::string markdown(std::span<const Attribute<Record>> attributes) {
 
 }  // namespace
 
-std::span<const Attribute<BuildingRecord>> building_attributes(bool with_parcel) {
-    return std::span(building_table).first(building_table.size() - (with_parcel ? 0 : 1));
+std::span<const Attribute<BuildingRecord>> building_attributes(bool with_roof, bool with_parcel) {
+    using Attributes = std::vector<Attribute<BuildingRecord>>;
+    const auto table = [](bool roof, bool parcel) {
+        Attributes all(building_table.begin(), building_table.end());
+        if (roof)
+            all.insert(all.end(), roof_table.begin(), roof_table.end());
+        if (parcel)
+            all.insert(all.end(), parcel_table.begin(), parcel_table.end());
+        return all;
+    };
+    static const std::array<Attributes, 4> tables{table(false, false), table(false, true), table(true, false),
+                                                  table(true, true)};
+    return tables[(with_roof ? 2U : 0U) + (with_parcel ? 1U : 0U)];
+}
+std::span<const Attribute<RoofFaceRecord>> roof_face_attributes() {
+    return roof_face_table;
 }
 std::span<const Attribute<ContourRecord>> contour_attributes() {
     return contour_table;
@@ -286,6 +364,10 @@ template std::vector<FieldSpec> field_specs(std::span<const Attribute<RejectedRe
                                             FieldNames);
 template std::vector<FieldSpec> field_specs(std::span<const Attribute<ProblemRecord>>, const std::string&,
                                             FieldNames);
+template std::vector<FieldSpec> field_specs(std::span<const Attribute<RoofFaceRecord>>, const std::string&,
+                                            FieldNames);
+template std::vector<FieldValue> field_values(std::span<const Attribute<RoofFaceRecord>>,
+                                              const RoofFaceRecord&);
 template std::vector<FieldValue> field_values(std::span<const Attribute<ProblemRecord>>,
                                               const ProblemRecord&);
 template std::vector<FieldValue> field_values(std::span<const Attribute<RejectedRecord>>,
@@ -296,8 +378,8 @@ template std::vector<FieldValue> field_values(std::span<const Attribute<ContourR
                                               const ContourRecord&);
 
 std::string schema_markdown() {
-    return "## buildings\n\n" + markdown(building_attributes(true)) + "\n## contours\n\n" +
-           markdown(contour_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes()) +
+    return "## buildings\n\n" + markdown(building_attributes(true, true)) + "\n## contours\n\n" +
+           markdown(contour_attributes()) + "\n## roofs\n\n" + markdown(roof_face_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes()) +
            "\n## problems\n\n" + markdown(problem_attributes());
 }
 

@@ -29,9 +29,13 @@ struct Attribute {
     FieldValue (*value)(const Record&);
 };
 
-/// Attributes of buildings. @param with_parcel includes the last attribute, the parcel, which exists only if
-/// parcels divide buildings
-[[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes(bool with_parcel);
+/// Attributes of buildings. Those of roofs exist only with -roofs, and the parcel only if parcels divide
+/// buildings.
+[[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes(bool with_roof, bool with_parcel);
+[[nodiscard]] inline std::span<const Attribute<BuildingRecord>> building_attributes(const Options& options) {
+    return building_attributes(options.write.roofs, options.detect.is_split_by());
+}
+[[nodiscard]] std::span<const Attribute<RoofFaceRecord>> roof_face_attributes();
 [[nodiscard]] std::span<const Attribute<ContourRecord>> contour_attributes();
 [[nodiscard]] std::span<const Attribute<RejectedRecord>> rejected_attributes();
 [[nodiscard]] std::span<const Attribute<ProblemRecord>> problem_attributes();

@@ -230,6 +230,43 @@ Geodesy::Measure PolygonMaker::measured(const FeaturePolygon& made, const Parts&
     return measure(geodesy_, draw_valid(as_drawn, as_drawn, geos_, status, uncounted).parts);
 }
 
+FeaturePolygon PolygonMaker::roof_face(const roofs::RoofFace& face) {
+    const StageClock clock(tally_, Stage::roofs);
+    const Georeference& georeference = terms_.setup.georeference;
+    WorldPolygon polygon = georeference.polygon(face.outline, roofs::roof_steps);
+    const double metres = terms_.metres;
+    const auto elevations = [&](std::span<const double> of_ring) {
+        // Rings of a mirrored raster are reversed about their first vertex.
+        std::vector<double> z(of_ring.begin(), of_ring.end());
+        if (georeference.mirrored())
+            std::reverse(z.begin() + 1, z.end());
+        for (double& value : z)
+            value /= metres;
+        return z;
+    };
+    FeaturePolygon made;
+    split_by_projection_ = false;
+    std::size_t first = 0;
+    const auto project = [&](WorldRing& ring) {
+        const std::vector<double> z = elevations(std::span(face.elevations).subspan(first, ring.size()));
+        first += ring.size();
+        if (to_target_)
+            split_by_projection_ =
+                to_target_->apply_with_elevations(ring, z, polygon.elevations) != RingProjection::whole ||
+                split_by_projection_;
+        else
+            polygon.elevations.insert(polygon.elevations.end(), z.begin(), z.end());
+    };
+    project(polygon.exterior);
+    for (WorldRing& ring : polygon.interiors)
+        project(ring);
+    if (split_by_projection_)
+        return made;
+    made.parts.push_back(std::move(polygon));
+    made.invalid_reason = geos_.invalidity(made.parts);
+    return made;
+}
+
 namespace {
 
 /// True if the stack error is measured on the drawn outlines. Not for the thesis preset: its outlines are
@@ -292,7 +329,8 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordBuilder& rec
       with_cells_(measures_drawn(input.setup.plan)) {
     for (int thread = 0; thread < threads_.threads(); ++thread)
         makers_.emplace_back(
-            PolygonParameters{input.setup, input.outliner, children_, threads_.stop(), with_cells_});
+            PolygonParameters{input.setup, input.outliner, children_, threads_.stop(), with_cells_,
+                              context.report.units.vertical_metres});
 }
 
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
@@ -309,6 +347,8 @@ DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
         drawn.whole.merge(stored.contour.above);
         if (is_building)
             drawn.building_record = records_.building(contour, stored.contour, drawn.record, stored.roof);
+        if (is_building && input_.roofs != nullptr)
+            drawn.building_record.roof_shape = input_.roofs->record(contour);
     }
     const LayerIndices& indices = input_.setup.layers.indices;
     if (is_building)

@@ -20,6 +20,7 @@
 #include "features/write_features.hpp"
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
+#include "roofs/make_roof.hpp"
 
 namespace d2b::features {
 
@@ -59,6 +60,7 @@ struct PolygonParameters {
     const ContourChildren& children;  ///< may be empty if no tiers are drawn
     StopToken stop = {};
     bool with_cells = false;  ///< true to return the cells of each polygon
+    double metres = 1;        ///< metres per vertical unit
 };
 
 /// Output polygon with its measures and the status of its outline.
@@ -99,6 +101,11 @@ class PolygonMaker {
     /// Returns a contour minus the contours on top of it; no parts if they cover it completely.
     [[nodiscard]] FeaturePolygon tier(std::size_t contour) { return make(contour, Form::tier); }
 
+    /// Converts a face of a roof, with the elevations of its corners. No parts if the output CRS tears it.
+    [[nodiscard]] FeaturePolygon roof_face(const roofs::RoofFace& face);
+
+    /// Metres per vertical unit.
+    [[nodiscard]] double metres() const { return terms_.metres; }
     /// Returns times and outline counters since construction.
     [[nodiscard]] Tally& tally() { return tally_; }
 

@@ -11,22 +11,9 @@
 #include "core/statistics.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/spool.hpp"
+#include "raster/row_spans.hpp"
 
 namespace d2b::features {
-
-/// Run of cells in a row of the whole raster.
-struct RowSpan {
-    std::int32_t row = 0;
-    std::int32_t begin = 0;  ///< columns [begin, end)
-    std::int32_t end = 0;
-
-    friend bool operator==(const RowSpan&, const RowSpan&) = default;
-};
-
-/// Rasterizes a polygon: returns the cells with their centres inside, row by row. Centres on an edge belong
-/// to the polygon on the right or below, so polygons that share a wall do not share cells. @param polygon
-/// valid
-[[nodiscard]] std::vector<RowSpan> row_spans(const FinePolygon& polygon);
 
 /// Deviation of a stacked surface from the elevations. Sums are exact, so their order does not matter.
 struct StackError {

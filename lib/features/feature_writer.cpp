@@ -176,6 +176,8 @@ void FeatureWriter::begin() {
                          context_.threads->stop());
     if (indices().rejected)
         rejected_.emplace(input_, *indices().rejected);
+    if (indices().roofs)
+        roofs_.emplace(input_, *indices().roofs);
     give_styles(layers, input_, context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, make_provenance(input_.setup, context_.report));
@@ -254,6 +256,8 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
     if (made.parts.empty())
         return;
+    if (roofs_ && !doubtful)
+        roofs_->note(contour, drawn.building_record, made);
     round(RoundedPolygons::Layer::buildings, drawn.building_record.id, 0, made);
     drawn.building_record.status = made.status;
     ++(doubtful ? context_.report.doubtful : context_.report.buildings);
@@ -265,7 +269,7 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     if (!doubtful)
         implausible_heights_.note(record, drawn.record);
     write(*indices().building_layer(doubtful),
-          building_attributes(input_.setup.plan.asked.detect.is_split_by()), record, std::move(made),
+          building_attributes(input_.setup.plan.asked), record, std::move(made),
           drawn.record.threshold);
 }
 
@@ -316,6 +320,8 @@ std::optional<DrawnStack> FeatureWriter::finish() {
     warn_of_traced();
     split_warnings_.finish(display_name(input_.setup.target, input_.setup.plan.asked.outline.target_crs),
                            context_);
+    if (roofs_)
+        roofs_->write(drawer_.makers(), sink_, context_);
     if (rejected_)
         rejected_->write(drawer_.makers(), sink_, rounded_ ? &*rounded_ : nullptr, context_);
     if (rounded_)

@@ -12,6 +12,7 @@
 #include "dem2buildings/sinks.hpp"
 #include "features/attribute_table.hpp"
 #include "features/contour_drawer.hpp"
+#include "features/roof_layer.hpp"
 #include "features/rounded_polygons.hpp"
 #include "features/suspicious_values.hpp"
 #include "features/write_features.hpp"
@@ -135,6 +136,7 @@ class FeatureWriter {
     std::int64_t next_id_ = 1;
     std::int64_t next_building_ = 1;
     std::optional<RejectedLayer> rejected_;
+    std::optional<RoofLayer> roofs_;
     std::optional<RoundedPolygons> rounded_;  // set if the destination rounds coordinates
     InvalidWarnings invalid_;
     ImplausibleHeights implausible_heights_;

@@ -121,6 +121,24 @@ RingProjection RingTransform::apply(WorldRing& ring) {
     return apply_to_positions(ring) ? subdivide_bent_edges(source, ring) : RingProjection::no_image;
 }
 
+RingProjection RingTransform::apply_with_elevations(WorldRing& ring, std::span<const double> elevations,
+                                                    std::vector<double>& projected) {
+    WorldRing corners = ring;
+    const RingProjection projection = apply(ring);
+    if (projection != RingProjection::whole || !apply_to_positions(corners))
+        return projection == RingProjection::whole ? RingProjection::no_image : projection;
+    std::size_t corner = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        while (corner + 1 < corners.size() && ring[i] == corners[corner + 1])
+            ++corner;
+        const std::size_t next = corner + 1 < corners.size() ? corner + 1 : 0;
+        const double length = plain_distance(corners[corner], corners[next]);
+        const double share = length > 0 ? plain_distance(corners[corner], ring[i]) / length : 0;
+        projected.push_back(elevations[corner] + share * (elevations[next] - elevations[corner]));
+    }
+    return projection;
+}
+
 /// Tests all midpoints in one batch first, because almost no ring has a bent edge.
 RingProjection RingTransform::subdivide_bent_edges(const WorldRing& source, WorldRing& images) {
     const std::size_t n = source.size();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/crs.hpp"
 #include "core/georeference.hpp"
@@ -36,6 +37,10 @@ class RingTransform {
     /// @param ring at least one position, without a repeated last one
     /// @return whole if the image can be used, otherwise the reason why it cannot
     [[nodiscard]] RingProjection apply(WorldRing& ring);
+    /// Same for a ring with elevations. Added vertices lie on the straight edges in between.
+    /// @param elevations of the ring's vertices @param projected receives those of the image, at its end
+    [[nodiscard]] RingProjection apply_with_elevations(WorldRing& ring, std::span<const double> elevations,
+                                                       std::vector<double>& projected);
     /// Projects positions only; those without image become infinite or NaN. @return true if all have an image
     [[nodiscard]] bool apply_to_positions(std::span<Position> positions);
 

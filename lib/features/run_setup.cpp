@@ -26,7 +26,7 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
         return specs.layers.size() - 1;
     };
     const auto building_fields =
-        field_specs(building_attributes(options.detect.is_split_by()), vertical_unit, write.fields);
+        field_specs(building_attributes(options), vertical_unit, write.fields);
     if (plan.layers != Layers::contours)
         specs.indices.buildings = add(LayerRole::buildings, "Buildings", "One polygon per building, from ",
                                       building_fields, with_arcs);
@@ -36,6 +36,11 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
                 options.outline.disjoint ? "Bands between thresholds that do not overlap, from "
                                          : "Stacked contours, low to high, from ",
                 field_specs(contour_attributes(), vertical_unit), with_arcs);
+    if (write.roofs) {
+        specs.indices.roofs = add(LayerRole::roofs, "Roofs", "One polygon per face of a roof, from ",
+                                  field_specs(roof_face_attributes(), vertical_unit), false);
+        specs.layers.back().with_z = true;
+    }
     if (write.doubtful)
         specs.indices.doubtful = add(LayerRole::doubtful, "Doubtful buildings",
                                      "Objects that may be buildings, with the reason for the doubt, from ",

@@ -18,6 +18,7 @@ namespace d2b::features {
 struct LayerIndices {
     std::optional<std::size_t> buildings;
     std::optional<std::size_t> contours;
+    std::optional<std::size_t> roofs;
     std::optional<std::size_t> doubtful;
     std::optional<std::size_t> rejected;
     std::optional<std::size_t> problems;

@@ -15,6 +15,7 @@
 #include "features/drawn_stack.hpp"
 #include "features/record_builder.hpp"
 #include "features/run_setup.hpp"
+#include "features/stored_roofs.hpp"
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
 
@@ -45,6 +46,7 @@ struct FeatureInput {
     ParcelSource* parcels = nullptr;  ///< gives the names of parcels
     /// Receives the records of all buildings, even of those not written.
     BuildingRecords* building_records = nullptr;
+    const StoredRoofs* roofs = nullptr;  ///< null without -roofs
     bool with_cuts = false;  ///< true to report the errors of the stacks truncated at level 1, 2, ...
 
     [[nodiscard]] bool is_low_confidence(std::size_t contour) const {

@@ -162,7 +162,7 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWor
     result.steps_changed = std::ssize(steps) - result.steps_left;
     if (moved || result.steps_changed > 0)
         result.made = made_of(drawn.cluster);
-    const auto attributes = building_attributes(input_.features.setup.plan.asked.detect.is_split_by());
+    const auto attributes = building_attributes(input_.features.setup.plan.asked);
     fill_values(drawn.buildings, attributes, result.made.solids);
     fill_values(drawn.buildings, attributes, result.made.shell);
     result.lost = std::move(drawn.lost);
@@ -182,7 +182,7 @@ void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceWork
     input.of = SurfaceOf::contours;
     DrawnCluster drawn = draw_cluster(input, group, worker.transform);
     result.tiers = building_tiers(drawn, input.roof, input.lattice);
-    fill_values(drawn.buildings, building_attributes(input_.features.setup.plan.asked.detect.is_split_by()),
+    fill_values(drawn.buildings, building_attributes(input_.features.setup.plan.asked),
                 result.tiers);
     if (!has_closed())
         result.lost = std::move(drawn.lost);
@@ -263,7 +263,7 @@ SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, con
     const FieldNames names = plan.asked.write.fields;
     SurfaceMeta meta{lattice.frame(),
                      tiers ? "1.3" : "1.2",
-                     field_specs(building_attributes(plan.asked.detect.is_split_by()), units.vertical, names),
+                     field_specs(building_attributes(plan.asked), units.vertical, names),
                      units.vertical_is_known ? units.vertical : "",
                      {written.wkt(), {}}};
     meta.corners = lattice.window_corners();

@@ -190,6 +190,38 @@ std::vector<FinePolygon> Geos::difference(const FinePolygon& whole, const std::v
     return geos.polygons_of<FinePolygon>(left.get());
 }
 
+std::vector<FinePolygon> Geos::divide(const FinePolygon& whole, const std::vector<FineSegment>& lines) {
+    const GeosConverter& geos = impl_->polygons;
+    const GeosInterrupt::Watch watch(geos.stop());
+    const GeometryPtr area = geos.polygon(whole);
+    const GeometryPtr given = geos.multi_line(lines);
+    const GeometryPtr boundary = geos.wrap(GEOSBoundary_r(geos.context(), area.get()));
+    const GeometryPtr net =
+        geos.wrap(GEOSUnionPrec_r(geos.context(), boundary.get(), given.get(), 1));
+    const GEOSGeometry* const noded = net.get();
+    const GeometryPtr faces = geos.wrap(GEOSPolygonize_r(geos.context(), &noded, 1));
+    const PreparedPtr prepared(GEOSPrepare_r(geos.context(), area.get()), {geos.context()});
+    if (!prepared)
+        geos.fail("to prepare a polygon");
+    std::vector<FinePolygon> inside;
+    for (FinePolygon& face : geos.polygons_of<FinePolygon>(faces.get())) {
+        const GeometryPtr polygon = geos.polygon(face);
+        const GeometryPtr point = geos.wrap(GEOSPointOnSurface_r(geos.context(), polygon.get()));
+        if (geos.predicate(GEOSPreparedContains_r(geos.context(), prepared.get(), point.get())))
+            inside.push_back(std::move(face));
+    }
+    return inside;
+}
+
+std::vector<FinePolygon> Geos::polygonize(const std::vector<FineSegment>& edges) {
+    const GeosConverter& geos = impl_->polygons;
+    const GeosInterrupt::Watch watch(geos.stop());
+    const GeometryPtr lines = geos.multi_line(edges);
+    const GEOSGeometry* const noded = lines.get();
+    const GeometryPtr faces = geos.wrap(GEOSPolygonize_r(geos.context(), &noded, 1));
+    return geos.polygons_of<FinePolygon>(faces.get());
+}
+
 std::vector<std::array<FinePoint, 3>> Geos::triangles(const FinePolygon& polygon) {
     const GeosConverter& geos = impl_->polygons;
     const GeosInterrupt::Watch watch(geos.stop());

@@ -44,6 +44,14 @@ class Geos {
     /// other. This is exact on the lattice because no new vertices arise. @throws GeometryError
     [[nodiscard]] std::vector<FinePolygon> difference(const FinePolygon& whole,
                                                       const std::vector<FinePolygon>& parts);
+    /// Divides a polygon by lines: the faces of the arrangement of its rings and the lines that lie in it.
+    /// Crossings are rounded to the lattice (snap rounding), so faces share their corners exactly and rings
+    /// of the polygon move by less than a step. Lines that end inside a face have no effect.
+    /// @throws GeometryError
+    [[nodiscard]] std::vector<FinePolygon> divide(const FinePolygon& whole,
+                                                  const std::vector<FineSegment>& lines);
+    /// Polygons bounded by edges that meet in their ends only. @throws GeometryError
+    [[nodiscard]] std::vector<FinePolygon> polygonize(const std::vector<FineSegment>& edges);
     /// Constrained Delaunay triangulation of the corners of a polygon.
     /// @throws GeometryError, also for some valid polygons with holes
     [[nodiscard]] std::vector<std::array<FinePoint, 3>> triangles(const FinePolygon& polygon);

@@ -163,6 +163,20 @@ GeometryPtr GeosConverter::multi_line(std::span<const WorldPolygon> polygons) co
     return collection(GEOS_MULTILINESTRING, std::move(parts));
 }
 
+GeometryPtr GeosConverter::multi_line(std::span<const FineSegment> segments) const {
+    std::vector<GeometryPtr> parts;
+    parts.reserve(segments.size());
+    for (const FineSegment& segment : segments) {
+        GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(context(), 2, 2);
+        if (sequence == nullptr)
+            fail("on a line");
+        GEOSCoordSeq_setXY_r(context(), sequence, 0, x_of(segment.from), y_of(segment.from));
+        GEOSCoordSeq_setXY_r(context(), sequence, 1, x_of(segment.to), y_of(segment.to));
+        parts.push_back(wrap(GEOSGeom_createLineString_r(context(), sequence)));
+    }
+    return collection(GEOS_MULTILINESTRING, std::move(parts));
+}
+
 template <typename Point>
 std::vector<Point> GeosConverter::points_of(const GEOSGeometry* line) const {
     const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context(), line);

@@ -66,6 +66,9 @@ class GeosConverter {
     /// Creates a MultiLineString of the rings. @throws GeometryError, Cancelled
     [[nodiscard]] GeometryPtr multi_line(std::span<const WorldPolygon> polygons) const;
 
+    /// Creates a MultiLineString of segments. @throws GeometryError, Cancelled
+    [[nodiscard]] GeometryPtr multi_line(std::span<const FineSegment> segments) const;
+
     /// Extracts the polygons of any geometry.
     /// @throws GeometryError if a vertex of a FinePolygon is not an integer
     template <typename Polygon>

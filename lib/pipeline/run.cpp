@@ -19,6 +19,7 @@
 #include "features/write_features.hpp"
 #include "features/write_surfaces.hpp"
 #include "geometry/geos.hpp"
+#include "pipeline/extract_roofs.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
@@ -215,6 +216,9 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
                    found != nullptr ? &found->scene : nullptr, sources.terrain, context);
     outline::Outliner outliner = features::draw_outlines(*contours, setup, context);
     const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
+    std::optional<features::StoredRoofs> roofs;
+    if (setup.plan.asked.write.roofs)
+        roofs.emplace(extract_roofs(reader, *found, *contours, outliner, setup, context));
     std::optional<features::BuildingRecords> building_records;
     if (lattice)
         building_records.emplace(context.make_spool());
@@ -225,6 +229,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
                                        frame.fixed,
                                        sources.parcels,
                                        building_records ? &*building_records : nullptr,
+                                       roofs ? &*roofs : nullptr,
                                        has_tiers(sinks)};
     write_result(input, records, reader, sinks, {flow, lattice ? &*lattice : nullptr}, context);
     prepare_sinks(sinks, commit, context);

@@ -58,12 +58,13 @@ py::array wkb_of(const CollectedLayer& layer) {
     });
 }
 
-py::tuple coordinates(const WorldRing& ring, const CollectedLayer& layer, double z) {
+/// @param elevations of its positions; null if all have z
+py::tuple coordinates(const WorldRing& ring, const CollectedLayer& layer, double z, const double* elevations) {
     py::tuple positions(ring.size() + 1);
     for (std::size_t i = 0; i <= ring.size(); ++i) {
         const Position& p = ring[i % ring.size()];
         if (layer.spec.with_z)
-            positions[i] = py::make_tuple(p.x, p.y, z);
+            positions[i] = py::make_tuple(p.x, p.y, elevations != nullptr ? elevations[i % ring.size()] : z);
         else
             positions[i] = py::make_tuple(p.x, p.y);
     }
@@ -81,9 +82,14 @@ py::dict geometry_of(const CollectedLayer& layer, const Feature& feature) {
     for (std::size_t p = 0; p < feature.parts.size(); ++p) {
         const WorldPolygon& polygon = feature.parts[p];
         py::tuple rings(1 + polygon.interiors.size());
-        rings[0] = coordinates(polygon.exterior, layer, feature.z);
-        for (std::size_t r = 0; r < polygon.interiors.size(); ++r)
-            rings[r + 1] = coordinates(polygon.interiors[r], layer, feature.z);
+        const double* elevations = polygon.elevations.empty() ? nullptr : polygon.elevations.data();
+        rings[0] = coordinates(polygon.exterior, layer, feature.z, elevations);
+        std::size_t before = polygon.exterior.size();
+        for (std::size_t r = 0; r < polygon.interiors.size(); ++r) {
+            rings[r + 1] = coordinates(polygon.interiors[r], layer, feature.z,
+                                       elevations != nullptr ? elevations + before : nullptr);
+            before += polygon.interiors[r].size();
+        }
         polygons[p] = std::move(rings);
     }
     geometry["type"] = "MultiPolygon";

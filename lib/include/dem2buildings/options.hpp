@@ -109,8 +109,12 @@ struct OutlineOptions {
     [[nodiscard]] bool is_flow_ready() const { return narrowest_gap() > 0 || shortest_wall() > 0; }
 };
 
+struct RoofOptions {
+    double min_area_m2 = 4;  ///< smallest face
+};
+
 enum class Layers { both, buildings, contours };
-enum class LayerRole { buildings, contours, doubtful, rejected, problems };
+enum class LayerRole { buildings, contours, roofs, doubtful, rejected, problems };
 
 /// Model of a surface: one block per building, or the tiers of its stack.
 enum class SurfaceOf { buildings, contours };
@@ -134,6 +138,7 @@ struct WriteOptions {
     bool overwrite = false;
     bool append = false;
     bool with_z = false;
+    bool roofs = false;     ///< also write a layer of the faces of roofs
     bool doubtful = false;  ///< also write a layer of possible buildings
     bool rejected = false;  ///< also write a layer of dropped or changed contours, with reasons
     bool problems = false;  ///< also write a layer of places changed for closed surfaces
@@ -167,6 +172,7 @@ struct Options {
     TraceOptions trace;
     FilterOptions filter;
     OutlineOptions outline;
+    RoofOptions roofs;
     WriteOptions write;
     /// Options given by name, without dash. Needed because a field set to its default value looks unset.
     std::set<std::string, std::less<>> given;

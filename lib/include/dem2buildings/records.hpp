@@ -41,6 +41,15 @@ struct ContourRecord {
     OutlineStatus status = OutlineStatus::traced;
 };
 
+/// Roof of a building as a whole, from its faces. NaN: unknown.
+struct RoofRecord {
+    std::string_view type;   ///< "" without -roofs
+    double flat_share = 0;   ///< area of flat faces as a share of the footprint
+    double ridge_z = 0;      ///< highest corner of its faces, in the vertical unit
+    double eave_z = 0;       ///< mean over its faces of their lowest corners, weighted by area
+    double rmse_m = 0;       ///< of its faces against the elevations
+};
+
 /// Attributes of a building.
 struct BuildingRecord {
     std::int64_t id = 0;
@@ -64,6 +73,7 @@ struct BuildingRecord {
     OutlineStatus status = OutlineStatus::traced;
     double deviation_m = 0;  ///< largest distance between the outline and its trace
     double area_change = 0;  ///< change by regularisation, share of the traced area
+    RoofRecord roof_shape;   ///< with -roofs
 };
 
 /// Attributes of an object that was dropped, filled or changed.
@@ -88,9 +98,25 @@ struct ProblemRecord {
     bool changed = false;       ///< false if it was left as it is
 };
 
+/// Attributes of a face of a roof. NaN: unknown.
+struct RoofFaceRecord {
+    std::int64_t id = 0;
+    std::int64_t building_id = 0;
+    std::int64_t whole = 0;  ///< see BuildingRecord
+    double slope = 0;        ///< degrees
+    double azimuth = 0;      ///< degrees clockwise from north in which water runs
+    double area_m2 = 0;      ///< in plan
+    double roof_m2 = 0;      ///< along the slope
+    double lowest = 0;       ///< of its corners, in the vertical unit
+    double highest = 0;
+    double rmse_m = 0;
+    std::int64_t cells = 0;
+    std::string_view kind;  ///< flat, pitched or doubtful
+};
+
 /// Typed attributes of a feature, from which the fields of its layer are made; std::monostate if a sink is
 /// fed by other programs.
 using FeatureRecord =
-    std::variant<std::monostate, BuildingRecord, ContourRecord, RejectedRecord, ProblemRecord>;
+    std::variant<std::monostate, BuildingRecord, ContourRecord, RejectedRecord, ProblemRecord, RoofFaceRecord>;
 
 }  // namespace d2b

@@ -155,6 +155,7 @@ class FeatureSink {
     [[nodiscard]] virtual std::string layer_name(LayerRole role, Layers /*layers*/) const {
         return role == LayerRole::buildings  ? "buildings"
                : role == LayerRole::contours ? "contours"
+               : role == LayerRole::roofs    ? "roofs"
                : role == LayerRole::doubtful ? "doubtful"
                : role == LayerRole::rejected ? "rejected"
                                              : "problems";

@@ -27,8 +27,9 @@ class MultiPolygonWkb {
   private:
     void head(std::uint32_t flat_type, std::size_t count);
     void point(const Position& place);
-    void ring(const WorldRing& positions, double z);
-    void points(const WorldRing& positions, std::size_t first, std::size_t step, std::size_t count, double z);
+    void ring(const WorldRing& positions, double z, const double* elevations);
+    void points(const WorldRing& positions, std::size_t first, std::size_t step, std::size_t count, double z,
+                const double* elevations = nullptr);
     void curve_ring(const WorldRing& positions, std::vector<CircularArc> arcs, double z);
     void curve_polygon(const WorldPolygon& polygon, double z);
     template <typename T>

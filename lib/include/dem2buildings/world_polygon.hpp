@@ -29,6 +29,9 @@ struct WorldPolygon {
     WorldRing exterior;
     std::vector<WorldRing> interiors;
     std::vector<CircularArc> arcs = {};  ///< runs of vertices that represent circular arcs
+    /// Elevations of the vertices, of the exterior and then of the interiors; empty if all have that of their
+    /// feature.
+    std::vector<double> elevations = {};
 };
 
 }  // namespace d2b

@@ -34,7 +34,7 @@ class TileLabels {
     /// columns
     [[nodiscard]] std::vector<bool> near_other_tiles(LatticePoint reach) const;
     /// Returns the cells within reach of the wanted buildings, row by row. @param wanted by label - 1
-    [[nodiscard]] std::vector<features::RowSpan> cells_near(const std::vector<bool>& wanted,
+    [[nodiscard]] std::vector<RowSpan> cells_near(const std::vector<bool>& wanted,
                                                             LatticePoint reach) const;
 
   private:
@@ -130,9 +130,9 @@ std::vector<bool> TileLabels::near_other_tiles(LatticePoint reach) const {
     return near;
 }
 
-std::vector<features::RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted,
+std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted,
                                                       LatticePoint reach) const {
-    std::vector<features::RowSpan> expanded;
+    std::vector<RowSpan> expanded;
     for (const LabelRun& run : runs_) {
         if (run.label > buildings_ || !wanted[run.label - 1])
             continue;
@@ -141,9 +141,9 @@ std::vector<features::RowSpan> TileLabels::cells_near(const std::vector<bool>& w
             expanded.push_back({r, std::max(run.begin - reach.col, window_.col),
                                 std::min(run.end + reach.col, window_.end_col())});
     }
-    std::ranges::sort(expanded, {}, [](const features::RowSpan& s) { return std::pair(s.row, s.begin); });
-    std::vector<features::RowSpan> spans;
-    for (const features::RowSpan& span : expanded) {
+    std::ranges::sort(expanded, {}, [](const RowSpan& s) { return std::pair(s.row, s.begin); });
+    std::vector<RowSpan> spans;
+    for (const RowSpan& span : expanded) {
         if (!spans.empty() && spans.back().row == span.row && span.begin <= spans.back().end)
             spans.back().end = std::max(spans.back().end, span.end);
         else

@@ -203,10 +203,10 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
     const std::size_t left = reader.take_count(sizeof(contours::ContourHead));
     for (std::size_t i = 0; i < left; ++i)
         tile.left.push_back(load_deferred_contour(reader, tile));
-    tile.cells.runs = reader.take_list<features::RowSpan>();
+    tile.cells.runs = reader.take_list<RowSpan>();
     tile.cells.elevations = reader.take_list<double>();
     std::uint64_t cells = 0;
-    for (const features::RowSpan& run : tile.cells.runs) {
+    for (const RowSpan& run : tile.cells.runs) {
         if (run.begin >= run.end)
             throw CorruptRecord("a run of cells is empty");
         cells += static_cast<std::uint64_t>(std::int64_t{run.end} - run.begin);

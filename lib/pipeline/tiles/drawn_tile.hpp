@@ -41,7 +41,7 @@ struct DeferredContour {
 
 /// Elevations of the cells needed to draw such buildings.
 struct DeferredCells {
-    std::vector<features::RowSpan> runs;
+    std::vector<RowSpan> runs;
     std::vector<double> elevations;  ///< values of all runs, one run after the other
 };
 

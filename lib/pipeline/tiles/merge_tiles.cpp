@@ -105,10 +105,10 @@ class DrawnStreamMerger {
 void DeferredElevations::add(const DeferredCells& cells) {
     std::map<LatticePoint, ByteWriter> parts;
     auto next = cells.elevations.begin();
-    for (const features::RowSpan& run : cells.runs)
+    for (const RowSpan& run : cells.runs)
         for (std::int32_t begin = run.begin; begin < run.end;) {
             const std::int32_t block_col = begin - begin % block_cols;
-            const features::RowSpan part{run.row, begin, std::min(run.end, block_col + block_cols)};
+            const RowSpan part{run.row, begin, std::min(run.end, block_col + block_cols)};
             ByteWriter& writer = parts[{run.row - run.row % block_rows, block_col}];
             writer.put(part);
             for (; begin < part.end; ++begin)
@@ -133,7 +133,7 @@ features::StackError DeferredElevations::error(const features::DrawnStack& stack
         for (const SpoolEntry& entry : entries) {
             ByteReader reader(*spool_, entry);
             while (reader.left() > 0) {
-                const auto run = reader.take<features::RowSpan>();
+                const auto run = reader.take<RowSpan>();
                 for (std::int32_t c = run.begin; c < run.end; ++c) {
                     const auto z = reader.take<double>();
                     if (window.holds(run.row, c))

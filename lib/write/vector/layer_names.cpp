@@ -139,6 +139,8 @@ std::string suffix_of(LayerRole role, Layers layers) {
             return "_rejected";
         case LayerRole::problems:
             return "_problems";
+        case LayerRole::roofs:
+            return "_roofs";
         case LayerRole::contours:
             return layers == Layers::both ? "_contours" : "";
         case LayerRole::buildings:
@@ -150,9 +152,12 @@ std::string suffix_of(LayerRole role, Layers layers) {
 }  // namespace
 
 Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
-    if ((options.doubtful || options.rejected) && !format.multiple_layers)
+    if ((options.doubtful || options.rejected || options.roofs) && !format.multiple_layers)
         throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
-                          "); use a GeoPackage for -write_" + (options.doubtful ? "doubtful." : "rejected."));
+                          "); use a GeoPackage for -" +
+                          (options.doubtful   ? "write_doubtful."
+                           : options.rejected ? "write_rejected."
+                                              : "roofs."));
     if (!options.layers)
         return format.multiple_layers ? Layers::both : Layers::buildings;
     if (options.layers == Layers::both && !format.multiple_layers)
@@ -174,6 +179,8 @@ std::string name_of(const WriteOptions& options, const VectorFormat& format, Lay
             return "buildings";
         case LayerRole::contours:
             return "contours";
+        case LayerRole::roofs:
+            return "roofs";
         case LayerRole::doubtful:
             return "doubtful";
         case LayerRole::rejected:
@@ -190,6 +197,8 @@ std::vector<std::string> names_of(const WriteOptions& options, const VectorForma
         names.push_back(name_of(options, format, LayerRole::buildings, layers));
     if (layers != Layers::buildings)
         names.push_back(name_of(options, format, LayerRole::contours, layers));
+    if (options.roofs)
+        names.push_back(name_of(options, format, LayerRole::roofs, layers));
     if (options.doubtful)
         names.push_back(name_of(options, format, LayerRole::doubtful, layers));
     if (options.rejected)

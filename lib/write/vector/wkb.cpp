@@ -45,21 +45,22 @@ void MultiPolygonWkb::point(const Position& place) {
 
 /// Writes every step-th position of a ring, wrapping around.
 void MultiPolygonWkb::points(const WorldRing& positions, std::size_t first, std::size_t step,
-                             std::size_t count, double z) {
+                             std::size_t count, double z, const double* elevations) {
     for (std::size_t i = 0; i < count; ++i) {
-        const Position& p = positions[(first + i * step) % positions.size()];
-        put(p.x);
-        put(p.y);
+        const std::size_t at = (first + i * step) % positions.size();
+        put(positions[at].x);
+        put(positions[at].y);
         if (with_z_)
-            put(z);
+            put(elevations != nullptr ? elevations[at] : z);
     }
 }
 
-void MultiPolygonWkb::ring(const WorldRing& positions, double z) {
+/// @param elevations of its positions; null if all have z
+void MultiPolygonWkb::ring(const WorldRing& positions, double z, const double* elevations) {
     if (positions.size() < 3)
         throw OutputError("A polygon has a ring of fewer than three positions and cannot be written.");
     put(static_cast<std::uint32_t>(positions.size() + 1));
-    points(positions, 0, 1, positions.size() + 1, z);
+    points(positions, 0, 1, positions.size() + 1, z, elevations);
 }
 
 /// @param arcs of this ring, not overlapping, with an even number of edges each
@@ -115,9 +116,15 @@ std::span<const std::byte> MultiPolygonWkb::encode(const Feature& feature) {
             continue;
         }
         head(polygon_type, 1 + polygon.interiors.size());
-        ring(polygon.exterior, feature.z);
+        const double* elevations = polygon.elevations.empty() ? nullptr : polygon.elevations.data();
+        const auto put_ring = [&](const WorldRing& positions) {
+            ring(positions, feature.z, elevations);
+            if (elevations != nullptr)
+                elevations += positions.size();
+        };
+        put_ring(polygon.exterior);
         for (const WorldRing& interior : polygon.interiors)
-            ring(interior, feature.z);
+            put_ring(interior);
     }
     return bytes_;
 }

@@ -1,0 +1,91 @@
+#include "features/roof_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "features/attribute_table.hpp"
+#include "roofs/roof_type.hpp"
+
+namespace d2b::features {
+namespace {
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+std::string_view kind_name(roofs::FaceKind kind) {
+    return kind == roofs::FaceKind::flat ? "flat" : kind == roofs::FaceKind::pitched ? "pitched" : "doubtful";
+}
+
+/// Direction in which water runs in the CRS of the raster, degrees clockwise from north.
+double azimuth_of(const roofs::FaceMeasure& face, const RunSetup& setup) {
+    const double stretch = x_stretch(setup.georeference, setup.crs, setup.dem.window);
+    const auto unit = [&](Position step) {
+        const double length = std::hypot(step.x * stretch, step.y);
+        return Position{step.x * stretch / length, step.y / length};
+    };
+    const Position col = unit(setup.georeference.step(0, 1));
+    const Position row = unit(setup.georeference.step(1, 0));
+    // The gradient rises by slope_col along a row and by slope_row down a column.
+    const double determinant = col.x * row.y - col.y * row.x;
+    const double x = (face.slope_col * row.y - face.slope_row * col.y) / determinant;
+    const double y = (face.slope_row * col.x - face.slope_col * row.x) / determinant;
+    const double azimuth = std::atan2(-x, -y) * 180 / std::numbers::pi;
+    return azimuth < 0 ? azimuth + 360 : azimuth;
+}
+
+}  // namespace
+
+void RoofLayer::note(std::size_t contour, const BuildingRecord& record, const FeaturePolygon& made) {
+    // Faces tile the outline as it was drawn.
+    if (made.invalid_reason.empty())
+        buildings_.push_back({contour, record.id, record.whole, record.area_m2});
+}
+
+std::vector<RoofLayer::Face> RoofLayer::draw(const Building& building, PolygonMaker& maker) const {
+    std::vector<Face> faces;
+    const std::optional<roofs::Roof> roof = input_.roofs->roof(building.contour);
+    if (!roof)
+        return faces;
+    for (const roofs::RoofFace& face : roof->faces) {
+        const roofs::FaceMeasure& measure = face.measure;
+        const double slope = roofs::slope_degrees(measure);
+        Face& drawn = faces.emplace_back();
+        drawn.made = maker.roof_face(face);
+        RoofFaceRecord& record = drawn.record;
+        record.building_id = building.id;
+        record.whole = building.whole;
+        record.slope = measure.kind == roofs::FaceKind::doubtful ? no_value : slope;
+        record.azimuth = measure.kind == roofs::FaceKind::pitched ? azimuth_of(measure, input_.setup) : no_value;
+        record.area_m2 = measure.area * building.area_m2;
+        record.roof_m2 = record.area_m2 / std::cos(slope * std::numbers::pi / 180);
+        const auto [low, high] = std::ranges::minmax(face.elevations);
+        record.lowest = low / maker.metres();
+        record.highest = high / maker.metres();
+        record.rmse_m = measure.rmse_m;
+        record.cells = measure.cells;
+        record.kind = kind_name(measure.kind);
+    }
+    return faces;
+}
+
+void RoofLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const {
+    std::int64_t id = sink.first_id();
+    draw_in_order(
+        *context.threads, buildings_.size(),
+        [&](std::size_t i, std::size_t thread) { return draw(buildings_[i], makers[thread]); },
+        [&](std::size_t, std::vector<Face>&& faces) {
+            const StageClock clock(context.report, Stage::write);
+            for (Face& face : faces) {
+                if (face.made.parts.empty())
+                    continue;
+                face.record.id = id++;
+                sink.add(layer_, {field_values(roof_face_attributes(), face.record), std::move(face.made.parts),
+                                  0, face.record});
+            }
+        });
+}
+
+}  // namespace d2b::features

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/context.hpp"
+#include "dem2buildings/records.hpp"
+#include "dem2buildings/sinks.hpp"
+#include "features/contour_drawer.hpp"
+#include "features/write_features.hpp"
+
+namespace d2b::features {
+
+/// Layer of the faces of the roofs of written buildings.
+class RoofLayer {
+  public:
+    /// @param input must outlive this, and has roofs @param layer index of the layer in the sink
+    RoofLayer(const FeatureInput& input, std::size_t layer) : input_(input), layer_(layer) {}
+
+    /// Records a building that is written. @param made its polygon
+    void note(std::size_t contour, const BuildingRecord& record, const FeaturePolygon& made);
+    /// Writes the faces of the recorded buildings in their order. @param makers one per thread
+    /// @throws OutputError
+    void write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const;
+
+  private:
+    struct Building {
+        std::size_t contour;
+        std::int64_t id;
+        std::int64_t whole;
+        double area_m2;
+    };
+    struct Face {
+        RoofFaceRecord record;
+        FeaturePolygon made;
+    };
+    [[nodiscard]] std::vector<Face> draw(const Building& building, PolygonMaker& maker) const;
+
+    const FeatureInput& input_;
+    std::size_t layer_;
+    std::vector<Building> buildings_;
+};
+
+}  // namespace d2b::features

@@ -1,0 +1,74 @@
+#include "pipeline/extract_roofs.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "contours/for_each_building.hpp"
+#include "geometry/geos.hpp"
+#include "roofs/make_roof.hpp"
+
+namespace d2b::pipeline {
+namespace {
+
+roofs::RoofParameters parameters(const features::RunSetup& setup, double metres) {
+    const double detail = setup.plan.detail;
+    roofs::RoofParameters parameters;
+    parameters.segments.price_m3 = 2 * detail * detail * std::max(1.0, setup.cell_m());
+    parameters.segments.min_area_m2 = setup.plan.asked.roofs.min_area_m2;
+    parameters.cell = setup.cell;
+    parameters.metres = metres;
+    parameters.cell_centre = setup.plan.trace == TraceMode::points ? 0 : 0.5;
+    return parameters;
+}
+
+RoofRecord record_of(const roofs::Roof& roof, double metres) {
+    RoofRecord record;
+    record.type = roof.type;
+    record.rmse_m = roof.rmse_m;
+    record.ridge_z = -std::numeric_limits<double>::infinity();
+    for (const roofs::RoofFace& face : roof.faces) {
+        const auto [low, high] = std::ranges::minmax(face.elevations);
+        record.ridge_z = std::max(record.ridge_z, high / metres);
+        record.eave_z += face.measure.area * low / metres;
+        if (face.measure.kind == roofs::FaceKind::flat)
+            record.flat_share += face.measure.area;
+    }
+    return record;
+}
+
+/// Contours of level 1, by the label of their building.
+std::vector<std::vector<std::size_t>> footprints_by_label(const contours::ContourList& contours, Label count) {
+    std::vector<std::vector<std::size_t>> footprints(count + std::size_t{1});
+    for (std::size_t i = 0; i < contours.size(); ++i)
+        if (const contours::ContourHead& head = contours.head(i); head.key.level == 1 && head.label <= count)
+            footprints[head.label].push_back(i);
+    return footprints;
+}
+
+}  // namespace
+
+features::StoredRoofs extract_roofs(ElevationReader& reader, const FoundBuildings& found,
+                                    const contours::ContourList& contours, const outline::Outliner& outliner,
+                                    const features::RunSetup& setup, Context& context) {
+    const double metres = context.report.units.vertical_metres;
+    const roofs::RoofParameters asked = parameters(setup, metres);
+    features::StoredRoofs roofs(context.make_spool(), contours.size());
+    const auto footprints = footprints_by_label(contours, found.buildings);
+    const StopToken& stop = context.threads->stop();
+    contours::for_each_building(
+        reader, found.labels, found.count(), setup.dem.window, Stage::roofs, context,
+        [&](Label label, contours::BuildingCells&& cells) {
+            if (label > found.buildings)
+                return;
+            Geos geos(stop);
+            for (const std::size_t contour : footprints[label]) {
+                const roofs::Roof roof = roofs::make_roof(cells, outliner.footprint(contour), asked, geos, stop);
+                roofs.put(contour, roof, record_of(roof, metres));
+            }
+        });
+    return roofs;
+}
+
+}  // namespace d2b::pipeline

@@ -1,0 +1,469 @@
+#include "roofs/border_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/disjoint_sets.hpp"
+
+namespace d2b::roofs {
+namespace {
+
+/// Distance in cells from the building up to which borders are followed.
+constexpr float border_reach = 3.5F;
+
+/// Border between two labels along the sides of cells, from junction to junction or closed.
+struct Chain {
+    std::vector<std::uint32_t> corners;  ///< of the grid's lattice
+    std::int32_t low = 0;                ///< label
+    std::int32_t high = 0;
+};
+
+/// Borders between labels as a graph over the corners of cells.
+class BorderGraph {
+  public:
+    BorderGraph(const BuildingGrid& grid, const NearestLabels& labels)
+        : grid_(grid),
+          labels_(labels),
+          width_(static_cast<std::uint32_t>(grid.cols) + 1),
+          sides_(static_cast<std::size_t>(width_) * (static_cast<std::size_t>(grid.rows) + 1)),
+          offsets_{1, -1, static_cast<std::int32_t>(width_), -static_cast<std::int32_t>(width_)} {
+        for (std::int32_t row = 1; row < grid.rows; ++row)
+            for (std::int32_t col = 1; col < grid.cols; ++col)
+                add_sides(row, col);
+    }
+
+    [[nodiscard]] std::vector<Chain> chains() {
+        std::vector<Chain> chains;
+        for (std::uint32_t corner = 0; corner < sides_.size(); ++corner)
+            if (sides_[corner] != 0 && is_junction(corner))
+                take_chains(corner, chains);
+        for (std::uint32_t corner = 0; corner < sides_.size(); ++corner)
+            take_chains(corner, chains);  // closed ones
+        return chains;
+    }
+    [[nodiscard]] bool is_junction(std::uint32_t corner) const { return degree_[corner] != 2; }
+    [[nodiscard]] GridPoint point(std::uint32_t corner) const {
+        return {grid_.x(corner % width_), grid_.y(corner / width_)};
+    }
+    /// Computes the numbers of sides before chains() removes them.
+    void count_degrees() {
+        degree_.resize(sides_.size());
+        for (std::size_t i = 0; i < sides_.size(); ++i)
+            degree_[i] = static_cast<std::uint8_t>(__builtin_popcount(sides_[i]));
+    }
+
+  private:
+    enum Direction : std::uint8_t { right, left, down, up };
+
+    /// Adds the sides to the right of and below a corner.
+    void add_sides(std::int32_t row, std::int32_t col) {
+        const std::size_t below = grid_.index(row, col);
+        const std::size_t above = grid_.index(row - 1, col);
+        const std::size_t beside = grid_.index(row, col - 1);
+        const auto corner = static_cast<std::uint32_t>(row) * width_ + static_cast<std::uint32_t>(col);
+        const auto is_border = [&](std::size_t a, std::size_t b) {
+            return labels_.labels[a] != labels_.labels[b] &&
+                   std::min(labels_.distances[a], labels_.distances[b]) <= border_reach;
+        };
+        if (is_border(above, below))
+            add(corner, right);
+        if (is_border(beside, below))
+            add(corner, down);
+    }
+    [[nodiscard]] static Direction opposite(Direction direction) {
+        return static_cast<Direction>(direction ^ 1U);
+    }
+    [[nodiscard]] std::uint32_t next(std::uint32_t corner, Direction direction) const {
+        return static_cast<std::uint32_t>(static_cast<std::int64_t>(corner) + offsets_[direction]);
+    }
+    void add(std::uint32_t corner, Direction direction) {
+        sides_[corner] |= static_cast<std::uint8_t>(1U << direction);
+        sides_[next(corner, direction)] |= static_cast<std::uint8_t>(1U << opposite(direction));
+    }
+    void remove(std::uint32_t corner, Direction direction) {
+        sides_[corner] &= static_cast<std::uint8_t>(~(1U << direction));
+        sides_[next(corner, direction)] &= static_cast<std::uint8_t>(~(1U << opposite(direction)));
+    }
+    /// Labels on both sides of the first side of a chain.
+    void set_labels(std::uint32_t corner, Direction direction, Chain& chain) const {
+        const std::uint32_t from = std::min(corner, next(corner, direction));
+        const auto row = static_cast<std::int32_t>(from / width_);
+        const auto col = static_cast<std::int32_t>(from % width_);
+        const bool is_row = direction == right || direction == left;
+        const std::int32_t one = labels_.labels[grid_.index(row, col)];
+        const std::int32_t other = labels_.labels[is_row ? grid_.index(row - 1, col) : grid_.index(row, col - 1)];
+        std::tie(chain.low, chain.high) = std::minmax(one, other);
+    }
+    void take_chains(std::uint32_t corner, std::vector<Chain>& chains) {
+        for (const Direction direction : {right, left, down, up})
+            if ((sides_[corner] >> direction & 1U) != 0)
+                chains.push_back(take_chain(corner, direction));
+    }
+    [[nodiscard]] Chain take_chain(std::uint32_t corner, Direction direction) {
+        Chain chain;
+        set_labels(corner, direction, chain);
+        chain.corners.push_back(corner);
+        const std::uint32_t first = corner;
+        for (;;) {
+            remove(corner, direction);
+            corner = next(corner, direction);
+            chain.corners.push_back(corner);
+            if (is_junction(corner) || corner == first || sides_[corner] == 0)
+                return chain;
+            direction = static_cast<Direction>(__builtin_ctz(sides_[corner]));
+        }
+    }
+
+    const BuildingGrid& grid_;
+    const NearestLabels& labels_;
+    std::uint32_t width_;
+    std::vector<std::uint8_t> sides_;   ///< by corner: bits of the directions that are left
+    std::vector<std::uint8_t> degree_;  ///< by corner: number of sides
+    std::array<std::int32_t, 4> offsets_;
+};
+
+/// Line through a point with a unit normal.
+struct FittedLine {
+    GridPoint through;
+    GridPoint normal;
+    double weight = 1;
+};
+
+double dot(const GridPoint& a, const GridPoint& b) {
+    return a.x * b.x + a.y * b.y;
+}
+GridPoint minus(const GridPoint& a, const GridPoint& b) {
+    return {a.x - b.x, a.y - b.y};
+}
+GridPoint middle(const GridPoint& a, const GridPoint& b) {
+    return {(a.x + b.x) / 2, (a.y + b.y) / 2};
+}
+
+/// Total least squares through points.
+FittedLine fit_line(std::span<const GridPoint> points) {
+    GridPoint mean;
+    for (const GridPoint& p : points) {
+        mean.x += p.x;
+        mean.y += p.y;
+    }
+    mean.x /= static_cast<double>(points.size());
+    mean.y /= static_cast<double>(points.size());
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (const GridPoint& p : points) {
+        const GridPoint d = minus(p, mean);
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        yy += d.y * d.y;
+    }
+    const double angle = std::atan2(2 * xy, xx - yy) / 2;  // of the line
+    return {mean, {-std::sin(angle), std::cos(angle)}};
+}
+
+/// Indices kept by the algorithm of Douglas and Peucker (1973), ascending.
+void simplify(std::span<const GridPoint> points, std::size_t first, std::size_t last, double tolerance,
+              std::vector<std::size_t>& kept) {
+    std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
+    std::vector<std::size_t> found{last};
+    while (!open.empty()) {
+        const auto [a, b] = open.back();
+        open.pop_back();
+        const GridPoint along = minus(points[b], points[a]);
+        const double length = std::hypot(along.x, along.y);
+        std::size_t farthest = a;
+        double most = tolerance;
+        for (std::size_t i = a + 1; i < b; ++i) {
+            const GridPoint d = minus(points[i], points[a]);
+            const double distance =
+                length > 1e-9 ? std::abs(along.x * d.y - along.y * d.x) / length : std::hypot(d.x, d.y);
+            if (distance > most) {
+                most = distance;
+                farthest = i;
+            }
+        }
+        if (farthest == a)
+            continue;
+        found.push_back(farthest);
+        open.emplace_back(a, farthest);
+        open.emplace_back(farthest, b);
+    }
+    std::ranges::sort(found);
+    kept.push_back(first);
+    kept.insert(kept.end(), found.begin(), found.end());
+}
+
+/// Stretch of a chain that is a crease or a step.
+struct Run {
+    std::size_t first;  ///< side
+    std::size_t end;
+    bool crease;
+};
+
+/// Difference of the planes beside a chain.
+struct PlaneDifference {
+    GridPoint slope;
+    double z0 = 0;
+    double steepness = 0;  ///< metres per cell
+
+    PlaneDifference(const Plane& a, const Plane& b)
+        : slope{a.slope_x - b.slope_x, a.slope_y - b.slope_y},
+          z0(a.z0 - b.z0),
+          steepness(std::hypot(slope.x, slope.y)) {}
+    [[nodiscard]] double at(const GridPoint& p) const { return dot(slope, p) + z0; }
+    /// Line in which the planes meet.
+    [[nodiscard]] FittedLine line() const {
+        const double scale = -z0 / (steepness * steepness);
+        return {{slope.x * scale, slope.y * scale}, {slope.x / steepness, slope.y / steepness}};
+    }
+};
+
+/// Lines of chains with common ends.
+class LineDrawing {
+  public:
+    LineDrawing(const BuildingGrid& grid, const BorderGraph& graph, const std::vector<Plane>& planes,
+                const BorderOptions& options)
+        : grid_(grid), graph_(graph), planes_(planes), options_(options) {}
+
+    void add(const Chain& chain);
+    [[nodiscard]] std::vector<BorderLine> lines();
+
+  private:
+    /// Node of a junction; a corner has one node.
+    [[nodiscard]] std::uint32_t node(std::uint32_t corner);
+    void add_line(std::uint32_t from, std::uint32_t to, const std::optional<FittedLine>& line);
+    void add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run);
+    [[nodiscard]] std::vector<Run> runs(std::span<const GridPoint> points, const PlaneDifference& difference) const;
+    [[nodiscard]] static bool spans(std::span<const GridPoint> points, const Run& run,
+                                    const PlaneDifference& difference);
+    [[nodiscard]] GridPoint place(const GridPoint& mean, const std::vector<FittedLine>& lines) const;
+
+    struct Line {
+        std::uint32_t from;
+        std::uint32_t to;
+    };
+    const BuildingGrid& grid_;
+    const BorderGraph& graph_;
+    const std::vector<Plane>& planes_;
+    const BorderOptions& options_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> known_;  ///< corner, node; sorted when added
+    std::vector<GridPoint> corners_;                              ///< by node
+    std::vector<std::vector<FittedLine>> through_;                ///< by node: lines that should pass it
+    DisjointSets merged_;                                         ///< nodes of collapsed chains
+    std::vector<Line> lines_;
+};
+
+std::uint32_t LineDrawing::node(std::uint32_t corner) {
+    const auto at = std::ranges::lower_bound(known_, corner, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
+    if (at != known_.end() && at->first == corner)
+        return at->second;
+    const std::uint32_t added = merged_.add();
+    known_.insert(at, {corner, added});
+    corners_.push_back(graph_.point(corner));
+    through_.emplace_back();
+    return added;
+}
+
+void LineDrawing::add_line(std::uint32_t from, std::uint32_t to, const std::optional<FittedLine>& line) {
+    if (line) {
+        through_[from].push_back(*line);
+        through_[to].push_back(*line);
+    }
+    lines_.push_back({from, to});
+}
+
+/// True if a crease runs along the line in which the planes meet and not across it.
+bool LineDrawing::spans(std::span<const GridPoint> points, const Run& run, const PlaneDifference& difference) {
+    constexpr double least_share = 0.6;
+    const GridPoint along{-difference.slope.y / difference.steepness, difference.slope.x / difference.steepness};
+    GridPoint low = points[run.first];
+    GridPoint high = low;
+    double from = dot(along, low);
+    double to = from;
+    for (std::size_t i = run.first; i <= run.end; ++i) {
+        low = {std::min(low.x, points[i].x), std::min(low.y, points[i].y)};
+        high = {std::max(high.x, points[i].x), std::max(high.y, points[i].y)};
+        from = std::min(from, dot(along, points[i]));
+        to = std::max(to, dot(along, points[i]));
+    }
+    return to - from >= least_share * std::hypot(high.x - low.x, high.y - low.y);
+}
+
+/// Divides a chain into creases and steps.
+std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points, const PlaneDifference& difference) const {
+    constexpr double least_bend = 0.08;       // difference of slopes
+    constexpr double crease_distance = 1.5;   // cells from the line in which the planes meet
+    constexpr double crease_step_m = 1.0;
+    constexpr std::size_t smoothed = 2;       // sides to both sides
+    constexpr std::size_t shortest = 4;       // sides
+    const std::size_t sides = points.size() - 1;
+    std::vector<bool> crease(sides, false);
+    if (difference.steepness > least_bend * grid_.cell_m) {
+        std::vector<int> near(sides);
+        for (std::size_t i = 0; i < sides; ++i) {
+            const double step = std::abs(difference.at(middle(points[i], points[i + 1])));
+            near[i] = step / difference.steepness <= crease_distance && step < crease_step_m ? 1 : 0;
+        }
+        for (std::size_t i = 0; i < sides; ++i) {
+            if (sides < 2 * smoothed + 1) {
+                crease[i] = near[i] != 0;
+                continue;
+            }
+            int votes = 0;
+            for (std::size_t k = 0; k <= 2 * smoothed; ++k)
+                votes += near[std::clamp<std::size_t>(i + k, smoothed, sides - 1 + smoothed) - smoothed];
+            crease[i] = 2 * votes > static_cast<int>(2 * smoothed + 1);
+        }
+    }
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < sides; ++i)
+        if (runs.empty() || runs.back().crease != crease[i])
+            runs.push_back({i, i + 1, crease[i]});
+        else
+            runs.back().end = i + 1;
+    const auto is_short = [](const Run& run) { return run.end - run.first < shortest; };
+    for (std::size_t k = 0; runs.size() > 1 && k < runs.size();) {
+        if (is_short(runs[k])) {
+            Run& into = k > 0 ? runs[k - 1] : runs[k + 1];
+            into.first = std::min(into.first, runs[k].first);
+            into.end = std::max(into.end, runs[k].end);
+            runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(k));
+            k = 0;
+        } else if (k > 0 && runs[k].crease == runs[k - 1].crease) {
+            runs[k - 1].end = runs[k].end;
+            runs.erase(runs.begin() + static_cast<std::ptrdiff_t>(k));
+        } else {
+            ++k;
+        }
+    }
+    return runs;
+}
+
+void LineDrawing::add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run) {
+    constexpr double weight = 0.3;        // of a step line beside creases
+    constexpr std::size_t shortest = 4;   // sides of a line that is fitted
+    std::vector<std::size_t> kept;
+    if (chain.corners[run.first] == chain.corners[run.end]) {
+        // A closed chain has two ends that are far from each other.
+        std::size_t far = run.first;
+        double most = -1;
+        for (std::size_t i = run.first; i < run.end; ++i) {
+            const GridPoint d = minus(points[i], points[run.first]);
+            if (const double distance = std::hypot(d.x, d.y); distance > most) {
+                most = distance;
+                far = i;
+            }
+        }
+        simplify(points, run.first, far, options_.step_tolerance, kept);
+        kept.pop_back();
+        simplify(points, far, run.end, options_.step_tolerance, kept);
+    } else {
+        simplify(points, run.first, run.end, options_.step_tolerance, kept);
+    }
+    for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
+        std::optional<FittedLine> line;
+        if (kept[k + 1] - kept[k] >= shortest) {
+            std::vector<GridPoint> middles;
+            for (std::size_t i = kept[k]; i < kept[k + 1]; ++i)
+                middles.push_back(middle(points[i], points[i + 1]));
+            line = fit_line(middles);
+            line->weight = weight;
+        }
+        const std::uint32_t from = node(chain.corners[kept[k]]);
+        add_line(from, node(chain.corners[kept[k + 1]]), line);
+    }
+}
+
+void LineDrawing::add(const Chain& chain) {
+    constexpr std::size_t collapsed = 2;  // sides between two junctions that become one
+    const std::size_t sides = chain.corners.size() - 1;
+    const std::uint32_t first = chain.corners.front();
+    const std::uint32_t last = chain.corners.back();
+    if (sides <= collapsed && first != last && graph_.is_junction(first) && graph_.is_junction(last)) {
+        const std::uint32_t from = node(first);
+        merged_.join(from, node(last));
+        return;
+    }
+    std::vector<GridPoint> points;
+    for (const std::uint32_t corner : chain.corners)
+        points.push_back(graph_.point(corner));
+    const PlaneDifference difference(planes_[static_cast<std::size_t>(chain.low)],
+                                     planes_[static_cast<std::size_t>(chain.high)]);
+    for (Run run : runs(points, difference)) {
+        const bool whole_ring = first == last && run.end - run.first == sides;
+        run.crease = run.crease && !whole_ring && spans(points, run, difference);
+        if (run.crease) {
+            const std::uint32_t from = node(chain.corners[run.first]);
+            add_line(from, node(chain.corners[run.end]), difference.line());
+        } else {
+            add_step(chain, points, run);
+        }
+    }
+}
+
+/// Moves a node to the lines that should pass it.
+GridPoint LineDrawing::place(const GridPoint& mean, const std::vector<FittedLine>& lines) const {
+    constexpr double stay = 0.02;  // weight of not moving
+    double xx = stay;
+    double xy = 0;
+    double yy = stay;
+    GridPoint pull;
+    for (const FittedLine& line : lines) {
+        const GridPoint& n = line.normal;
+        const double distance = dot(n, minus(line.through, mean));
+        xx += line.weight * n.x * n.x;
+        xy += line.weight * n.x * n.y;
+        yy += line.weight * n.y * n.y;
+        pull.x += line.weight * n.x * distance;
+        pull.y += line.weight * n.y * distance;
+    }
+    const double determinant = xx * yy - xy * xy;
+    const GridPoint move{(pull.x * yy - pull.y * xy) / determinant, (pull.y * xx - pull.x * xy) / determinant};
+    const double length = std::hypot(move.x, move.y);
+    const double share = length > options_.max_move ? options_.max_move / length : 1;
+    return {mean.x + share * move.x, mean.y + share * move.y};
+}
+
+std::vector<BorderLine> LineDrawing::lines() {
+    struct Group {
+        GridPoint sum;
+        double count = 0;
+        std::vector<FittedLine> lines;
+        GridPoint at;
+    };
+    std::vector<Group> groups(corners_.size());
+    for (std::uint32_t i = 0; i < corners_.size(); ++i) {
+        Group& group = groups[merged_.find(i)];
+        group.sum.x += corners_[i].x;
+        group.sum.y += corners_[i].y;
+        ++group.count;
+        group.lines.insert(group.lines.end(), through_[i].begin(), through_[i].end());
+    }
+    for (Group& group : groups)
+        if (group.count > 0)
+            group.at = place({group.sum.x / group.count, group.sum.y / group.count}, group.lines);
+    std::vector<BorderLine> result;
+    for (const Line& line : lines_)
+        if (const std::uint32_t from = merged_.find(line.from), to = merged_.find(line.to); from != to)
+            result.push_back({groups[from].at, groups[to].at});
+    return result;
+}
+
+}  // namespace
+
+std::vector<BorderLine> border_lines(const BuildingGrid& grid, const NearestLabels& labels,
+                                     const std::vector<Plane>& planes, const BorderOptions& options) {
+    BorderGraph graph(grid, labels);
+    graph.count_degrees();
+    LineDrawing drawing(grid, graph, planes, options);
+    for (const Chain& chain : graph.chains())
+        drawing.add(chain);
+    return drawing.lines();
+}
+
+}  // namespace d2b::roofs

@@ -1,0 +1,141 @@
+#include "roofs/make_roof.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "roofs/meeting_planes.hpp"
+#include "roofs/partition.hpp"
+
+namespace d2b::roofs {
+namespace {
+
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
+constexpr std::int32_t margin = 5;  // cells
+/// Width in cells of the largest square in a face below which its slope is doubtful.
+constexpr std::int32_t least_width = 3;
+
+LatticeBox box_of(const FinePolygon& polygon) {
+    const auto floor_cell = [](std::int64_t fine) {
+        return static_cast<std::int32_t>(fine >= 0 ? fine / FinePoint::steps
+                                                   : -((-fine + FinePoint::steps - 1) / FinePoint::steps));
+    };
+    FinePoint low = polygon.exterior.front();
+    FinePoint high = low;
+    for (const FinePoint& p : polygon.exterior) {
+        low = {std::min(low.row, p.row), std::min(low.col, p.col)};
+        high = {std::max(high.row, p.row), std::max(high.col, p.col)};
+    }
+    return {{floor_cell(low.row), floor_cell(low.col)}, {floor_cell(high.row) + 1, floor_cell(high.col) + 1}};
+}
+
+FinePolygon refined(const FinePolygon& polygon) {
+    const auto ring = [](const FineRing& points) {
+        FineRing result;
+        for (const FinePoint& p : points)
+            result.push_back({p.row * roof_steps, p.col * roof_steps});
+        return result;
+    };
+    FinePolygon result{ring(polygon.exterior), {}};
+    for (const FineRing& interior : polygon.interiors)
+        result.interiors.push_back(ring(interior));
+    return result;
+}
+
+/// True if the cells contain a square of the least width.
+bool is_wide(const std::vector<std::size_t>& cells, const BuildingGrid& grid, std::vector<std::int32_t>& sides) {
+    const auto width = static_cast<std::size_t>(grid.cols);
+    bool wide = false;
+    for (const std::size_t i : cells) {
+        sides[i] = 1 + std::min({sides[i - 1], sides[i - width], sides[i - width - 1]});
+        wide = wide || sides[i] >= least_width;
+    }
+    for (const std::size_t i : cells)
+        sides[i] = 0;
+    return wide;
+}
+
+/// Measures the deviation of cells from a plane.
+FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, const BuildingGrid& grid) {
+    FaceMeasure face;
+    face.slope_col = plane.slope_x / grid.cell_m;
+    face.slope_row = plane.slope_y / grid.cell_m;
+    const auto width = static_cast<std::size_t>(grid.cols);
+    double squares = 0;
+    for (const std::size_t cell : cells) {
+        const double z = grid.elevations[cell];
+        if (std::isnan(z))
+            continue;
+        const double residual = z - plane.at(grid.x(static_cast<double>(cell % width) + 0.5),
+                                             grid.y(static_cast<double>(cell / width) + 0.5));
+        squares += residual * residual;
+        ++face.cells;
+    }
+    face.rmse_m = face.cells > 0 ? std::sqrt(squares / static_cast<double>(face.cells)) : 0;
+    return face;
+}
+
+/// Sets the type and error of a roof from its faces.
+void summarize(Roof& roof) {
+    std::vector<FaceShape> shapes;
+    double squares = 0;
+    double cells = 0;
+    for (const RoofFace& face : roof.faces) {
+        const FaceMeasure& m = face.measure;
+        shapes.push_back({m.area, slope_degrees(m), std::atan2(-m.slope_col, m.slope_row) * degrees_per_radian,
+                          m.kind == FaceKind::doubtful});
+        squares += m.rmse_m * m.rmse_m * static_cast<double>(m.cells);
+        cells += static_cast<double>(m.cells);
+    }
+    roof.type = roof_type(shapes);
+    roof.rmse_m = cells > 0 ? std::sqrt(squares / cells) : 0;
+}
+
+}  // namespace
+
+double slope_degrees(const FaceMeasure& face) {
+    return std::atan(std::hypot(face.slope_col, face.slope_row)) * degrees_per_radian;
+}
+
+Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprint, const RoofParameters& options,
+               Geos& geos, const StopToken& stop) {
+    const BuildingGrid grid =
+        make_building_grid(cells, box_of(footprint), margin, options.cell, options.metres);
+    const PlaneSegments segments = segment_planes(grid, options.segments, stop);
+    const NearestLabels nearest = nearest_labels(segments.labels, grid.rows, grid.cols);
+    const RoofLattice lattice(grid, options.cell_centre);
+    const std::vector<LabelledFace> faces =
+        partition(refined(footprint), border_lines(grid, nearest, segments.planes, options.borders),
+                  nearest.labels, grid, lattice, geos);
+    std::vector<Plane> first;
+    std::vector<std::vector<std::size_t>> inside;
+    for (const LabelledFace& face : faces) {
+        first.push_back(segments.planes[static_cast<std::size_t>(face.label)]);
+        inside.push_back(cells_of(face.outline, grid, lattice));
+    }
+    const std::vector<FacePlane> planes =
+        meeting_planes(faces, face_edges(faces), first, inside, grid, lattice);
+    const std::vector<std::vector<double>> elevations = corner_elevations(faces, planes, lattice);
+
+    Roof roof;
+    std::vector<std::int32_t> sides(grid.size(), 0);
+    double whole = 0;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        RoofFace& face = roof.faces.emplace_back(RoofFace{faces[i].outline, elevations[i], {}});
+        for (double& z : face.elevations)
+            z += grid.datum;
+        face.measure = measured(planes[i].plane, inside[i], grid);
+        face.measure.area = area_in_cells(face.outline);
+        whole += face.measure.area;
+        face.measure.kind = planes[i].level || !is_wide(inside[i], grid, sides) ? FaceKind::doubtful
+                            : slope_degrees(face.measure) < flat_degrees       ? FaceKind::flat
+                                                                                : FaceKind::pitched;
+    }
+    for (RoofFace& face : roof.faces)
+        face.measure.area /= whole;
+    summarize(roof);
+    return roof;
+}
+
+}  // namespace d2b::roofs

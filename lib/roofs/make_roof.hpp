@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "contours/merge_regions.hpp"
+#include "core/grid.hpp"
+#include "core/lattice.hpp"
+#include "core/stop_token.hpp"
+#include "geometry/geos.hpp"
+#include "roofs/border_lines.hpp"
+#include "roofs/roof_type.hpp"
+#include "roofs/segment_planes.hpp"
+
+namespace d2b::roofs {
+
+/// Divides a step of the fine lattice, because corners of faces lie on walls between its points.
+inline constexpr std::int64_t roof_steps = 1024;
+
+struct RoofParameters {
+    SegmentOptions segments;
+    BorderOptions borders;
+    CellSize cell;
+    double metres = 1;      ///< metres per unit of the elevations
+    double cell_centre = 0.5;  ///< position of the centre of cell 0 on the lattice: 0 with -trace points
+};
+
+enum class FaceKind { flat, pitched, doubtful };
+
+struct FaceMeasure {
+    double area = 0;         ///< in plan, as a share of the footprint
+    double slope_col = 0;    ///< rise per metre along a row
+    double slope_row = 0;    ///< rise per metre down a column
+    double rmse_m = 0;
+    std::int64_t cells = 0;  ///< valid cells with their centres in it
+    FaceKind kind = FaceKind::flat;
+};
+
+/// Face of a roof.
+struct RoofFace {
+    FinePolygon outline;             ///< in 1/1024 of a fine step: corners are shared with other faces
+    std::vector<double> elevations;  ///< of its corners in the order of its rings, in m
+    FaceMeasure measure;
+};
+
+/// Roof of a building: faces that tile its footprint.
+struct Roof {
+    std::vector<RoofFace> faces;
+    std::string_view type;
+    double rmse_m = 0;
+};
+
+/// Slope in degrees.
+[[nodiscard]] double slope_degrees(const FaceMeasure& face);
+
+/// Extracts the faces of a roof from the cells of a building and its outline. Two faces either meet along an
+/// edge or are a step apart.
+/// @throws Cancelled, GeometryError
+[[nodiscard]] Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprint,
+                             const RoofParameters& options, Geos& geos, const StopToken& stop);
+
+}  // namespace d2b::roofs

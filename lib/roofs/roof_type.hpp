@@ -1,0 +1,22 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace d2b::roofs {
+
+/// Slope in degrees below which a face is flat.
+inline constexpr double flat_degrees = 8;
+
+/// Face as far as the type of its roof depends on it.
+struct FaceShape {
+    double area = 0;
+    double slope = 0;    ///< degrees
+    double azimuth = 0;  ///< degrees in which water runs; any if flat
+    bool doubtful = false;
+};
+
+/// Name of the type of a roof: flat, shed, gabled, hipped, pyramidal, mansard, domed, complex or unknown.
+[[nodiscard]] std::string_view roof_type(std::span<const FaceShape> faces);
+
+}  // namespace d2b::roofs
