@@ -173,7 +173,8 @@ std::uint32_t RegionAdjacencyGraph<Region>::merge(std::uint32_t a, std::uint32_t
 /// Merges each region with its cheapest neighbour while that costs at most the price.
 /// @param roots in ascending order; merged ones are removed, because most merge early
 template <typename Region>
-void merge_up_to(RegionAdjacencyGraph<Region>& graph, double price, std::vector<std::uint32_t>& roots, const StopToken& stop) {
+void merge_up_to(RegionAdjacencyGraph<Region>& graph, double price, std::vector<std::uint32_t>& roots,
+                 const StopToken& stop) {
     for (bool merged = true; merged;) {
         merged = false;
         std::size_t kept = 0;

@@ -21,8 +21,8 @@ class Georeference {
 
     [[nodiscard]] Position position(FinePoint point) const;
     [[nodiscard]] Position position(LatticePoint point) const { return position(fine(point)); }
-    /// Returns the position of a point between those of the fine lattice. @param divisor of its row and column,
-    /// a power of two
+    /// Returns the position of a point between those of the fine lattice. @param divisor of its row and
+    /// column, a power of two
     [[nodiscard]] Position position(FinePoint point, std::int64_t divisor) const;
     /// Returns the corners of a box, starting at the low one, along the column first.
     [[nodiscard]] WorldRing corners(const LatticeBox& box) const;

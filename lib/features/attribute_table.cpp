@@ -161,9 +161,10 @@ constexpr std::array roof_table{
                                              ? FieldValue{}
                                              : FieldValue{std::string(r.roof_shape.type)};
                               }},
-    Attribute<BuildingRecord>{"flat_m2", "Flat roofs", FieldType::real, Unit::square_metre,
-                              "area of faces that slope by less than 8 degrees",
-                              [](const BuildingRecord& r) { return measure(r.roof_shape.flat_share * r.area_m2); }},
+    Attribute<BuildingRecord>{
+        "flat_m2", "Flat roofs", FieldType::real, Unit::square_metre,
+        "area of faces that slope by less than 8 degrees",
+        [](const BuildingRecord& r) { return measure(r.roof_shape.flat_share * r.area_m2); }},
     Attribute<BuildingRecord>{"ridge_z", "Ridge", FieldType::real, Unit::vertical,
                               "highest corner of the faces",
                               [](const BuildingRecord& r) { return number(r.roof_shape.ridge_z); }},
@@ -190,19 +191,22 @@ constexpr std::array roof_face_table{
                               [](const RoofFaceRecord& r) -> FieldValue { return r.id; }},
     Attribute<RoofFaceRecord>{"bldg_id", "Building", FieldType::integer, Unit::none, "id of the building",
                               [](const RoofFaceRecord& r) { return reference(r.building_id); }},
-    Attribute<RoofFaceRecord>{"part_id", "Part of", FieldType::integer, Unit::none,
-                              "lowest id of the buildings into which its building was divided; NULL if it was not",
-                              [](const RoofFaceRecord& r) { return reference(r.whole); }},
+    Attribute<RoofFaceRecord>{
+        "part_id", "Part of", FieldType::integer, Unit::none,
+        "lowest id of the buildings into which its building was divided; NULL if it was not",
+        [](const RoofFaceRecord& r) { return reference(r.whole); }},
     Attribute<RoofFaceRecord>{"slope", "Slope", FieldType::real, Unit::none,
                               "degrees from the horizontal; NULL if doubtful",
                               [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.slope)); }},
-    Attribute<RoofFaceRecord>{"azimuth", "Azimuth", FieldType::real, Unit::none,
-                              "direction in which water runs, degrees clockwise from the north of the CRS; NULL "
-                              "below a slope of 8 degrees",
-                              [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.azimuth)); }},
+    Attribute<RoofFaceRecord>{
+        "azimuth", "Azimuth", FieldType::real, Unit::none,
+        "direction in which water runs, degrees clockwise from the north of the CRS; NULL "
+        "below a slope of 8 degrees",
+        [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.azimuth)); }},
     Attribute<RoofFaceRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre, "area in plan",
                               [](const RoofFaceRecord& r) { return measure(r.area_m2); }},
-    Attribute<RoofFaceRecord>{"roof_m2", "Roof area", FieldType::real, Unit::square_metre, "area along the slope",
+    Attribute<RoofFaceRecord>{"roof_m2", "Roof area", FieldType::real, Unit::square_metre,
+                              "area along the slope",
                               [](const RoofFaceRecord& r) { return measure(r.roof_m2); }},
     Attribute<RoofFaceRecord>{"z_low", "Lowest corner", FieldType::real, Unit::vertical,
                               "elevation of the lowest corner",
@@ -216,10 +220,11 @@ constexpr std::array roof_face_table{
     Attribute<RoofFaceRecord>{"n_cells", "Cells", FieldType::integer, Unit::none,
                               "cells of the DEM with a valid point and their centre in it",
                               [](const RoofFaceRecord& r) -> FieldValue { return r.cells; }},
-    Attribute<RoofFaceRecord>{"kind", "Kind", FieldType::text, Unit::none,
-                              "flat (below 8 degrees), pitched, or doubtful: too narrow for a slope, or level "
-                              "because no plane suits the points",
-                              [](const RoofFaceRecord& r) -> FieldValue { return std::string(r.kind); }},
+    Attribute<RoofFaceRecord>{
+        "kind", "Kind", FieldType::text, Unit::none,
+        "flat (below 8 degrees), pitched, or doubtful: too narrow for a slope, or level "
+        "because no plane suits the points",
+        [](const RoofFaceRecord& r) -> FieldValue { return std::string(r.kind); }},
 };
 
 constexpr std::array contour_table{
@@ -379,8 +384,9 @@ template std::vector<FieldValue> field_values(std::span<const Attribute<ContourR
 
 std::string schema_markdown() {
     return "## buildings\n\n" + markdown(building_attributes(true, true)) + "\n## contours\n\n" +
-           markdown(contour_attributes()) + "\n## roofs\n\n" + markdown(roof_face_attributes()) + "\n## rejected\n\n" + markdown(rejected_attributes()) +
-           "\n## problems\n\n" + markdown(problem_attributes());
+           markdown(contour_attributes()) + "\n## roofs\n\n" + markdown(roof_face_attributes()) +
+           "\n## rejected\n\n" + markdown(rejected_attributes()) + "\n## problems\n\n" +
+           markdown(problem_attributes());
 }
 
 namespace {

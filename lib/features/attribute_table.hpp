@@ -31,7 +31,8 @@ struct Attribute {
 
 /// Attributes of buildings. Those of roofs exist only with -roofs, and the parcel only if parcels divide
 /// buildings.
-[[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes(bool with_roof, bool with_parcel);
+[[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes(bool with_roof,
+                                                                             bool with_parcel);
 [[nodiscard]] inline std::span<const Attribute<BuildingRecord>> building_attributes(const Options& options) {
     return building_attributes(options.write.roofs, options.detect.is_split_by());
 }

@@ -328,9 +328,8 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordBuilder& rec
                                                         : ContourChildren()),
       with_cells_(measures_drawn(input.setup.plan)) {
     for (int thread = 0; thread < threads_.threads(); ++thread)
-        makers_.emplace_back(
-            PolygonParameters{input.setup, input.outliner, children_, threads_.stop(), with_cells_,
-                              context.report.units.vertical_metres});
+        makers_.emplace_back(PolygonParameters{input.setup, input.outliner, children_, threads_.stop(),
+                                               with_cells_, context.report.units.vertical_metres});
 }
 
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {

@@ -268,9 +268,8 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     BuildingRecord& record = drawn.building_record;
     if (!doubtful)
         implausible_heights_.note(record, drawn.record);
-    write(*indices().building_layer(doubtful),
-          building_attributes(input_.setup.plan.asked), record, std::move(made),
-          drawn.record.threshold);
+    write(*indices().building_layer(doubtful), building_attributes(input_.setup.plan.asked), record,
+          std::move(made), drawn.record.threshold);
 }
 
 bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {

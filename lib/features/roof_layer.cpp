@@ -58,7 +58,8 @@ std::vector<RoofLayer::Face> RoofLayer::draw(const Building& building, PolygonMa
         record.building_id = building.id;
         record.whole = building.whole;
         record.slope = measure.kind == roofs::FaceKind::doubtful ? no_value : slope;
-        record.azimuth = measure.kind == roofs::FaceKind::pitched ? azimuth_of(measure, input_.setup) : no_value;
+        record.azimuth =
+            measure.kind == roofs::FaceKind::pitched ? azimuth_of(measure, input_.setup) : no_value;
         record.area_m2 = measure.area * building.area_m2;
         record.roof_m2 = record.area_m2 / std::cos(slope * std::numbers::pi / 180);
         const auto [low, high] = std::ranges::minmax(face.elevations);
@@ -82,8 +83,8 @@ void RoofLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Cont
                 if (face.made.parts.empty())
                     continue;
                 face.record.id = id++;
-                sink.add(layer_, {field_values(roof_face_attributes(), face.record), std::move(face.made.parts),
-                                  0, face.record});
+                sink.add(layer_, {field_values(roof_face_attributes(), face.record),
+                                  std::move(face.made.parts), 0, face.record});
             }
         });
 }

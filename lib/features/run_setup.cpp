@@ -25,8 +25,7 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
                                 std::move(fields), write.with_z, arcs});
         return specs.layers.size() - 1;
     };
-    const auto building_fields =
-        field_specs(building_attributes(options), vertical_unit, write.fields);
+    const auto building_fields = field_specs(building_attributes(options), vertical_unit, write.fields);
     if (plan.layers != Layers::contours)
         specs.indices.buildings = add(LayerRole::buildings, "Buildings", "One polygon per building, from ",
                                       building_fields, with_arcs);

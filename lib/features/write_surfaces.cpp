@@ -182,8 +182,7 @@ void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceWork
     input.of = SurfaceOf::contours;
     DrawnCluster drawn = draw_cluster(input, group, worker.transform);
     result.tiers = building_tiers(drawn, input.roof, input.lattice);
-    fill_values(drawn.buildings, building_attributes(input_.features.setup.plan.asked),
-                result.tiers);
+    fill_values(drawn.buildings, building_attributes(input_.features.setup.plan.asked), result.tiers);
     if (!has_closed())
         result.lost = std::move(drawn.lost);
 }

@@ -196,8 +196,7 @@ std::vector<FinePolygon> Geos::divide(const FinePolygon& whole, const std::vecto
     const GeometryPtr area = geos.polygon(whole);
     const GeometryPtr given = geos.multi_line(lines);
     const GeometryPtr boundary = geos.wrap(GEOSBoundary_r(geos.context(), area.get()));
-    const GeometryPtr net =
-        geos.wrap(GEOSUnionPrec_r(geos.context(), boundary.get(), given.get(), 1));
+    const GeometryPtr net = geos.wrap(GEOSUnionPrec_r(geos.context(), boundary.get(), given.get(), 1));
     const GEOSGeometry* const noded = net.get();
     const GeometryPtr faces = geos.wrap(GEOSPolygonize_r(geos.context(), &noded, 1));
     const PreparedPtr prepared(GEOSPrepare_r(geos.context(), area.get()), {geos.context()});

@@ -125,16 +125,17 @@ std::vector<OptionRow> also_written() {
         {.title = "Also write the planes of roofs",
          .section = DialogSection::output,
          .help = "Also write a layer of the faces of roofs, with their slopes and azimuths.",
-         .details = "It is called roofs, or <name>_roofs with -nln; its polygons have the elevations of their "
-                    "corners. -detail says how small a step is drawn.",
+         .details =
+             "It is called roofs, or <name>_roofs with -nln; its polygons have the elevations of their "
+             "corners. -detail says how small a step is drawn.",
          .scope = detection_scope()}));
-    rows.push_back(number_row(
-        "roof_min_area", "<m2>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.roofs.min_area_m2; },
-        {.title = "Smallest face of a roof",
-         .help = "Smallest face of a roof; smaller ones are merged with a neighbour.",
-         .details = "15 leaves dormers out.",
-         .unit = "m2",
-         .scope = detection_scope()}));
+    rows.push_back(number_row("roof_min_area", "<m2>", {.lowest = 0},
+                              [](auto& r) -> auto& { return r.options.roofs.min_area_m2; },
+                              {.title = "Smallest face of a roof",
+                               .help = "Smallest face of a roof; smaller ones are merged with a neighbour.",
+                               .details = "15 leaves dormers out.",
+                               .unit = "m2",
+                               .scope = detection_scope()}));
     rows.push_back(switch_row(
         "write_doubtful", [](auto& r) -> auto& { return r.options.write.doubtful; },
         {.title = "Also write uncertain objects",

@@ -39,7 +39,8 @@ RoofRecord record_of(const roofs::Roof& roof, double metres) {
 }
 
 /// Contours of level 1, by the label of their building.
-std::vector<std::vector<std::size_t>> footprints_by_label(const contours::ContourList& contours, Label count) {
+std::vector<std::vector<std::size_t>> footprints_by_label(const contours::ContourList& contours,
+                                                          Label count) {
     std::vector<std::vector<std::size_t>> footprints(count + std::size_t{1});
     for (std::size_t i = 0; i < contours.size(); ++i)
         if (const contours::ContourHead& head = contours.head(i); head.key.level == 1 && head.label <= count)
@@ -57,17 +58,17 @@ features::StoredRoofs extract_roofs(ElevationReader& reader, const FoundBuilding
     features::StoredRoofs roofs(context.make_spool(), contours.size());
     const auto footprints = footprints_by_label(contours, found.buildings);
     const StopToken& stop = context.threads->stop();
-    contours::for_each_building(
-        reader, found.labels, found.count(), setup.dem.window, Stage::roofs, context,
-        [&](Label label, contours::BuildingCells&& cells) {
-            if (label > found.buildings)
-                return;
-            Geos geos(stop);
-            for (const std::size_t contour : footprints[label]) {
-                const roofs::Roof roof = roofs::make_roof(cells, outliner.footprint(contour), asked, geos, stop);
-                roofs.put(contour, roof, record_of(roof, metres));
-            }
-        });
+    contours::for_each_building(reader, found.labels, found.count(), setup.dem.window, Stage::roofs, context,
+                                [&](Label label, contours::BuildingCells&& cells) {
+                                    if (label > found.buildings)
+                                        return;
+                                    Geos geos(stop);
+                                    for (const std::size_t contour : footprints[label]) {
+                                        const roofs::Roof roof = roofs::make_roof(
+                                            cells, outliner.footprint(contour), asked, geos, stop);
+                                        roofs.put(contour, roof, record_of(roof, metres));
+                                    }
+                                });
     return roofs;
 }
 

@@ -206,8 +206,8 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     });
 
     pass_warnings(sources, sinks, context);
-    const std::vector<features::Footprint> footprints =
-        found != nullptr ? std::move(found->footprints) : std::vector<features::Footprint>();
+    const std::vector<features::Footprint> nothing_found;
+    const std::vector<features::Footprint>& footprints = found != nullptr ? found->footprints : nothing_found;
     const features::RecordBuilder records(*contours, {plan, frame.fixed, footprints, metres,
                                                       features::lattice_frame(info.window, decided.trace)});
     report_levels(plan, plan.level_count(), report);

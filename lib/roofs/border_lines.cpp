@@ -96,7 +96,8 @@ class BorderGraph {
         const auto col = static_cast<std::int32_t>(from % width_);
         const bool is_row = direction == right || direction == left;
         const std::int32_t one = labels_.labels[grid_.index(row, col)];
-        const std::int32_t other = labels_.labels[is_row ? grid_.index(row - 1, col) : grid_.index(row, col - 1)];
+        const std::int32_t other =
+            labels_.labels[is_row ? grid_.index(row - 1, col) : grid_.index(row, col - 1)];
         std::tie(chain.low, chain.high) = std::minmax(one, other);
     }
     void take_chains(std::uint32_t corner, std::vector<Chain>& chains) {
@@ -238,7 +239,8 @@ class LineDrawing {
     [[nodiscard]] std::uint32_t node(std::uint32_t corner);
     void add_line(std::uint32_t from, std::uint32_t to, const std::optional<FittedLine>& line);
     void add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run);
-    [[nodiscard]] std::vector<Run> runs(std::span<const GridPoint> points, const PlaneDifference& difference) const;
+    [[nodiscard]] std::vector<Run> runs(std::span<const GridPoint> points,
+                                        const PlaneDifference& difference) const;
     [[nodiscard]] static bool spans(std::span<const GridPoint> points, const Run& run,
                                     const PlaneDifference& difference);
     [[nodiscard]] GridPoint place(const GridPoint& mean, const std::vector<FittedLine>& lines) const;
@@ -259,7 +261,8 @@ class LineDrawing {
 };
 
 std::uint32_t LineDrawing::node(std::uint32_t corner) {
-    const auto at = std::ranges::lower_bound(known_, corner, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
+    const auto at =
+        std::ranges::lower_bound(known_, corner, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
     if (at != known_.end() && at->first == corner)
         return at->second;
     const std::uint32_t added = merged_.add();
@@ -278,9 +281,11 @@ void LineDrawing::add_line(std::uint32_t from, std::uint32_t to, const std::opti
 }
 
 /// True if a crease runs along the line in which the planes meet and not across it.
-bool LineDrawing::spans(std::span<const GridPoint> points, const Run& run, const PlaneDifference& difference) {
+bool LineDrawing::spans(std::span<const GridPoint> points, const Run& run,
+                        const PlaneDifference& difference) {
     constexpr double least_share = 0.6;
-    const GridPoint along{-difference.slope.y / difference.steepness, difference.slope.x / difference.steepness};
+    const GridPoint along{-difference.slope.y / difference.steepness,
+                          difference.slope.x / difference.steepness};
     GridPoint low = points[run.first];
     GridPoint high = low;
     double from = dot(along, low);
@@ -295,12 +300,13 @@ bool LineDrawing::spans(std::span<const GridPoint> points, const Run& run, const
 }
 
 /// Divides a chain into creases and steps.
-std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points, const PlaneDifference& difference) const {
-    constexpr double least_bend = 0.08;       // difference of slopes
-    constexpr double crease_distance = 1.5;   // cells from the line in which the planes meet
+std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points,
+                                   const PlaneDifference& difference) const {
+    constexpr double least_bend = 0.08;      // difference of slopes
+    constexpr double crease_distance = 1.5;  // cells from the line in which the planes meet
     constexpr double crease_step_m = 1.0;
-    constexpr std::size_t smoothed = 2;       // sides to both sides
-    constexpr std::size_t shortest = 4;       // sides
+    constexpr std::size_t smoothed = 2;  // sides to both sides
+    constexpr std::size_t shortest = 4;  // sides
     const std::size_t sides = points.size() - 1;
     std::vector<bool> crease(sides, false);
     if (difference.steepness > least_bend * grid_.cell_m) {
@@ -345,8 +351,8 @@ std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points, const Plan
 }
 
 void LineDrawing::add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run) {
-    constexpr double weight = 0.3;        // of a step line beside creases
-    constexpr std::size_t shortest = 4;   // sides of a line that is fitted
+    constexpr double weight = 0.3;       // of a step line beside creases
+    constexpr std::size_t shortest = 4;  // sides of a line that is fitted
     std::vector<std::size_t> kept;
     if (chain.corners[run.first] == chain.corners[run.end]) {
         // A closed chain has two ends that are far from each other.
@@ -423,7 +429,8 @@ GridPoint LineDrawing::place(const GridPoint& mean, const std::vector<FittedLine
         pull.y += line.weight * n.y * distance;
     }
     const double determinant = xx * yy - xy * xy;
-    const GridPoint move{(pull.x * yy - pull.y * xy) / determinant, (pull.y * xx - pull.x * xy) / determinant};
+    const GridPoint move{(pull.x * yy - pull.y * xy) / determinant,
+                         (pull.y * xx - pull.x * xy) / determinant};
     const double length = std::hypot(move.x, move.y);
     const double share = length > options_.max_move ? options_.max_move / length : 1;
     return {mean.x + share * move.x, mean.y + share * move.y};

@@ -17,12 +17,12 @@ struct BuildingGrid {
     std::int32_t first_col = 0;
     std::int32_t rows = 0;
     std::int32_t cols = 0;
-    double x_step = 1;  ///< width of a column, in sides of a square with the area of a cell
-    double y_step = 1;  ///< height of a row
-    double cell_m = 1;  ///< side in metres of a square with the area of a cell
-    double datum = 0;   ///< elevation of 0, in metres
-    std::vector<float> elevations;      ///< NaN outside of the building and where not valid
-    std::vector<std::uint8_t> inside;   ///< 1 in cells of the building
+    double x_step = 1;                 ///< width of a column, in sides of a square with the area of a cell
+    double y_step = 1;                 ///< height of a row
+    double cell_m = 1;                 ///< side in metres of a square with the area of a cell
+    double datum = 0;                  ///< elevation of 0, in metres
+    std::vector<float> elevations;     ///< NaN outside of the building and where not valid
+    std::vector<std::uint8_t> inside;  ///< 1 in cells of the building
 
     [[nodiscard]] std::size_t size() const { return elevations.size(); }
     [[nodiscard]] std::size_t index(std::int32_t row, std::int32_t col) const {

@@ -44,7 +44,8 @@ FinePolygon refined(const FinePolygon& polygon) {
 }
 
 /// True if the cells contain a square of the least width.
-bool is_wide(const std::vector<std::size_t>& cells, const BuildingGrid& grid, std::vector<std::int32_t>& sides) {
+bool is_wide(const std::vector<std::size_t>& cells, const BuildingGrid& grid,
+             std::vector<std::int32_t>& sides) {
     const auto width = static_cast<std::size_t>(grid.cols);
     bool wide = false;
     for (const std::size_t i : cells) {
@@ -83,7 +84,8 @@ void summarize(Roof& roof) {
     double cells = 0;
     for (const RoofFace& face : roof.faces) {
         const FaceMeasure& m = face.measure;
-        shapes.push_back({m.area, slope_degrees(m), std::atan2(-m.slope_col, m.slope_row) * degrees_per_radian,
+        shapes.push_back({m.area, slope_degrees(m),
+                          std::atan2(-m.slope_col, m.slope_row) * degrees_per_radian,
                           m.kind == FaceKind::doubtful});
         squares += m.rmse_m * m.rmse_m * static_cast<double>(m.cells);
         cells += static_cast<double>(m.cells);
@@ -98,8 +100,8 @@ double slope_degrees(const FaceMeasure& face) {
     return std::atan(std::hypot(face.slope_col, face.slope_row)) * degrees_per_radian;
 }
 
-Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprint, const RoofParameters& options,
-               Geos& geos, const StopToken& stop) {
+Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprint,
+               const RoofParameters& options, Geos& geos, const StopToken& stop) {
     const BuildingGrid grid =
         make_building_grid(cells, box_of(footprint), margin, options.cell, options.metres);
     const PlaneSegments segments = segment_planes(grid, options.segments, stop);
@@ -129,7 +131,7 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
         face.measure.area = area_in_cells(face.outline);
         whole += face.measure.area;
         face.measure.kind = planes[i].level || !is_wide(inside[i], grid, sides) ? FaceKind::doubtful
-                            : slope_degrees(face.measure) < flat_degrees       ? FaceKind::flat
+                            : slope_degrees(face.measure) < flat_degrees        ? FaceKind::flat
                                                                                 : FaceKind::pitched;
     }
     for (RoofFace& face : roof.faces)

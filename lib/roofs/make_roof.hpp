@@ -22,16 +22,16 @@ struct RoofParameters {
     SegmentOptions segments;
     BorderOptions borders;
     CellSize cell;
-    double metres = 1;      ///< metres per unit of the elevations
+    double metres = 1;         ///< metres per unit of the elevations
     double cell_centre = 0.5;  ///< position of the centre of cell 0 on the lattice: 0 with -trace points
 };
 
 enum class FaceKind { flat, pitched, doubtful };
 
 struct FaceMeasure {
-    double area = 0;         ///< in plan, as a share of the footprint
-    double slope_col = 0;    ///< rise per metre along a row
-    double slope_row = 0;    ///< rise per metre down a column
+    double area = 0;       ///< in plan, as a share of the footprint
+    double slope_col = 0;  ///< rise per metre along a row
+    double slope_row = 0;  ///< rise per metre down a column
     double rmse_m = 0;
     std::int64_t cells = 0;  ///< valid cells with their centres in it
     FaceKind kind = FaceKind::flat;

@@ -1,25 +1,27 @@
 #include "roofs/meeting_planes.hpp"
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <set>
 #include <span>
+#include <tuple>
 #include <utility>
-
-#include <Eigen/SparseCholesky>
 
 namespace d2b::roofs {
 namespace {
 
-constexpr double steepest = 2.1445;          // slope of 65 degrees
-constexpr double outside_m = 0.5;            // of a corner above or below the cells of its face
-constexpr double meeting_weight = 1e6;       // of a corner in which planes meet, in cells
-constexpr double level_weight = 1e9;         // of the slope of a level face
-constexpr double small_step_m = 0.25;        // planes that are nearer than this at a corner meet there
-constexpr double crease_step_m = 0.6;        // same where they cross at a steep angle
-constexpr double crease_distance = 1.5;      // cells between a corner and the line in which its planes cross
+constexpr double steepest = 2.1445;      // slope of 65 degrees
+constexpr double outside_m = 0.5;        // of a corner above or below the cells of its face
+constexpr double soft_weight = 100;      // of a corner in which planes should meet, in cells
+constexpr double soft_step_m = 0.05;     // step that is left where planes can meet
+constexpr double meeting_weight = 1e6;   // of a corner in which planes meet, in cells
+constexpr double fixed_weight = 1e9;     // of a slope that is given
+constexpr double small_step_m = 0.25;    // planes that are nearer than this at a corner meet there
+constexpr double crease_step_m = 0.6;    // same where they cross at a steep angle
+constexpr double crease_distance = 1.5;  // cells between a corner and the line in which its planes cross
 constexpr int rounds = 8;
 constexpr double met_m = 1e-3;
 
@@ -64,14 +66,16 @@ class PlaneSystem {
         std::int32_t one;
         std::int32_t other;
         GridPoint at;
+        double weight = 1;
 
         friend bool operator==(const Meeting& a, const Meeting& b) {
             return a.one == b.one && a.other == b.other && a.at.x == b.at.x && a.at.y == b.at.y;
         }
     };
     void solve(std::span<const Meeting> meetings, std::vector<FacePlane>& planes) const;
-    /// True if a plane suits its cells.
-    [[nodiscard]] bool is_plausible(std::size_t face, const Plane& plane) const;
+    /// Share of its slope that a plane may keep such that no corner is far above or below the cells of its
+    /// face; 0 if it has to be level.
+    [[nodiscard]] double plausible_slope(std::size_t face, const Plane& plane) const;
 
   private:
     const BuildingGrid& grid_;
@@ -83,7 +87,7 @@ PlaneSystem::PlaneSystem(const std::vector<LabelledFace>& faces, const std::vect
                          const std::vector<std::vector<std::size_t>>& cells, const BuildingGrid& grid,
                          const RoofLattice& lattice)
     : grid_(grid), normals_(faces.size()), corners_(faces.size()) {
-    constexpr double near_m = 0.5;        // residual of cells that count fully
+    constexpr double near_m = 0.5;  // residual of cells that count fully
     constexpr double far_weight = 0.02;
     for (std::size_t i = 0; i < faces.size(); ++i) {
         Normal& normal = normals_[i];
@@ -124,9 +128,11 @@ void PlaneSystem::solve(std::span<const Meeting> meetings, std::vector<FacePlane
         const int at = static_cast<int>(3 * i);
         Eigen::Matrix3d matrix = normals_[i].matrix;
         Eigen::Vector3d vector = normals_[i].right;
-        if (planes[i].level) {
-            matrix(0, 0) += level_weight;
-            matrix(1, 1) += level_weight;
+        if (planes[i].fixed) {
+            matrix(0, 0) += fixed_weight;
+            matrix(1, 1) += fixed_weight;
+            vector(0) += fixed_weight * planes[i].plane.slope_x;
+            vector(1) += fixed_weight * planes[i].plane.slope_y;
         }
         add_block(at, at, matrix);
         right.segment<3>(at) = vector;
@@ -136,10 +142,10 @@ void PlaneSystem::solve(std::span<const Meeting> meetings, std::vector<FacePlane
         const GridPoint& b = normals_[static_cast<std::size_t>(meeting.other)].centre;
         const Eigen::Vector3d one(meeting.at.x - a.x, meeting.at.y - a.y, 1);
         const Eigen::Vector3d other(meeting.at.x - b.x, meeting.at.y - b.y, 1);
-        add_block(3 * meeting.one, 3 * meeting.one, meeting_weight * one * one.transpose());
-        add_block(3 * meeting.other, 3 * meeting.other, meeting_weight * other * other.transpose());
-        add_block(3 * meeting.one, 3 * meeting.other, -meeting_weight * one * other.transpose());
-        add_block(3 * meeting.other, 3 * meeting.one, -meeting_weight * other * one.transpose());
+        add_block(3 * meeting.one, 3 * meeting.one, meeting.weight * one * one.transpose());
+        add_block(3 * meeting.other, 3 * meeting.other, meeting.weight * other * other.transpose());
+        add_block(3 * meeting.one, 3 * meeting.other, -meeting.weight * one * other.transpose());
+        add_block(3 * meeting.other, 3 * meeting.one, -meeting.weight * other * one.transpose());
     }
     Sparse matrix(unknowns, unknowns);
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -148,30 +154,40 @@ void PlaneSystem::solve(std::span<const Meeting> meetings, std::vector<FacePlane
     for (std::size_t i = 0; i < normals_.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(3 * i);
         Plane& plane = planes[i].plane;
-        plane.slope_x = planes[i].level ? 0 : solution[at];
-        plane.slope_y = planes[i].level ? 0 : solution[at + 1];
+        if (!planes[i].fixed) {
+            plane.slope_x = solution[at];
+            plane.slope_y = solution[at + 1];
+        }
         const GridPoint& c = normals_[i].centre;
         plane.z0 = solution[at + 2] - plane.slope_x * c.x - plane.slope_y * c.y;
     }
 }
 
-bool PlaneSystem::is_plausible(std::size_t face, const Plane& plane) const {
-    if (std::hypot(plane.slope_x, plane.slope_y) > steepest * grid_.cell_m)
-        return false;
+double PlaneSystem::plausible_slope(std::size_t face, const Plane& plane) const {
+    constexpr double least_share = 0.3;
+    const double slope = std::hypot(plane.slope_x, plane.slope_y);
     const Normal& normal = normals_[face];
-    if (normal.low > normal.high)
-        return false;
-    return std::ranges::all_of(corners_[face], [&](const GridPoint& p) {
-        const double z = plane.at(p.x, p.y);
-        return z >= normal.low - outside_m && z <= normal.high + outside_m;
-    });
+    if (slope > steepest * grid_.cell_m || normal.low > normal.high)
+        return 0;
+    // The centres of its cells are up to a cell away from the corners of a face.
+    const double spare = outside_m + slope;
+    const double middle = plane.at(normal.centre.x, normal.centre.y);
+    double share = 1;
+    for (const GridPoint& p : corners_[face]) {
+        const double rise = plane.at(p.x, p.y) - middle;
+        const double room = rise > 0 ? normal.high + spare - middle : middle - (normal.low - spare);
+        if (std::abs(rise) > room)
+            share = std::min(share, room / std::abs(rise));
+    }
+    return share < least_share ? 0 : share;
 }
 
 /// Corners in which neighbouring faces should meet.
-std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges, const std::vector<FacePlane>& planes,
+std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges,
+                                              const std::vector<FacePlane>& planes,
                                               const RoofLattice& lattice) {
     std::vector<PlaneSystem::Meeting> meetings;
-    std::map<std::pair<std::pair<std::int32_t, std::int32_t>, FinePoint>, bool> seen;
+    std::set<std::tuple<std::int32_t, std::int32_t, FinePoint>> seen;
     for (const FaceEdge& edge : edges) {
         if (edge.left < 0 || edge.right < 0)
             continue;
@@ -184,8 +200,8 @@ std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges
             const GridPoint p = lattice.position(end);
             if (std::abs(a.at(p.x, p.y) - b.at(p.x, p.y)) >= largest)
                 continue;
-            if (seen.emplace(std::pair(std::pair(one, other), end), true).second)
-                meetings.push_back({one, other, p});
+            if (seen.emplace(one, other, end).second)
+                meetings.push_back({one, other, p, soft_weight});
         }
     }
     return meetings;
@@ -193,28 +209,45 @@ std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges
 
 }  // namespace
 
-std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces, const std::vector<FaceEdge>& edges,
-                                      const std::vector<Plane>& first,
+std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
+                                      const std::vector<FaceEdge>& edges, const std::vector<Plane>& first,
                                       const std::vector<std::vector<std::size_t>>& cells,
                                       const BuildingGrid& grid, const RoofLattice& lattice) {
     const PlaneSystem system(faces, first, cells, grid, lattice);
     std::vector<FacePlane> planes;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        planes.push_back({first[i], !system.is_plausible(i, first[i])});
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        if (planes[i].level)
-            planes[i].plane = {};
-    std::vector<PlaneSystem::Meeting> meetings;
-    system.solve(meetings, planes);
+    for (const Plane& plane : first)
+        planes.push_back({plane});
+    const auto keep_plausible = [&] {
+        bool changed = false;
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            const double share = system.plausible_slope(i, planes[i].plane);
+            if (share == 1 || planes[i].level)
+                continue;
+            changed = true;
+            planes[i].fixed = true;
+            planes[i].level = share == 0;
+            planes[i].plane.slope_x *= share;
+            planes[i].plane.slope_y *= share;
+        }
+        return changed;
+    };
+    keep_plausible();
+    const auto step = [&](const PlaneSystem::Meeting& m) {
+        return std::abs(planes[static_cast<std::size_t>(m.one)].plane.at(m.at.x, m.at.y) -
+                        planes[static_cast<std::size_t>(m.other)].plane.at(m.at.x, m.at.y));
+    };
+    system.solve({}, planes);
     for (int round = 0; round < rounds; ++round) {
-        std::vector<PlaneSystem::Meeting> found = meetings_of(edges, planes, lattice);
-        bool changed = found != meetings;
-        meetings = std::move(found);
+        std::vector<PlaneSystem::Meeting> meetings = meetings_of(edges, planes, lattice);
         system.solve(meetings, planes);
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            if (!planes[i].level && !system.is_plausible(i, planes[i].plane))
-                changed = planes[i].level = true;
-        if (!changed)
+        for (int inner = 0; inner < 3; ++inner) {
+            for (PlaneSystem::Meeting& m : meetings)
+                m.weight = step(m) < soft_step_m ? meeting_weight : soft_weight;
+            system.solve(meetings, planes);
+        }
+        std::erase_if(meetings, [&](const PlaneSystem::Meeting& m) { return m.weight != meeting_weight; });
+        system.solve(meetings, planes);
+        if (!keep_plausible())
             break;
     }
     return planes;

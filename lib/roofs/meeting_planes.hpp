@@ -12,12 +12,13 @@ namespace d2b::roofs {
 /// Plane of a face.
 struct FacePlane {
     Plane plane;
-    bool level = false;  ///< true if the data do not support its slope
+    bool fixed = false;  ///< true if its slope was reduced
+    bool level = false;  ///< true if the data do not support any slope
 };
 
 /// Fits the planes of all faces of a building at once (least squares), such that faces which nearly meet in a
-/// corner meet there exactly. A face that would be too steep, or have a corner far above or below its cells, is
-/// level. @param first planes by face, from which the weights of cells follow @param cells of each face
+/// corner meet there exactly. A face that would be too steep, or have a corner far above or below its cells,
+/// is level. @param first planes by face, from which the weights of cells follow @param cells of each face
 [[nodiscard]] std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
                                                     const std::vector<FaceEdge>& edges,
                                                     const std::vector<Plane>& first,

@@ -51,8 +51,10 @@ std::optional<double> crossing(const FineSegment& segment, FinePoint a, FinePoin
     return along;
 }
 
-/// Leads lines that cross a wall near a corner of the footprint through the corner: hips and valleys end there.
-std::vector<FineSegment> through_corners(const FinePolygon& footprint, const std::vector<FineSegment>& lines) {
+/// Leads lines that cross a wall near a corner of the footprint through the corner: hips and valleys end
+/// there.
+std::vector<FineSegment> through_corners(const FinePolygon& footprint,
+                                         const std::vector<FineSegment>& lines) {
     std::vector<FineSegment> result;
     for (const FineSegment& line : lines) {
         std::vector<std::pair<double, FinePoint>> stops;
@@ -60,8 +62,9 @@ std::vector<FineSegment> through_corners(const FinePolygon& footprint, const std
             const std::optional<double> share = crossing(line, a, b);
             if (!share)
                 return;
-            const FinePoint at{line.from.row + std::llround(*share * static_cast<double>(line.to.row - line.from.row)),
-                               line.from.col + std::llround(*share * static_cast<double>(line.to.col - line.from.col))};
+            const FinePoint at{
+                line.from.row + std::llround(*share * static_cast<double>(line.to.row - line.from.row)),
+                line.from.col + std::llround(*share * static_cast<double>(line.to.col - line.from.col))};
             const FinePoint near = length_of(at, a) < length_of(at, b) ? a : b;
             if (length_of(at, near) < corner_reach * steps_per_cell)
                 stops.emplace_back(*share, near);
@@ -79,8 +82,8 @@ std::vector<FineSegment> through_corners(const FinePolygon& footprint, const std
     return result;
 }
 
-std::int32_t label_of(const FinePolygon& face, const std::vector<std::int32_t>& labels, const BuildingGrid& grid,
-                      const RoofLattice& lattice) {
+std::int32_t label_of(const FinePolygon& face, const std::vector<std::int32_t>& labels,
+                      const BuildingGrid& grid, const RoofLattice& lattice) {
     std::map<std::int32_t, std::int64_t> counts;
     for (const std::size_t cell : cells_of(face, grid, lattice))
         ++counts[labels[cell]];
@@ -98,8 +101,10 @@ std::int32_t label_of(const FinePolygon& face, const std::vector<std::int32_t>& 
 std::int32_t label_at(FinePoint point, const std::vector<std::int32_t>& labels, const BuildingGrid& grid,
                       const RoofLattice& lattice) {
     const FinePoint at = lattice.in_grid(point);
-    const auto row = static_cast<std::int32_t>(std::clamp<std::int64_t>(at.row / FinePoint::steps, 0, grid.rows - 1));
-    const auto col = static_cast<std::int32_t>(std::clamp<std::int64_t>(at.col / FinePoint::steps, 0, grid.cols - 1));
+    const auto row =
+        static_cast<std::int32_t>(std::clamp<std::int64_t>(at.row / FinePoint::steps, 0, grid.rows - 1));
+    const auto col =
+        static_cast<std::int32_t>(std::clamp<std::int64_t>(at.col / FinePoint::steps, 0, grid.cols - 1));
     return labels[grid.index(row, col)];
 }
 
@@ -111,8 +116,10 @@ std::vector<LabelledFace> dissolve(std::vector<LabelledFace> faces, Geos& geos) 
         for (const FaceEdge& edge : edges)
             if (edge.left >= 0 && edge.right >= 0) {
                 const double length = length_of(edge.from, edge.to);
-                beside[static_cast<std::size_t>(edge.left)][faces[static_cast<std::size_t>(edge.right)].label] += length;
-                beside[static_cast<std::size_t>(edge.right)][faces[static_cast<std::size_t>(edge.left)].label] += length;
+                beside[static_cast<std::size_t>(edge.left)]
+                      [faces[static_cast<std::size_t>(edge.right)].label] += length;
+                beside[static_cast<std::size_t>(edge.right)]
+                      [faces[static_cast<std::size_t>(edge.left)].label] += length;
             }
         for (std::size_t i = 0; i < faces.size(); ++i) {
             if (faces[i].label >= 0)
@@ -175,7 +182,8 @@ FinePoint RoofLattice::in_grid(FinePoint p) const {
             std::llround(static_cast<double>(p.col) / roof_steps - (grid_.first_col + shift_) * steps)};
 }
 
-std::vector<std::size_t> cells_of(const FinePolygon& face, const BuildingGrid& grid, const RoofLattice& lattice) {
+std::vector<std::size_t> cells_of(const FinePolygon& face, const BuildingGrid& grid,
+                                  const RoofLattice& lattice) {
     const auto ring = [&](const FineRing& points) {
         FineRing moved;
         for (const FinePoint& p : points)

@@ -20,7 +20,7 @@ struct LabelledFace {
 struct FaceEdge {
     FinePoint from;
     FinePoint to;
-    std::int32_t left = -1;   ///< face on its left with y up; -1: outside
+    std::int32_t left = -1;  ///< face on its left with y up; -1: outside
     std::int32_t right = -1;
 };
 

@@ -70,9 +70,12 @@ class PlaneMoments {
         double x, y;
     };
     [[nodiscard]] Centred centred() const {
-        return {xx_ - x_ * x_ / n_ + level_prior, xy_ - x_ * y_ / n_,
-                yy_ - y_ * y_ / n_ + level_prior, xz_ - x_ * z_ / n_,
-                yz_ - y_ * z_ / n_,               zz_ - z_ * z_ / n_};
+        return {xx_ - x_ * x_ / n_ + level_prior,
+                xy_ - x_ * y_ / n_,
+                yy_ - y_ * y_ / n_ + level_prior,
+                xz_ - x_ * z_ / n_,
+                yz_ - y_ * z_ / n_,
+                zz_ - z_ * z_ / n_};
     }
     [[nodiscard]] static Slopes slopes(const Centred& c) {
         const double determinant = c.xx * c.yy - c.xy * c.xy;

@@ -7,8 +7,8 @@
 namespace d2b::roofs {
 namespace {
 
-constexpr double most = 0.75;        // of the area that decides about a type
-constexpr double negligible = 0.05;  // of the area of a face
+constexpr double most = 0.75;          // of the area that decides about a type
+constexpr double negligible = 0.05;    // of the area of a face
 constexpr double same_direction = 30;  // degrees
 
 double angle(double one, double other) {

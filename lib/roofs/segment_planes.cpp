@@ -174,8 +174,8 @@ std::vector<std::int32_t> merge_cells(const BuildingGrid& grid, const CellNumber
 }
 
 /// Numbers the connected parts of equal labels from 0, by number of a cell.
-std::vector<std::uint32_t> connected_parts(const std::vector<std::int32_t>& labels, const CellNumbers& numbers,
-                                           std::uint32_t& count) {
+std::vector<std::uint32_t> connected_parts(const std::vector<std::int32_t>& labels,
+                                           const CellNumbers& numbers, std::uint32_t& count) {
     DisjointSets sets(static_cast<std::uint32_t>(numbers.cells().size()));
     numbers.for_neighbours([&](std::uint32_t a, std::uint32_t b) {
         if (labels[numbers.cells()[a]] == labels[numbers.cells()[b]])
@@ -188,7 +188,8 @@ std::vector<std::uint32_t> connected_parts(const std::vector<std::int32_t>& labe
     return parts;
 }
 
-/// Merges small regions with the neighbours that suit them best, and then those that cost less than the price.
+/// Merges small regions with the neighbours that suit them best, and then those that cost less than the
+/// price.
 void tidy(const BuildingGrid& grid, const CellNumbers& numbers, double price, double min_cells,
           std::vector<std::int32_t>& labels, const StopToken& stop) {
     std::uint32_t count = 0;
@@ -239,13 +240,13 @@ void relax(const BuildingGrid& grid, const CellNumbers& numbers, const std::vect
         double weight;
     };
     const std::array<Neighbour, 8> sides{{{-width - 1, corner_weight},
-                                     {-width, side_weight},
-                                     {-width + 1, corner_weight},
-                                     {-1, side_weight},
-                                     {1, side_weight},
-                                     {width - 1, corner_weight},
-                                     {width, side_weight},
-                                     {width + 1, corner_weight}}};
+                                          {-width, side_weight},
+                                          {-width + 1, corner_weight},
+                                          {-1, side_weight},
+                                          {1, side_weight},
+                                          {width - 1, corner_weight},
+                                          {width, side_weight},
+                                          {width + 1, corner_weight}}};
     struct Candidate {
         std::int32_t label;
         double weight;
@@ -255,7 +256,8 @@ void relax(const BuildingGrid& grid, const CellNumbers& numbers, const std::vect
         std::size_t count = 1;
         double total = 0;
         for (const Neighbour& side : sides) {
-            const std::int32_t label = labels[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + side.offset)];
+            const std::int32_t label =
+                labels[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + side.offset)];
             if (label < 0)
                 continue;
             total += side.weight;
@@ -275,9 +277,8 @@ void relax(const BuildingGrid& grid, const CellNumbers& numbers, const std::vect
         for (std::size_t k = 0; k < count; ++k) {
             const double residual =
                 std::isnan(z) ? 0 : z - planes[static_cast<std::size_t>(candidates[k].label)].at(x, y);
-            const double cost =
-                std::min(residual * residual, relaxed_residual_m * relaxed_residual_m) +
-                price * (total - candidates[k].weight);
+            const double cost = std::min(residual * residual, relaxed_residual_m * relaxed_residual_m) +
+                                price * (total - candidates[k].weight);
             if (cost < least - 1e-12) {
                 least = cost;
                 best = candidates[k].label;

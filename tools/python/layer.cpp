@@ -59,7 +59,8 @@ py::array wkb_of(const CollectedLayer& layer) {
 }
 
 /// @param elevations of its positions; null if all have z
-py::tuple coordinates(const WorldRing& ring, const CollectedLayer& layer, double z, const double* elevations) {
+py::tuple coordinates(const WorldRing& ring, const CollectedLayer& layer, double z,
+                      const double* elevations) {
     py::tuple positions(ring.size() + 1);
     for (std::size_t i = 0; i <= ring.size(); ++i) {
         const Position& p = ring[i % ring.size()];

@@ -43,11 +43,11 @@ struct ContourRecord {
 
 /// Roof of a building as a whole, from its faces. NaN: unknown.
 struct RoofRecord {
-    std::string_view type;   ///< "" without -roofs
-    double flat_share = 0;   ///< area of flat faces as a share of the footprint
-    double ridge_z = 0;      ///< highest corner of its faces, in the vertical unit
-    double eave_z = 0;       ///< mean over its faces of their lowest corners, weighted by area
-    double rmse_m = 0;       ///< of its faces against the elevations
+    std::string_view type;  ///< "" without -roofs
+    double flat_share = 0;  ///< area of flat faces as a share of the footprint
+    double ridge_z = 0;     ///< highest corner of its faces, in the vertical unit
+    double eave_z = 0;      ///< mean over its faces of their lowest corners, weighted by area
+    double rmse_m = 0;      ///< of its faces against the elevations
 };
 
 /// Attributes of a building.
@@ -116,7 +116,7 @@ struct RoofFaceRecord {
 
 /// Typed attributes of a feature, from which the fields of its layer are made; std::monostate if a sink is
 /// fed by other programs.
-using FeatureRecord =
-    std::variant<std::monostate, BuildingRecord, ContourRecord, RejectedRecord, ProblemRecord, RoofFaceRecord>;
+using FeatureRecord = std::variant<std::monostate, BuildingRecord, ContourRecord, RejectedRecord,
+                                   ProblemRecord, RoofFaceRecord>;
 
 }  // namespace d2b

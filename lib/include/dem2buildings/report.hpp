@@ -15,9 +15,9 @@ namespace d2b {
 
 /// Stages, in the order of processing.
 enum class Stage { read, ground, detect, levels, trace, filter, outline, roofs, attributes, surface, write };
-inline constexpr std::array<std::string_view, 11> stage_names{
-    "read",    "ground", "detect",     "levels",  "trace", "filter",
-    "outline", "roofs",  "attributes", "surface", "write"};
+inline constexpr std::array<std::string_view, 11> stage_names{"read",       "ground",  "detect",  "levels",
+                                                              "trace",      "filter",  "outline", "roofs",
+                                                              "attributes", "surface", "write"};
 
 /// Reason why an object is not in the result, or not in its traced form.
 enum class Reason {

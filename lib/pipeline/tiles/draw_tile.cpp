@@ -34,8 +34,7 @@ class TileLabels {
     /// columns
     [[nodiscard]] std::vector<bool> near_other_tiles(LatticePoint reach) const;
     /// Returns the cells within reach of the wanted buildings, row by row. @param wanted by label - 1
-    [[nodiscard]] std::vector<RowSpan> cells_near(const std::vector<bool>& wanted,
-                                                            LatticePoint reach) const;
+    [[nodiscard]] std::vector<RowSpan> cells_near(const std::vector<bool>& wanted, LatticePoint reach) const;
 
   private:
     /// Returns the runs of a row of the window, from left to right.
@@ -130,8 +129,7 @@ std::vector<bool> TileLabels::near_other_tiles(LatticePoint reach) const {
     return near;
 }
 
-std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted,
-                                                      LatticePoint reach) const {
+std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted, LatticePoint reach) const {
     std::vector<RowSpan> expanded;
     for (const LabelRun& run : runs_) {
         if (run.label > buildings_ || !wanted[run.label - 1])
