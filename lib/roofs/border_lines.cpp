@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -167,36 +168,60 @@ FittedLine fit_line(std::span<const GridPoint> points) {
     return {mean, {-std::sin(angle), std::cos(angle)}};
 }
 
-/// Indices kept by the algorithm of Douglas and Peucker (1973), ascending.
-void simplify(std::span<const GridPoint> points, std::size_t first, std::size_t last, double tolerance,
-              std::vector<std::size_t>& kept) {
-    std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
-    std::vector<std::size_t> found{last};
-    while (!open.empty()) {
-        const auto [a, b] = open.back();
-        open.pop_back();
-        const GridPoint along = minus(points[b], points[a]);
-        const double length = std::hypot(along.x, along.y);
-        std::size_t farthest = a;
-        double most = tolerance;
-        for (std::size_t i = a + 1; i < b; ++i) {
-            const GridPoint d = minus(points[i], points[a]);
-            const double distance =
-                length > 1e-9 ? std::abs(along.x * d.y - along.y * d.x) / length : std::hypot(d.x, d.y);
-            if (distance > most) {
-                most = distance;
-                farthest = i;
+/// Sums of the middles of the sides of a chain, from which the error of a line along any stretch follows.
+class StretchSums {
+  public:
+    explicit StretchSums(std::span<const GridPoint> points) : origin_(points.front()), sums_(points.size()) {
+        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+            const GridPoint m = minus(middle(points[i], points[i + 1]), origin_);
+            const Sums& s = sums_[i];
+            sums_[i + 1] = {s.x + m.x, s.y + m.y, s.xx + m.x * m.x, s.xy + m.x * m.y, s.yy + m.y * m.y};
+        }
+    }
+    /// Squared distances in cells of the middles of the sides from `first` to `end` from their best line.
+    [[nodiscard]] double error(std::size_t first, std::size_t end) const {
+        const auto n = static_cast<double>(end - first);
+        const Sums& a = sums_[first];
+        const Sums& b = sums_[end];
+        const double x = b.x - a.x;
+        const double y = b.y - a.y;
+        const double xx = b.xx - a.xx - x * x / n;
+        const double xy = b.xy - a.xy - x * y / n;
+        const double yy = b.yy - a.yy - y * y / n;
+        return std::max(0.0, (xx + yy - std::hypot(xx - yy, 2 * xy)) / 2);
+    }
+
+  private:
+    struct Sums {
+        double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+    };
+    GridPoint origin_;
+    std::vector<Sums> sums_;
+};
+
+/// Divides a stretch of a chain into lines with the least sum of squared distances and of a price per line,
+/// by dynamic programming (Perez and Vidal 1994). Appends the ends of the lines but the last.
+/// @param price squared cells
+void divide_into_lines(std::span<const GridPoint> points, std::size_t first, std::size_t last, double price,
+                       std::vector<std::size_t>& ends) {
+    constexpr std::size_t longest = 400;  // sides
+    const StretchSums sums(points.subspan(first, last - first + 1));
+    const std::size_t sides = last - first;
+    std::vector<double> costs(sides + 1, std::numeric_limits<double>::infinity());
+    std::vector<std::size_t> from(sides + 1, 0);
+    costs[0] = 0;
+    for (std::size_t end = 1; end <= sides; ++end)
+        for (std::size_t begin = end > longest ? end - longest : 0; begin < end; ++begin) {
+            const double cost = costs[begin] + sums.error(begin, end) + price;
+            if (cost < costs[end]) {
+                costs[end] = cost;
+                from[end] = begin;
             }
         }
-        if (farthest == a)
-            continue;
-        found.push_back(farthest);
-        open.emplace_back(a, farthest);
-        open.emplace_back(farthest, b);
-    }
-    std::ranges::sort(found);
-    kept.push_back(first);
-    kept.insert(kept.end(), found.begin(), found.end());
+    const std::size_t before = ends.size();
+    for (std::size_t end = sides; end > 0; end = from[end])
+        ends.push_back(first + from[end]);
+    std::reverse(ends.begin() + static_cast<std::ptrdiff_t>(before), ends.end());
 }
 
 /// Stretch of a chain that is a crease or a step.
@@ -238,7 +263,8 @@ class LineDrawing {
     /// Node of a junction; a corner has one node.
     [[nodiscard]] std::uint32_t node(std::uint32_t corner);
     void add_line(std::uint32_t from, std::uint32_t to, const std::optional<FittedLine>& line);
-    void add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run);
+    void add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run,
+                  const PlaneDifference& difference);
     [[nodiscard]] std::vector<Run> runs(std::span<const GridPoint> points,
                                         const PlaneDifference& difference) const;
     [[nodiscard]] static bool spans(std::span<const GridPoint> points, const Run& run,
@@ -350,13 +376,31 @@ std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points,
     return runs;
 }
 
-void LineDrawing::add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run) {
+/// Mean square of the step between two planes along a stretch.
+double squared_height(std::span<const GridPoint> points, const Run& run, const PlaneDifference& difference) {
+    double sum = 0;
+    for (std::size_t i = run.first; i < run.end; ++i) {
+        const double step = difference.at(middle(points[i], points[i + 1]));
+        sum += step * step;
+    }
+    return sum / static_cast<double>(run.end - run.first);
+}
+
+void LineDrawing::add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run,
+                           const PlaneDifference& difference) {
     constexpr double weight = 0.3;       // of a step line beside creases
     constexpr std::size_t shortest = 4;  // sides of a line that is fitted
+    constexpr double line_price = 2;     // m2 times the square of a step in m
+    constexpr double least_step = 0.5;   // m
+    constexpr double most_step = 5;
+    // A line that cuts off an area loses the square of the step there.
+    const double squared_step =
+        std::clamp(squared_height(points, run, difference), least_step * least_step, most_step * most_step);
+    const double price = line_price / (squared_step * grid_.cell_m * grid_.cell_m);
     std::vector<std::size_t> kept;
+    std::size_t far = run.first;
     if (chain.corners[run.first] == chain.corners[run.end]) {
         // A closed chain has two ends that are far from each other.
-        std::size_t far = run.first;
         double most = -1;
         for (std::size_t i = run.first; i < run.end; ++i) {
             const GridPoint d = minus(points[i], points[run.first]);
@@ -365,12 +409,11 @@ void LineDrawing::add_step(const Chain& chain, std::span<const GridPoint> points
                 far = i;
             }
         }
-        simplify(points, run.first, far, options_.step_tolerance, kept);
-        kept.pop_back();
-        simplify(points, far, run.end, options_.step_tolerance, kept);
-    } else {
-        simplify(points, run.first, run.end, options_.step_tolerance, kept);
     }
+    if (far != run.first)
+        divide_into_lines(points, run.first, far, price, kept);
+    divide_into_lines(points, far, run.end, price, kept);
+    kept.push_back(run.end);
     for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
         std::optional<FittedLine> line;
         if (kept[k + 1] - kept[k] >= shortest) {
@@ -407,7 +450,7 @@ void LineDrawing::add(const Chain& chain) {
             const std::uint32_t from = node(chain.corners[run.first]);
             add_line(from, node(chain.corners[run.end]), difference.line());
         } else {
-            add_step(chain, points, run);
+            add_step(chain, points, run, difference);
         }
     }
 }

@@ -21,8 +21,7 @@ struct BorderLine {
 };
 
 struct BorderOptions {
-    double step_tolerance = 0.75;  ///< cells: a step line lies within this distance of the borders of cells
-    double max_move = 1.5;         ///< cells: ends of lines are moved by at most this
+    double max_move = 1.5;  ///< cells: ends of lines are moved by at most this
 };
 
 /// Draws the borders between the labels of a building with few straight lines. A border along which two

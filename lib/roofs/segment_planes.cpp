@@ -12,10 +12,6 @@
 namespace d2b::roofs {
 namespace {
 
-/// A cell far from a plane costs no more than this residual, because it is a crown, a chimney or an aerial.
-constexpr double largest_residual_m = 1.5;
-/// Residual at which relaxation gives up on a cell.
-constexpr double relaxed_residual_m = 1.0;
 /// Residual from which a point has no weight in a fit.
 constexpr double fitted_residual_m = 0.3;
 /// Share of a cell's own elevation in its first moments; the rest comes from the window around it that fits a
@@ -35,13 +31,9 @@ struct PlaneRegion {
         error = moments.error();
     }
     [[nodiscard]] static double added_error(const PlaneRegion& one, const PlaneRegion& other) {
-        const double lighter = std::min(one.moments.weight(), other.moments.weight());
-        if (lighter <= 0)
-            return 0;
         PlaneMoments both = one.moments;
         both.add(other.moments);
-        const double added = std::max(0.0, both.error() - one.error - other.error);
-        return std::min(added, lighter * largest_residual_m * largest_residual_m);
+        return std::max(0.0, both.error() - one.error - other.error);
     }
 };
 
@@ -277,8 +269,7 @@ void relax(const BuildingGrid& grid, const CellNumbers& numbers, const std::vect
         for (std::size_t k = 0; k < count; ++k) {
             const double residual =
                 std::isnan(z) ? 0 : z - planes[static_cast<std::size_t>(candidates[k].label)].at(x, y);
-            const double cost = std::min(residual * residual, relaxed_residual_m * relaxed_residual_m) +
-                                price * (total - candidates[k].weight);
+            const double cost = residual * residual + price * (total - candidates[k].weight);
             if (cost < least - 1e-12) {
                 least = cost;
                 best = candidates[k].label;
