@@ -77,21 +77,75 @@ FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, 
     return face;
 }
 
+/// Length of a face near its top as a share of that near its bottom, along the contour.
+double taper_of(const RoofFace& face, const Plane& plane, const RoofLattice& lattice) {
+    constexpr double near = 0.15;  // of the height of the face
+    const double slope = std::hypot(plane.slope_x, plane.slope_y);
+    if (slope == 0)
+        return 1;
+    const auto [low, high] = std::ranges::minmax(face.elevations);
+    const auto length = [&](double z) {
+        std::vector<double> crossings;
+        std::size_t first = 0;
+        const auto cross = [&](const FineRing& ring) {
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const std::size_t j = i + 1 < ring.size() ? i + 1 : 0;
+                const double a = face.elevations[first + i];
+                const double b = face.elevations[first + j];
+                if ((a < z) == (b < z))
+                    continue;
+                const GridPoint p = lattice.position(ring[i]);
+                const GridPoint q = lattice.position(ring[j]);
+                const double share = (z - a) / (b - a);
+                const double x = p.x + share * (q.x - p.x);
+                const double y = p.y + share * (q.y - p.y);
+                crossings.push_back((plane.slope_x * y - plane.slope_y * x) / slope);
+            }
+            first += ring.size();
+        };
+        cross(face.outline.exterior);
+        for (const FineRing& ring : face.outline.interiors)
+            cross(ring);
+        std::ranges::sort(crossings);
+        double sum = 0;
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+            sum += crossings[i + 1] - crossings[i];
+        return sum;
+    };
+    const double bottom = length(low + near * (high - low));
+    return bottom > 0 ? length(high - near * (high - low)) / bottom : 1;
+}
+
 /// Sets the type and error of a roof from its faces.
-void summarize(Roof& roof) {
+void summarize(Roof& roof, const std::vector<FacePlane>& planes, const RoofLattice& lattice,
+               double roundness) {
     std::vector<FaceShape> shapes;
     double squares = 0;
     double cells = 0;
-    for (const RoofFace& face : roof.faces) {
-        const FaceMeasure& m = face.measure;
+    for (std::size_t i = 0; i < roof.faces.size(); ++i) {
+        const FaceMeasure& m = roof.faces[i].measure;
         shapes.push_back({m.area, slope_degrees(m),
                           std::atan2(-m.slope_col, m.slope_row) * degrees_per_radian,
-                          m.kind == FaceKind::doubtful});
+                          taper_of(roof.faces[i], planes[i].plane, lattice), m.kind == FaceKind::doubtful});
         squares += m.rmse_m * m.rmse_m * static_cast<double>(m.cells);
         cells += static_cast<double>(m.cells);
     }
-    roof.type = roof_type(shapes);
+    roof.type = roof_type(shapes, roundness);
     roof.rmse_m = cells > 0 ? std::sqrt(squares / cells) : 0;
+}
+
+/// 4 pi times the area of an exterior ring by the square of its perimeter.
+double roundness_of(const FineRing& ring, const RoofLattice& lattice) {
+    double twice = 0;
+    double length = 0;
+    const GridPoint origin = lattice.position(ring.front());
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const GridPoint a = lattice.position(ring[i]);
+        const GridPoint b = lattice.position(ring[i + 1 < ring.size() ? i + 1 : 0]);
+        twice += (a.x - origin.x) * (b.y - origin.y) - (b.x - origin.x) * (a.y - origin.y);
+        length += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    return 2 * std::numbers::pi * std::abs(twice) / (length * length);
 }
 
 }  // namespace
@@ -136,7 +190,7 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
     }
     for (RoofFace& face : roof.faces)
         face.measure.area /= whole;
-    summarize(roof);
+    summarize(roof, planes, lattice, roundness_of(refined(footprint).exterior, lattice));
     return roof;
 }
 

@@ -2,111 +2,126 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace d2b::roofs {
 namespace {
 
-constexpr double most = 0.75;          // of the area that decides about a type
-constexpr double negligible = 0.05;    // of the area of a face
+constexpr double most = 0.75;          // of the area of a roof that is flat or slopes in one direction
+constexpr double main_share = 0.6;     // of the area that slopes in the directions of a type
+constexpr double negligible = 0.05;    // of the area of a side
 constexpr double same_direction = 30;  // degrees
+constexpr double hip_taper = 0.4;      // of a face that ends in a point
+constexpr double pyramid_taper = 0.33;
 
 double angle(double one, double other) {
     return std::abs(std::remainder(one - other, 360));
 }
 
 /// Faces that slope in one direction.
-struct Side {
+struct SlopeSide {
     double azimuth = 0;
     double area = 0;
-    double gentle = 0;  ///< slope of the gentlest face
+    double hip_area = 0;      ///< of faces that end in a point
+    double pyramid_area = 0;  ///< of those that certainly do
+    double gentle = 0;        ///< slope of the gentlest face
     double steep = 0;
 };
 
-std::vector<Side> sides_of(std::vector<FaceShape> faces, double total) {
+std::vector<SlopeSide> sides_of(std::vector<FaceShape> faces, double total) {
     std::ranges::stable_sort(faces, std::greater<>(), &FaceShape::area);
-    std::vector<Side> sides;
+    std::vector<SlopeSide> sides;
     for (const FaceShape& face : faces) {
         if (face.slope < flat_degrees)
             continue;
-        const auto side = std::ranges::find_if(
-            sides, [&](const Side& s) { return angle(s.azimuth, face.azimuth) < same_direction; });
-        if (side == sides.end()) {
-            sides.push_back({face.azimuth, face.area, face.slope, face.slope});
-            continue;
-        }
+        auto side = std::ranges::find_if(
+            sides, [&](const SlopeSide& s) { return angle(s.azimuth, face.azimuth) < same_direction; });
+        if (side == sides.end())
+            side = sides.insert(sides.end(), {face.azimuth, 0, 0, 0, face.slope, face.slope});
         side->area += face.area;
+        side->hip_area += face.taper < hip_taper ? face.area : 0;
+        side->pyramid_area += face.taper < pyramid_taper ? face.area : 0;
         side->gentle = std::min(side->gentle, face.slope);
         side->steep = std::max(side->steep, face.slope);
     }
-    std::ranges::stable_sort(sides, std::greater<>(), &Side::area);
-    std::erase_if(sides, [&](const Side& side) { return side.area < 0.06 * total; });
+    std::ranges::stable_sort(sides, std::greater<>(), &SlopeSide::area);
+    std::erase_if(sides, [&](const SlopeSide& side) { return side.area < negligible * total; });
     return sides;
+}
+
+/// Area of the sides that are turned from the main one by neither a right angle nor its multiples.
+double oblique_area(const std::vector<SlopeSide>& sides) {
+    constexpr double square = 20;  // degrees from a right angle
+    double oblique = 0;
+    for (const SlopeSide& side : sides)
+        if (std::abs(std::remainder(side.azimuth - sides[0].azimuth, 90)) > square)
+            oblique += side.area;
+    return oblique;
+}
+
+/// Type of a roof with faces that slope in several directions.
+std::string_view pitched_type(const std::vector<SlopeSide>& sides, double total, double roundness) {
+    constexpr double round = 0.9;  // an octagon has 0.95, a square 0.79
+    constexpr double oblique_share = 0.3;
+    constexpr double mansard_bend = 15;  // degrees between the slopes of one side
+    if ((sides.size() >= 4 && roundness > round) ||
+        (sides.size() >= 5 && oblique_area(sides) > oblique_share * total))
+        return "domed";
+    SlopeSide along;   // the main side and those opposite to it
+    SlopeSide across;  // those at right angles
+    bool has_opposite = false;
+    double bent = 0;
+    for (const SlopeSide& side : sides) {
+        const double turned = angle(side.azimuth, sides[0].azimuth);
+        SlopeSide* const group = turned < same_direction || turned > 150 ? &along
+                                 : turned > 60 && turned < 120           ? &across
+                                                                         : nullptr;
+        if (group == nullptr)
+            continue;
+        has_opposite = has_opposite || turned > 150;
+        group->area += side.area;
+        group->hip_area += side.hip_area;
+        group->pyramid_area += side.pyramid_area;
+        bent += side.steep - side.gentle > mansard_bend ? side.area : 0;
+    }
+    const double area = along.area + across.area;
+    if (!has_opposite || area < main_share * total)
+        return "complex";
+    if (bent >= most * area)
+        return "mansard";
+    if (across.hip_area <= across.area / 2)
+        return "gabled";
+    return along.pyramid_area > most * along.area ? "pyramidal" : "hipped";
 }
 
 }  // namespace
 
-std::string_view roof_type(std::span<const FaceShape> faces) {
-    double total = 0;
-    double doubtful = 0;
-    for (const FaceShape& face : faces) {
-        total += face.area;
-        doubtful += face.doubtful ? face.area : 0;
-    }
-    if (total <= 0 || doubtful > total / 2)
-        return "unknown";
-    std::vector<FaceShape> large;
-    for (const FaceShape& face : faces)
-        if (face.area >= negligible * total && !face.doubtful)
-            large.push_back(face);
-    total = 0;
+std::string_view roof_type(std::span<const FaceShape> faces, double roundness) {
+    double whole = 0;
+    double total = 0;  // without doubtful faces
     double flat = 0;
-    for (const FaceShape& face : large) {
+    for (const FaceShape& face : faces)
+        whole += face.area;
+    std::vector<FaceShape> sure;
+    for (const FaceShape& face : faces) {
+        if (face.doubtful)
+            continue;
+        sure.push_back(face);
         total += face.area;
         flat += face.slope < flat_degrees ? face.area : 0;
     }
-    if (total <= 0)
-        return "complex";
+    if (total < whole / 2)
+        return "unknown";
     if (flat >= most * total)
         return "flat";
-    const std::vector<Side> sides = sides_of(large, total);
+    const std::vector<SlopeSide> sides = sides_of(sure, total);
     if (sides.empty())
-        return "complex";
-    if (sides.size() >= 5)
-        return "domed";
-    if (flat > 0.35 * total)
         return "complex";
     if (sides[0].area >= most * total)
         return "shed";
-    double opposite = 0;
-    double beside = 0;
-    std::size_t beside_count = 0;
-    double steps = 0;
-    for (const Side& side : sides) {
-        if (side.steep - side.gentle > 15)
-            steps += side.area;
-        if (&side == &sides[0])
-            continue;
-        const double turned = angle(side.azimuth, sides[0].azimuth);
-        if (turned > 150)
-            opposite += side.area;
-        else if (turned > 60 && turned < 120) {
-            beside += side.area;
-            ++beside_count;
-        }
-    }
-    if (opposite == 0)
-        return "complex";
-    if (sides[0].area + opposite + beside < most * total)
-        return "complex";
-    if (steps >= most * total)
-        return "mansard";
-    if (beside_count == 0)
-        return "gabled";
-    const double ridge = sides[0].area + opposite;
-    if (beside_count >= 2 && ridge < 0.58 * (ridge + beside))
-        return "pyramidal";
-    return "hipped";
+    return pitched_type(sides, total, roundness);
 }
 
 }  // namespace d2b::roofs

@@ -13,10 +13,12 @@ struct FaceShape {
     double area = 0;
     double slope = 0;    ///< degrees
     double azimuth = 0;  ///< degrees in which water runs; any if flat
+    double taper = 1;    ///< length near its top as a share of that near its bottom: a hip ends in a point
     bool doubtful = false;
 };
 
 /// Name of the type of a roof: flat, shed, gabled, hipped, pyramidal, mansard, domed, complex or unknown.
-[[nodiscard]] std::string_view roof_type(std::span<const FaceShape> faces);
+/// @param roundness of the footprint: 4 pi times its area by the square of its perimeter, 1 for a circle
+[[nodiscard]] std::string_view roof_type(std::span<const FaceShape> faces, double roundness);
 
 }  // namespace d2b::roofs
