@@ -13,6 +13,9 @@ namespace {
 
 constexpr double degrees_per_radian = 180 / std::numbers::pi;
 constexpr std::int32_t margin = 5;  // cells
+constexpr int merge_rounds = 3;
+/// Price of a border with a low step, in prices of borders.
+constexpr double coplanar_price = 4;
 /// Width in cells of the largest square in a face below which its slope is doubtful.
 constexpr std::int32_t least_width = 3;
 
@@ -148,6 +151,51 @@ double roundness_of(const FineRing& ring, const RoofLattice& lattice) {
     return 2 * std::numbers::pi * std::abs(twice) / (length * length);
 }
 
+/// Faces with their cells and planes.
+struct FittedFaces {
+    std::vector<std::vector<std::size_t>> cells;
+    std::vector<FacePlane> planes;
+};
+
+FittedFaces fit_faces(const std::vector<LabelledFace>& faces, const std::vector<Plane>& first,
+                      const BuildingGrid& grid, const RoofLattice& lattice) {
+    FittedFaces fitted;
+    for (const LabelledFace& face : faces)
+        fitted.cells.push_back(cells_of(face.outline, grid, lattice));
+    fitted.planes = meeting_planes(faces, face_edges(faces), first, fitted.cells, grid, lattice);
+    return fitted;
+}
+
+/// Merges faces between which a low step is left. @param first planes by face @return false if there are none
+bool merge_coplanar(std::vector<LabelledFace>& faces, std::vector<Plane>& first, const FittedFaces& fitted,
+                    double price, const BuildingGrid& grid, const RoofLattice& lattice, Geos& geos) {
+    const std::vector<std::int32_t> merged =
+        merged_faces(face_edges(faces), fitted.planes, fitted.cells, price, grid, lattice);
+    std::vector<std::int32_t> labels(grid.size(), -1);  // of the cells of merged faces
+    std::vector<bool> grown(faces.size(), false);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        faces[i].label = merged[i];
+        if (merged[i] != static_cast<std::int32_t>(i))
+            grown[static_cast<std::size_t>(merged[i])] = true;
+    }
+    if (std::ranges::find(grown, true) == grown.end())
+        return false;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (grown[static_cast<std::size_t>(merged[i])])
+            for (const std::size_t cell : fitted.cells[i])
+                labels[cell] = merged[i];
+    const std::vector<Plane> planes = fit_planes(grid, labels, faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (grown[i])
+            first[i] = planes[i];
+    faces = dissolve(std::move(faces), geos);
+    std::vector<Plane> kept;
+    for (const LabelledFace& face : faces)
+        kept.push_back(first[static_cast<std::size_t>(face.label)]);
+    first = std::move(kept);
+    return true;
+}
+
 }  // namespace
 
 double slope_degrees(const FaceMeasure& face) {
@@ -159,19 +207,21 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
     const BuildingGrid grid =
         make_building_grid(cells, box_of(footprint), margin, options.cell, options.metres);
     const PlaneSegments segments = segment_planes(grid, options.segments, stop);
+    const double price = coplanar_price * options.segments.price_m3 / grid.cell_m;
     const NearestLabels nearest = nearest_labels(segments.labels, grid.rows, grid.cols);
     const RoofLattice lattice(grid, options.cell_centre);
-    const std::vector<LabelledFace> faces =
+    std::vector<LabelledFace> faces =
         partition(refined(footprint), border_lines(grid, nearest, segments.planes, options.borders),
                   nearest.labels, grid, lattice, geos);
     std::vector<Plane> first;
-    std::vector<std::vector<std::size_t>> inside;
-    for (const LabelledFace& face : faces) {
+    for (const LabelledFace& face : faces)
         first.push_back(segments.planes[static_cast<std::size_t>(face.label)]);
-        inside.push_back(cells_of(face.outline, grid, lattice));
-    }
-    const std::vector<FacePlane> planes =
-        meeting_planes(faces, face_edges(faces), first, inside, grid, lattice);
+    FittedFaces fitted = fit_faces(faces, first, grid, lattice);
+    for (int round = 0;
+         round < merge_rounds && merge_coplanar(faces, first, fitted, price, grid, lattice, geos); ++round)
+        fitted = fit_faces(faces, first, grid, lattice);
+    const std::vector<FacePlane>& planes = fitted.planes;
+    const std::vector<std::vector<std::size_t>>& inside = fitted.cells;
     const std::vector<std::vector<double>> elevations = corner_elevations(faces, planes, lattice);
 
     Roof roof;

@@ -5,24 +5,28 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <span>
 #include <tuple>
 #include <utility>
+
+#include "core/disjoint_sets.hpp"
 
 namespace d2b::roofs {
 namespace {
 
 constexpr double steepest = 2.1445;      // slope of 65 degrees
 constexpr double outside_m = 0.5;        // of a corner above or below the cells of its face
-constexpr double soft_weight = 100;      // of a corner in which planes should meet, in cells
-constexpr double soft_step_m = 0.05;     // step that is left where planes can meet
+constexpr double first_weight = 100;     // of a corner in which planes should meet, in cells
+constexpr double met_softly_m = 0.05;    // step that is left where planes can meet
 constexpr double meeting_weight = 1e6;   // of a corner in which planes meet, in cells
 constexpr double fixed_weight = 1e9;     // of a slope that is given
 constexpr double small_step_m = 0.25;    // planes that are nearer than this at a corner meet there
 constexpr double crease_step_m = 0.6;    // same where they cross at a steep angle
 constexpr double crease_distance = 1.5;  // cells between a corner and the line in which its planes cross
 constexpr int rounds = 8;
+constexpr int pulls = 6;  // towards meetings, each with twice the weight
 constexpr double met_m = 1e-3;
 
 template <typename Use>
@@ -201,7 +205,7 @@ std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges
             if (std::abs(a.at(p.x, p.y) - b.at(p.x, p.y)) >= largest)
                 continue;
             if (seen.emplace(one, other, end).second)
-                meetings.push_back({one, other, p, soft_weight});
+                meetings.push_back({one, other, p, first_weight});
         }
     }
     return meetings;
@@ -240,9 +244,10 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
     for (int round = 0; round < rounds; ++round) {
         std::vector<PlaneSystem::Meeting> meetings = meetings_of(edges, planes, lattice);
         system.solve(meetings, planes);
-        for (int inner = 0; inner < 3; ++inner) {
+        double weight = first_weight;
+        for (int pull = 0; pull < pulls; ++pull, weight *= 2) {
             for (PlaneSystem::Meeting& m : meetings)
-                m.weight = step(m) < soft_step_m ? meeting_weight : soft_weight;
+                m.weight = step(m) < met_softly_m ? meeting_weight : weight;
             system.solve(meetings, planes);
         }
         std::erase_if(meetings, [&](const PlaneSystem::Meeting& m) { return m.weight != meeting_weight; });
@@ -251,6 +256,54 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
             break;
     }
     return planes;
+}
+
+std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
+                                       const std::vector<FacePlane>& planes,
+                                       const std::vector<std::vector<std::size_t>>& cells, double price,
+                                       const BuildingGrid& grid, const RoofLattice& lattice) {
+    /// Border between two faces.
+    struct Border {
+        double length = 0;  ///< cells
+        double highest = 0;
+    };
+    std::map<std::pair<std::int32_t, std::int32_t>, Border> borders;
+    for (const FaceEdge& edge : edges) {
+        if (edge.left < 0 || edge.right < 0)
+            continue;
+        Border& border = borders[std::minmax(edge.left, edge.right)];
+        const GridPoint from = lattice.position(edge.from);
+        const GridPoint to = lattice.position(edge.to);
+        border.length += std::hypot(to.x - from.x, to.y - from.y);
+        for (const GridPoint& p : {from, to})
+            border.highest = std::max(
+                border.highest, std::abs(planes[static_cast<std::size_t>(edge.left)].plane.at(p.x, p.y) -
+                                         planes[static_cast<std::size_t>(edge.right)].plane.at(p.x, p.y)));
+    }
+    std::vector<PlaneMoments> moments(planes.size());
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        for (const std::size_t cell : cells[i])
+            if (const double z = grid.elevations[cell]; !std::isnan(z)) {
+                const GridPoint p = cell_centre(grid, cell);
+                moments[i].add(p.x, p.y, z);
+            }
+    DisjointSets sets(static_cast<std::uint32_t>(planes.size()));
+    for (const auto& [pair, border] : borders) {
+        if (border.highest < met_m || border.highest >= small_step_m)
+            continue;
+        const std::uint32_t one = sets.find(static_cast<std::uint32_t>(pair.first));
+        const std::uint32_t other = sets.find(static_cast<std::uint32_t>(pair.second));
+        PlaneMoments both = moments[one];
+        both.add(moments[other]);
+        const double added = both.error() - moments[one].error() - moments[other].error();
+        if (one == other || added > price * border.length)
+            continue;
+        moments[sets.join(one, other)] = both;
+    }
+    std::vector<std::int32_t> merged(planes.size());
+    for (std::uint32_t i = 0; i < merged.size(); ++i)
+        merged[i] = static_cast<std::int32_t>(sets.find(i));
+    return merged;
 }
 
 std::vector<std::vector<double>> corner_elevations(const std::vector<LabelledFace>& faces,

@@ -25,6 +25,14 @@ struct FacePlane {
                                                     const std::vector<std::vector<std::size_t>>& cells,
                                                     const BuildingGrid& grid, const RoofLattice& lattice);
 
+/// Faces to merge because a step of less than 25 cm is left between them: the lowest number of each group, by
+/// face. @param price squared error in m2 of a cell that a border has to save per cell of its length
+[[nodiscard]] std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
+                                                     const std::vector<FacePlane>& planes,
+                                                     const std::vector<std::vector<std::size_t>>& cells,
+                                                     double price, const BuildingGrid& grid,
+                                                     const RoofLattice& lattice);
+
 /// Elevations of the corners of faces in the order of their rings. Corners in which faces meet have one
 /// elevation.
 [[nodiscard]] std::vector<std::vector<double>> corner_elevations(const std::vector<LabelledFace>& faces,

@@ -108,7 +108,8 @@ std::int32_t label_at(FinePoint point, const std::vector<std::int32_t>& labels, 
     return labels[grid.index(row, col)];
 }
 
-/// Merges neighbours of one label. Faces without a label get that of the neighbour with the longest edge.
+}  // namespace
+
 std::vector<LabelledFace> dissolve(std::vector<LabelledFace> faces, Geos& geos) {
     const std::vector<FaceEdge> edges = face_edges(faces);
     for (bool changed = true; std::exchange(changed, false);) {
@@ -153,8 +154,6 @@ std::vector<LabelledFace> dissolve(std::vector<LabelledFace> faces, Geos& geos) 
     }
     return result;
 }
-
-}  // namespace
 
 double area_in_cells(const FinePolygon& polygon) {
     double twice = 0;

@@ -51,6 +51,11 @@ class RoofLattice {
                                                   const BuildingGrid& grid, const RoofLattice& lattice,
                                                   Geos& geos);
 
+/// Merges neighbours of one label. Faces without a label (-1) get that of the neighbour with the longest
+/// edge.
+/// @throws GeometryError
+[[nodiscard]] std::vector<LabelledFace> dissolve(std::vector<LabelledFace> faces, Geos& geos);
+
 /// Area in cells.
 [[nodiscard]] double area_in_cells(const FinePolygon& face);
 
