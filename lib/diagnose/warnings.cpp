@@ -161,6 +161,15 @@ std::string traced_warning(const OutlineLength& buildings, const OutlineLength& 
     return {};
 }
 
+std::string doubtful_roofs_warning(const RoofReport& roofs) {
+    constexpr double most = 0.5;
+    if (!(roofs.doubtful_area_m2 > most * roofs.area_m2))
+        return {};
+    return percent(roofs.doubtful_area_m2 / roofs.area_m2) +
+           " of the area of roofs is doubtful, because faces are too narrow for the cells or no plane suits "
+           "their points; use a finer raster, or leave -roofs out";
+}
+
 namespace {
 
 std::string millions(std::int64_t points) {

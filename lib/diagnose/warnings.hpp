@@ -53,6 +53,10 @@ inline void warn_unless_empty(const std::string& cause, Context& context) {
 /// @param cell_m cell size in m
 [[nodiscard]] std::string coarse_cells_warning(double cell_m);
 
+/// Returns a warning if more than half of the area of roofs is doubtful. A clause without a full stop; "" if
+/// less is.
+[[nodiscard]] std::string doubtful_roofs_warning(const RoofReport& roofs);
+
 /// Returns a warning if -simplify would remove most of a building: its tolerance exceeds 100 cells. A clause
 /// without a full stop; "" if it does not.
 /// @param tolerance, cell tolerance and cell size in units of the DEM's CRS

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "diagnose/warnings.hpp"
 #include "features/attribute_table.hpp"
 #include "roofs/roof_type.hpp"
 
@@ -34,6 +35,18 @@ double azimuth_of(const roofs::FaceMeasure& face, const RunSetup& setup) {
     const double y = (face.slope_row * col.x - face.slope_col * row.x) / determinant;
     const double azimuth = std::atan2(-x, -y) * 180 / std::numbers::pi;
     return azimuth < 0 ? azimuth + 360 : azimuth;
+}
+
+void count(const RoofFaceRecord& face, RunReport& report) {
+    RoofReport& roofs = *report.roofs;
+    roofs.area_m2 += face.area_m2;
+    if (face.kind == kind_name(roofs::FaceKind::doubtful)) {
+        ++roofs.doubtful;
+        roofs.doubtful_area_m2 += face.area_m2;
+        report.count(Reason::roof_face_doubtful);
+    } else {
+        ++(face.kind == kind_name(roofs::FaceKind::flat) ? roofs.flat : roofs.pitched);
+    }
 }
 
 }  // namespace
@@ -74,19 +87,24 @@ std::vector<RoofLayer::Face> RoofLayer::draw(const Building& building, PolygonMa
 
 void RoofLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const {
     std::int64_t id = sink.first_id();
+    context.report.roofs.emplace();
     draw_in_order(
         *context.threads, buildings_.size(),
         [&](std::size_t i, std::size_t thread) { return draw(buildings_[i], makers[thread]); },
         [&](std::size_t, std::vector<Face>&& faces) {
             const StageClock clock(context.report, Stage::write);
             for (Face& face : faces) {
-                if (face.made.parts.empty())
+                if (face.made.parts.empty()) {
+                    context.report.count(Reason::outline_split);
                     continue;
+                }
+                count(face.record, context.report);
                 face.record.id = id++;
                 sink.add(layer_, {field_values(roof_face_attributes(), face.record),
                                   std::move(face.made.parts), 0, face.record});
             }
         });
+    diagnose::warn_unless_empty(diagnose::doubtful_roofs_warning(*context.report.roofs), context);
 }
 
 }  // namespace d2b::features

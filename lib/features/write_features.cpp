@@ -93,6 +93,15 @@ LayerStyle contour_style(bool disjoint) {
     return style;
 }
 
+LayerStyle roof_style() {
+    LayerStyle style;
+    style.title = "Direction in which roofs slope";
+    style.slope = style.label = "slope";
+    style.azimuth = "azimuth";
+    style.label_scale = contour_label_scale;
+    return style;
+}
+
 void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, double vertical_metres) {
     const LayerIndices& indices = input.setup.layers.indices;
     if (indices.buildings) {
@@ -104,6 +113,8 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
     }
     if (indices.contours)
         layers[*indices.contours].style = contour_style(input.setup.plan.asked.outline.disjoint);
+    if (indices.roofs)
+        layers[*indices.roofs].style = roof_style();
     if (indices.doubtful)
         layers[*indices.doubtful].style = reason_style("May be buildings", "doubt", building_label_scale);
     if (indices.rejected)

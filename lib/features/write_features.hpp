@@ -64,6 +64,7 @@ std::optional<DrawnStack> write_features(const FeatureInput& input, const Record
 /// bands
 [[nodiscard]] LayerStyle building_style(FieldNames names);
 [[nodiscard]] LayerStyle contour_style(bool disjoint);
+[[nodiscard]] LayerStyle roof_style();
 
 /// Sets the default styles of the input's layers: the same height classes in metres for all, contours ordered
 /// from low to high, and in 3D the stack, or blocks of buildings if no contours are written.

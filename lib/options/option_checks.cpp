@@ -54,6 +54,8 @@ constexpr std::array rules{
     exclude(given("projwin"), given("te"), one_window),
     exclude(given("snodata"), given("inodata"), "set a NoData value or ignore it"),
     exclude(given("overwrite"), given("append"), "replace the layers or add to them"),
+    exclude(given("roofs"), is("detail", "0"),
+            "borders between faces would cost nothing, so give a larger -detail"),
     exclude(is_not("simplify", "0"), is_not("regularize", "off"), "straight walls need no simplification"),
 
     // Levels.
@@ -86,6 +88,7 @@ constexpr std::array rules{
               given("write_doubtful")),
     no_effect(given("split_field"), is("layers", "contours"), "only buildings have the field parcel",
               given("write_doubtful")),
+    no_effect(given("roofs"), is("layers", "contours"), "only buildings have roofs"),
     no_effect(given("write_doubtful"), is("min_confidence", "0"), "nothing is doubtful then"),
     no_effect(given("max_building_width"), is_not("ground", "auto"),
               "it helps to find the ground, which is given"),

@@ -142,7 +142,7 @@ void expect_good_names(std::span<const Attribute<Record>> attributes) {
 }
 
 TEST(AttributeTable, NamesSurviveAShapefile) {
-    expect_good_names(building_attributes(true));
+    expect_good_names(building_attributes(true, true));
     expect_good_names(contour_attributes());
 }
 
@@ -155,8 +155,8 @@ TEST(AttributeTable, ValuesHaveTheTypesOfTheirFields) {
                : type == FieldType::real  ? std::holds_alternative<double>(value)
                                           : std::holds_alternative<std::string>(value);
     };
-    const auto values = field_values(building_attributes(true), records.buildings[0]);
-    const auto fields = field_specs(building_attributes(true), "foot");
+    const auto values = field_values(building_attributes(true, true), records.buildings[0]);
+    const auto fields = field_specs(building_attributes(true, true), "foot");
     ASSERT_EQ(values.size(), fields.size());
     for (std::size_t i = 0; i < fields.size(); ++i)
         EXPECT_TRUE(check(fields[i].type, values[i])) << fields[i].name;
@@ -171,7 +171,7 @@ TEST(AttributeTable, FloorsAreStoreysOfThreeMetres) {
     BuildingRecord record;
     const auto floors = [&](double p95) {
         record.heights_m[3] = p95;
-        const auto values = field_values(building_attributes(true), record);
+        const auto values = field_values(building_attributes(true, true), record);
         return values[9];
     };
     EXPECT_EQ(floors(2.5), FieldValue{std::int64_t{1}});
@@ -269,7 +269,7 @@ TEST(FootprintRecords, ContoursBeginAtTheGround) {
 }
 
 FieldValue value_of(const BuildingRecord& record, std::string_view name) {
-    const auto attributes = building_attributes(true);
+    const auto attributes = building_attributes(true, true);
     for (const auto& attribute : attributes)
         if (attribute.name == name)
             return attribute.value(record);
@@ -398,7 +398,7 @@ TEST(StackRmse, OfNothingIsZero) {
 /// The fields of buildings that a program calls otherwise.
 std::map<std::string, std::string> renamed(FieldNames names) {
     std::map<std::string, std::string> result;
-    for (const Attribute<BuildingRecord>& attribute : building_attributes(true))
+    for (const Attribute<BuildingRecord>& attribute : building_attributes(true, true))
         if (const std::string_view other = field_name(names, attribute.name); other != attribute.name)
             result[std::string(attribute.name)] = other;
     return result;
@@ -417,15 +417,15 @@ TEST(FieldNames, StayDistinct) {
     for (const FieldNames names :
          {FieldNames::own, FieldNames::urock, FieldNames::city4cfd, FieldNames::osm}) {
         std::set<std::string> seen;
-        for (const FieldSpec& field : field_specs(building_attributes(true), "metre", names))
+        for (const FieldSpec& field : field_specs(building_attributes(true, true), "metre", names))
             EXPECT_TRUE(seen.insert(field.name).second) << field.name;
-        EXPECT_EQ(seen.size(), building_attributes(true).size());
+        EXPECT_EQ(seen.size(), building_attributes(true, true).size());
     }
 }
 
 TEST(FieldNames, ChangeNothingElseOfAField) {
-    const auto own = field_specs(building_attributes(true), "foot");
-    const auto other = field_specs(building_attributes(true), "foot", FieldNames::urock);
+    const auto own = field_specs(building_attributes(true, true), "foot");
+    const auto other = field_specs(building_attributes(true, true), "foot", FieldNames::urock);
     ASSERT_EQ(own.size(), other.size());
     for (std::size_t i = 0; i < own.size(); ++i) {
         EXPECT_EQ(own[i].alias, other[i].alias);

@@ -56,6 +56,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"dsco", {{"VERSION=1.3"}}},
         {"lco", {{"FID=fid"}}},
         {"nln", {{"roofs"}}},
+        {"roof_min_area", {{"200"}}},
         {"write_ground", {{"g.tif"}}},
         {"write_height", {{"h.tif"}}},
         {"write_canopy", {{"c.tif"}}},
@@ -73,6 +74,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
 
 const std::map<std::string, Texts>& needs() {
     static const std::map<std::string, Texts> all{
+        {"roof_min_area", {"-roofs"}},
         {"surface_of", {"-surface", "s.obj"}},
         {"surface_roof", {"-surface", "s.obj"}},
         {"surface_solids", {"-surface", "s.obj"}},

@@ -116,6 +116,12 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
               "-lod has no effect with -sweep lod=...; the sweep names the values itself."},
              {{"-sweep", "detail=1", "-detail", "2"},
               "-detail has no effect with -sweep detail=...; the sweep names the values itself."},
+             {{"-roofs", "-detail", "0"},
+              "-roofs cannot be used together with -detail 0; borders between faces would cost nothing, so "
+              "give a larger -detail."},
+             {{"-roofs", "-layers", "contours"},
+              "-roofs has no effect with -layers contours; only buildings have roofs."},
+             {{"-roof_min_area", "15"}, "-roof_min_area needs -roofs; it is the size of their faces."},
              {{"-mask_layer", "roofs"},
               "-mask_layer needs -mask <raster or polygons>; it names the layer of its polygons."},
              {{"-split_width", "2"},

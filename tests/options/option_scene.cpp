@@ -206,6 +206,8 @@ class Writer {
             add(part.exterior);
             for (const WorldRing& ring : part.interiors)
                 add(ring);
+            for (const double elevation : part.elevations)
+                add(elevation);
             add("arcs " + std::to_string(part.arcs.size()));
         }
     }

@@ -65,6 +65,12 @@ Json output_of(const RunReport& report) {
               {"contours", length_of(report.contour_outlines)}}}};
 }
 
+Json roofs_of(const RoofReport& roofs) {
+    return {{"faces", roofs.faces()},   {"flat", roofs.flat},
+            {"pitched", roofs.pitched}, {"doubtful", roofs.doubtful},
+            {"area_m2", roofs.area_m2}, {"doubtful_area_m2", roofs.doubtful_area_m2}};
+}
+
 Json surface_of(const SurfaceReport& surface) {
     return {{"origin", surface.origin},
             {"buildings", surface.buildings},
@@ -128,6 +134,8 @@ std::string json_report(const RunReport& report) {
     Json json{{"version", version},          {"input", input_of(report)},   {"units", units_of(report.units)},
               {"levels", levels_of(report)}, {"output", output_of(report)}, {"dropped", dropped_of(report)},
               {"threads", report.threads},   {"stages", stages_of(report)}, {"warnings", report.warnings}};
+    if (report.roofs)
+        json["roofs"] = roofs_of(*report.roofs);
     if (report.surface)
         json["surface"] = surface_of(*report.surface);
     if (!report.cuts.empty())

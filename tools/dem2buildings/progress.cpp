@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <ostream>
+#include <string>
 #include <vector>
 
 namespace d2b {
@@ -62,6 +63,7 @@ const std::vector<Part>& parts() {
          {Reason::surface_notch_filled, Reason::surface_corner_cut}},
         {"changed for a flow solver", "place", "", {Reason::flow_changed}},
         {"left unchanged", "place", "unsuitable for a flow solver", {Reason::flow_unchanged}},
+        {"doubtful", "face", "of roofs", {Reason::roof_face_doubtful}},
         {"treated as no data", "cell", "outside -zrange", {Reason::elevation_outside_range}},
         {"treated as no data", "cell", "of undeclared NoData", {Reason::elevation_undeclared_nodata}},
         {"treated as no data", "cell", "far above all cells around", {Reason::elevation_spike}},
@@ -131,11 +133,16 @@ void TerminalProgress::interrupt(bool shared, const std::function<void()>& say) 
 }
 
 std::string summary(const RunReport& report, Layers layers, const std::string& destination) {
-    std::string text;
+    std::vector<std::string> written;
     if (layers != Layers::contours)
-        text = counted(report.buildings, "building");
+        written.push_back(counted(report.buildings, "building"));
     if (layers != Layers::buildings)
-        text += (text.empty() ? "" : " and ") + counted(report.contours, "contour");
+        written.push_back(counted(report.contours, "contour"));
+    if (report.roofs)
+        written.push_back(counted(report.roofs->faces(), "face") + " of roofs");
+    std::string text;
+    for (std::size_t i = 0; i < written.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < written.size() ? ", " : " and ") + written[i];
     return text + " in " + destination + counts(report) + "\n";
 }
 

@@ -50,9 +50,10 @@ enum class Reason {
     surface_lost,                 ///< no closed surface was found for the building
     flow_changed,                 ///< a wall, gap or corner unsuitable for flow solvers was repaired
     flow_unchanged,               ///< a wall, gap or corner unsuitable for flow solvers was left
+    roof_face_doubtful,           ///< no plane suits a face of a roof, or it is too narrow for a slope
     part_merged,  ///< cut off by parcels, but too small or narrow, so merged with its neighbour
 };
-inline constexpr std::array<std::string_view, 29> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 30> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -80,6 +81,7 @@ inline constexpr std::array<std::string_view, 29> reason_names{"threshold_not_ab
                                                                "surface_lost",
                                                                "flow_changed",
                                                                "flow_unchanged",
+                                                               "roof_face_doubtful",
                                                                "part_merged"};
 
 struct LevelReport {
@@ -111,6 +113,17 @@ struct UnitReport {
     double vertical_metres = 1;
     std::string areas;              ///< "geodesic" or "planar"
     bool vertical_is_known = true;  ///< false if metres were assumed for lack of information
+};
+
+/// Faces of roofs that were written, by kind.
+struct RoofReport {
+    std::int64_t flat = 0;
+    std::int64_t pitched = 0;
+    std::int64_t doubtful = 0;
+    double area_m2 = 0;           ///< of all faces in plan
+    double doubtful_area_m2 = 0;  ///< of those that are doubtful
+
+    [[nodiscard]] std::int64_t faces() const { return flat + pitched + doubtful; }
 };
 
 /// Statistics of the surface of the buildings.
@@ -209,6 +222,7 @@ struct RunReport : Tally {
                                 ///< written), closing ones not counted
     OutlineLength building_outlines;  ///< lengths as written; 0 if the layer is not written
     OutlineLength contour_outlines;
+    std::optional<RoofReport> roofs;         ///< if requested
     std::optional<SurfaceReport> surface;    ///< if requested
     std::vector<CutStack> cuts;              ///< level 1 first; only if a sink gets the tiers of stacks
     std::optional<ParcelReport> parcels;     ///< if parcels cut buildings

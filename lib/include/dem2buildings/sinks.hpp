@@ -43,6 +43,10 @@ struct LayerStyle {
     std::string order{};      ///< field that determines the drawing order, low to high; "" for any order
     std::string certainty{};  ///< field from 0 to 1: features below `certain` are paler; "" for none
     double certain = 1;
+    // Fields of slanted faces in degrees: the azimuth determines the hue, the slope the saturation. Flat faces,
+    // without an azimuth, are light; those without a slope are grey. "" for other features.
+    std::string slope{};
+    std::string azimuth{};
 
     // Solid for 3D views. `height` is the height of its top above the ground and `min_height`, if set, that
     // of its bottom. The top is at elevation `top`; if that is empty, the bottom is at `bottom`; if both are,

@@ -27,13 +27,15 @@ struct Columns {
     std::array<std::string, 2> labelled;
     std::string order;
     std::string certainty;
+    std::string slope;
+    std::string azimuth;
     std::string top;
     std::string bottom;
     std::string height;
     std::string min_height;
 };
 
-/// Returns the 2D renderer: coloured by height with a legend, or a single symbol.
+/// Returns the 2D renderer: coloured by height, or by azimuth and slope, with a legend, or a single symbol.
 [[nodiscard]] std::string renderer(const LayerSpec& spec, const Columns& columns);
 /// Returns the labels for large map scales.
 [[nodiscard]] std::string labeling(const LayerSpec& spec, const Columns& columns);
@@ -172,7 +174,14 @@ std::string outline_width_by_scale() {
                               "coalesce(scale_linear(@map_scale, 1000, 5000, 0.16, 0.04), 0.12)"));
 }
 
-/// One rule per class, below a rule that is only the heading of the legend.
+/// Rules below one that is only the heading of the legend.
+std::string headed_rules(const std::string& title, const std::string& rules, const std::string& symbols) {
+    return "  <rules key=\"{dem2buildings}\">\n   <rule key=\"{dem2buildings-heading}\" label=\"" +
+           writing::xml_text(title) + "\">\n" + rules + "   </rule>\n  </rules>\n  <symbols>\n" + symbols +
+           "  </symbols>\n";
+}
+
+/// One rule per class.
 std::string height_rules(const LayerStyle& style, const Columns& columns) {
     const std::size_t classes = height_classes().size();
     std::string rules;
@@ -188,9 +197,54 @@ std::string height_rules(const LayerStyle& style, const Columns& columns) {
                       "paler: less certain");
         symbols += symbol(classes, veil(style, columns.certainty));
     }
-    return "  <rules key=\"{dem2buildings}\">\n   <rule key=\"{dem2buildings-heading}\" label=\"" +
-           writing::xml_text(style.title) + "\">\n" + rules + "   </rule>\n  </rules>\n  <symbols>\n" +
-           symbols + "  </symbols>\n";
+    return headed_rules(style.title, rules, symbols);
+}
+
+/// Eighth of the compass. Its colour is for the legend and for QGIS where it cannot compute a colour.
+struct Sector {
+    const char* name;
+    const char* colour;
+};
+// North is blue and south orange, against each other on the circle of hues.
+constexpr std::array<Sector, 8> sectors{{{"north", "87,130,217,255"},
+                                         {"north-east", "87,217,206,255"},
+                                         {"east", "87,217,108,255"},
+                                         {"south-east", "163,217,87,255"},
+                                         {"south", "217,173,87,255"},
+                                         {"south-west", "217,87,98,255"},
+                                         {"west", "217,87,195,255"},
+                                         {"north-west", "141,87,217,255"}}};
+
+/// True in the sector of a number; each extends by 22.5 degrees to both sides of its direction.
+std::string sector_filter(std::size_t number, const Columns& columns) {
+    constexpr double width = 360.0 / sectors.size();
+    const std::string from = number_text(static_cast<double>(number) * width - width / 2);
+    const std::string to = number_text(static_cast<double>(number) * width + width / 2);
+    if (number == 0)
+        return columns.azimuth + " &gt;= " + number_text(360 - width / 2) + " OR " + columns.azimuth +
+               " &lt; " + to;
+    return columns.azimuth + " &gt;= " + from + " AND " + columns.azimuth + " &lt; " + to;
+}
+
+/// One rule per direction of slope, for flat faces, and for those of unknown slope.
+std::string roof_rules(const LayerStyle& style, const Columns& columns) {
+    constexpr const char* edge = "70,45,35,255";
+    // Paler where the slope is gentle.
+    const std::string colour = "color_hsv((580 - " + columns.azimuth + ") % 360, scale_linear(" +
+                               columns.slope + ", 8, 50, 25, 75), 85)";
+    const std::string defined =
+        data_defined_property_set("data_defined_properties", data_defined_property("fillColor", colour));
+    std::string rules;
+    std::string symbols;
+    for (std::size_t i = 0; i < sectors.size(); ++i) {
+        rules += rule(i, sector_filter(i, columns), sectors[i].name);
+        symbols += symbol(i, area(sectors[i].colour, edge, "0.12", defined));
+    }
+    rules += rule(sectors.size(), columns.azimuth + " IS NULL AND " + columns.slope + " IS NOT NULL", "flat");
+    symbols += symbol(sectors.size(), area("250,245,225,255", edge, "0.12"));
+    rules += rule(sectors.size() + 1, columns.slope + " IS NULL", "doubtful");
+    symbols += symbol(sectors.size() + 1, area("190,190,190,255", edge, "0.12"));
+    return headed_rules(style.title, rules, symbols);
 }
 
 }  // namespace
@@ -203,6 +257,8 @@ std::string renderer(const LayerSpec& spec, const Columns& columns) {
         " <renderer-v2 forceraster=\"0\" symbollevels=\"0\" enableorderby=\"" + order + "\" type=\"";
     if (spec.points)
         text += "singleSymbol\">\n  <symbols>\n" + symbol(0, dot(), "marker") + "  </symbols>\n";
+    else if (!columns.azimuth.empty())
+        text += "RuleRenderer\">\n" + roof_rules(style, columns);
     else if (columns.colour.empty())
         text += "singleSymbol\">\n  <symbols>\n" + symbol(0, hatched()) + "  </symbols>\n";
     else
@@ -231,7 +287,10 @@ std::string height_text(const std::string& height) {
 std::string labeling(const LayerSpec& spec, const Columns& columns) {
     const auto field = std::ranges::find(spec.fields, spec.style.label, &FieldSpec::name);
     const bool text = field->type == FieldType::text;
-    std::string expression = text ? columns.label : height_text(columns.label);
+    const bool degrees = !columns.slope.empty() && columns.label == columns.slope;
+    std::string expression = text      ? columns.label
+                             : degrees ? "round(" + columns.label + ") || '&#176;'"
+                                       : height_text(columns.label);
     if (const auto& [one, other] = columns.labelled; !one.empty() && !other.empty())
         expression = "CASE WHEN " + one + " = " + other + " THEN " + expression + " END";
     // The halo makes labels readable on every colour of the legend.
@@ -352,6 +411,8 @@ std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& col
                               .labelled = {named(style.labelled[0]), named(style.labelled[1])},
                               .order = named(style.order),
                               .certainty = named(style.certainty),
+                              .slope = named(style.slope),
+                              .azimuth = named(style.azimuth),
                               .top = named(style.top),
                               .bottom = named(style.bottom),
                               .height = named(style.height),

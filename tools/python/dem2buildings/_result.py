@@ -6,7 +6,7 @@ import json
 class Result:
     """Buildings and contours in memory.
 
-    buildings, contours, doubtful, rejected, problems: a Layer, or None if it was not requested
+    buildings, contours, roofs, doubtful, rejected, problems: a Layer, or None if it was not requested
     crs: the coordinate reference system as WKT; None if unknown
     metadata: how the result was made, a dict of texts: source, options, thresholds, units, version
     report: the report of the run, a dict, as dem2buildings -json prints it
@@ -16,6 +16,7 @@ class Result:
         by_name = {layer.name: layer for layer in layers}
         self.buildings = by_name.get("buildings")
         self.contours = by_name.get("contours")
+        self.roofs = by_name.get("roofs")
         self.doubtful = by_name.get("doubtful")
         self.rejected = by_name.get("rejected")
         self.problems = by_name.get("problems")
@@ -24,6 +25,6 @@ class Result:
         self.report = json.loads(report)
 
     def __repr__(self):
-        layers = (self.buildings, self.contours, self.doubtful, self.rejected, self.problems)
+        layers = (self.buildings, self.contours, self.roofs, self.doubtful, self.rejected, self.problems)
         counts = ", ".join(f"{len(layer)} {layer.name}" for layer in layers if layer is not None)
         return f"<dem2buildings.Result: {counts}>"

@@ -64,6 +64,7 @@ class Result:
 
     buildings: Layer | None
     contours: Layer | None
+    roofs: Layer | None
     doubtful: Layer | None
     rejected: Layer | None
     problems: Layer | None

@@ -13,7 +13,7 @@ from . import parameters, program
 
 INPUT, OUTPUT = "INPUT", "OUTPUT"
 ICON = str(pathlib.Path(__file__).with_name("icon.svg"))
-LAYERS = ("buildings", "contours", "doubtful", "rejected", "problems")
+LAYERS = ("buildings", "contours", "roofs", "doubtful", "rejected", "problems")
 
 
 def icon():
@@ -27,7 +27,8 @@ def written_layers(options):
     layers = []
     for name in LAYERS:
         main = name in ("buildings", "contours")
-        if (main and chosen not in (name, "both")) or (not main and f"-write_{name}" not in options):
+        switch = "-roofs" if name == "roofs" else f"-write_{name}"
+        if (main and chosen not in (name, "both")) or (not main and switch not in options):
             continue
         alone = name == "buildings" or chosen == name
         layers.append((name, name if prefix is None else prefix if alone else f"{prefix}_{name}"))
