@@ -155,7 +155,8 @@ constexpr std::array building_table{
 
 constexpr std::array roof_table{
     Attribute<BuildingRecord>{"roof_type", "Roof type", FieldType::text, Unit::none,
-                              "flat, shed, gabled, hipped, pyramidal, mansard, domed, complex or unknown",
+                              "flat, shed, gabled, hipped, pyramidal, mansard, domed, complex or unknown; "
+                              "this field and the next four only with -roofs",
                               [](const BuildingRecord& r) {
                                   return r.roof_shape.type.empty()
                                              ? FieldValue{}

@@ -53,8 +53,8 @@ TEST_F(Determinism, twoRunsGiveTheSameBytes) {
 }
 
 TEST_F(Determinism, theCacheDoesNotMatter) {
-    for (const Arguments& options :
-         {Arguments{}, Arguments{"-preset", "buildings", "-split_height", "3", "-write_doubtful"}}) {
+    for (const Arguments& options : {Arguments{}, Arguments{"-preset", "buildings", "-split_height", "3",
+                                                            "-write_doubtful", "-roofs"}}) {
         Arguments other = options;
         other.insert(other.end(), {"--config", "GDAL_CACHEMAX=1", "--config", "GDAL_NUM_THREADS=4"});
         expect_same("out.gpkg", options, other);

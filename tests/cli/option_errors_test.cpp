@@ -86,6 +86,8 @@ TEST_F(BuildingErrors, refusesADoubtfulLayerWhereThereIsNoPlace) {
                  {"-write_doubtful", "dem.tif", "out.geojson"});
     expect_error(2, "\"out.geojson\" holds one layer (format GeoJSON); use a GeoPackage for -write_rejected.",
                  {"-write_rejected", "dem.tif", "out.geojson"});
+    expect_error(2, "\"out.geojson\" holds one layer (format GeoJSON); use a GeoPackage for -roofs.",
+                 {"-roofs", "dem.tif", "out.geojson"});
 }
 
 TEST_F(BuildingErrors, refusesToOverwriteWhatItReadsOrWrites) {

@@ -163,6 +163,74 @@ TEST_F(OptionEffect, write_doubtful) {
     EXPECT_EQ(layer("out.gpkg", "roofs_doubtful").records.size(), unsure.records.size());
 }
 
+namespace {
+
+/// Lowest and highest elevation of the vertices of a feature.
+std::pair<double, double> elevations(const Record& record) {
+    OGREnvelope3D box{};
+    OGR_G_GetEnvelope3D(record.geometry(), &box);
+    return {box.MinZ, box.MaxZ};
+}
+
+}  // namespace
+
+/// The flat house has one face; the gable rises from 5 to 9 m above the ground over 6 m.
+TEST_F(OptionEffect, roofs) {
+    find({});
+    const Names before = buildings().fields;
+    find({"-roofs"});
+    EXPECT_EQ(layer_names(path("out.gpkg")), (Names{"buildings", "contours", "roofs"}));
+    Names added = before;
+    added.insert(added.end(), {"roof_type", "flat_m2", "ridge_z", "eave_z", "roof_rmse"});
+    EXPECT_EQ(buildings().fields, added);
+    const Layer faces = layer("out.gpkg", "roofs");
+    EXPECT_EQ(faces.type, wkbMultiPolygon25D);
+    EXPECT_EQ(faces.fields, (Names{"id", "bldg_id", "part_id", "slope", "azimuth", "area_m2", "roof_m2",
+                                   "z_low", "z_high", "rmse_m", "n_cells", "kind"}));
+    EXPECT_NEAR(faces.sum("area_m2"), buildings().sum("area_m2"), 0.1);
+    const double ground = MadeTown::middle(MadeTown::gabled);
+    int pitched = 0;
+    for (const Record& face : faces.records) {
+        EXPECT_TRUE(face.valid());
+        const auto [low, high] = elevations(face);
+        EXPECT_EQ(face.number("z_low"), low);
+        EXPECT_EQ(face.number("z_high"), high);
+        if (face.text("kind") != "pitched")
+            continue;
+        ++pitched;
+        EXPECT_NEAR(face.number("slope"), 33.69, 0.5);
+        EXPECT_NEAR(std::abs(std::remainder(face.number("azimuth") - 90, 180)), 90, 1);
+        EXPECT_NEAR(low, ground + MadeTown::eaves, 0.15);
+        EXPECT_NEAR(high, ground + MadeTown::ridge, 0.1);
+    }
+    EXPECT_EQ(pitched, 2);
+    run_well({"-preset", "buildings", "-q", "-append", "-roofs", "--", "town.tif", "out.gpkg"});
+    EXPECT_EQ(layer("out.gpkg", "roofs").records.size(), 2 * faces.records.size());
+    EXPECT_EQ(layer("out.gpkg", "roofs").sum("bldg_id"),
+              2 * faces.sum("bldg_id") + 3 * static_cast<double>(faces.records.size()));
+    find({"-roofs", "-nln", "town", "-layers", "buildings"});
+    EXPECT_EQ(layer("out.gpkg", "town_roofs").records.size(), faces.records.size());
+}
+
+/// Each face of the gable has 132 m2, the flat roof 252 and the podium 984 without the tower of 168.
+TEST_F(OptionEffect, roof_min_area) {
+    find({"-roofs"});
+    const auto pitched = [&] {
+        return std::ranges::count_if(layer("out.gpkg", "roofs").records,
+                                     [](const Record& face) { return face.text("kind") == "pitched"; });
+    };
+    EXPECT_EQ(pitched(), 2);
+    EXPECT_EQ(layer("out.gpkg", "roofs").records.size(), 5U);
+    find({"-roofs", "-roof_min_area", "150"});
+    EXPECT_EQ(layer("out.gpkg", "roofs").records.size(), 4U);
+    find({"-roofs", "-roof_min_area", "200"});
+    EXPECT_EQ(layer("out.gpkg", "roofs").records.size(), 3U);
+    expect_error(2, "-roof_min_area needs -roofs; it is the size of their faces.",
+                 {"-preset", "buildings", "-roof_min_area", "15", "town.tif", "again.gpkg"});
+    expect_error(2, "-roof_min_area must be",
+                 {"-preset", "buildings", "-roofs", "-roof_min_area", "-1", "town.tif", "again.gpkg"});
+}
+
 TEST_F(OptionEffect, write_rejected) {
     const std::string town = sample("town.tif");
     preset_ = "thesis";

@@ -203,6 +203,18 @@ TEST(ScaleDoubt, CellsWiderThanThreeMetres) {
               "may do");
 }
 
+TEST(ScaleDoubt, RoofsOfWhichMoreThanHalfIsDoubtful) {
+    RoofReport roofs;
+    EXPECT_EQ(doubtful_roofs_warning(roofs), "");
+    roofs.area_m2 = 1000;
+    roofs.doubtful_area_m2 = 500;
+    EXPECT_EQ(doubtful_roofs_warning(roofs), "");
+    roofs.doubtful_area_m2 = 620;
+    EXPECT_EQ(doubtful_roofs_warning(roofs),
+              "62 % of the area of roofs is doubtful, because faces are too narrow for the cells or no plane "
+              "suits their points; use a finer raster, or leave -roofs out");
+}
+
 TEST(ScaleDoubt, ToleranceOfMoreThanAHundredCells) {
     EXPECT_EQ(tolerance_warning(0, 0.5), "");
     EXPECT_EQ(tolerance_warning(50, 0.5), "");

@@ -29,9 +29,33 @@ class Results(PythonCase):
         self.assertIsNone(found.doubtful)
         self.assertIsNone(found.rejected)
         self.assertEqual(repr(found), "<dem2buildings.Result: 1 buildings, 1 contours>")
+        self.assertIsNone(found.roofs)
         more = find(block(), write_doubtful=True, write_rejected=True, layers="buildings")
         self.assertIsNone(more.contours)
         self.assertEqual((len(more.doubtful), len(more.rejected)), (0, 0))
+
+    def test_roofs(self):
+        dem = block()
+        dem[10:25, 15:35] = 14 - 0.5 * numpy.abs(numpy.arange(15) - 7)[:, None]  # a gable along the columns
+        found = find(dem, roofs=True)
+        self.assertEqual(repr(found), "<dem2buildings.Result: 1 buildings, 1 contours, 2 roofs>")
+        faces = found.roofs
+        self.assertEqual(faces.name, "roofs")
+        self.assertEqual(faces.columns["kind"].tolist(), ["pitched", "pitched"])
+        self.assertEqual(faces.columns["bldg_id"].tolist(), [1, 1])
+        numpy.testing.assert_allclose(faces.columns["slope"], numpy.degrees(numpy.arctan(0.5)), atol=0.5)
+        self.assertEqual(sorted(round(azimuth) % 360 for azimuth in faces.columns["azimuth"]), [0, 180])
+        for face, wkb in zip(faces, faces.wkb):
+            self.assertEqual(struct.unpack_from("<BI", wkb)[1], 1006)
+            ((outer,),) = face["geometry"]["coordinates"]
+            z = [position[2] for position in outer]
+            self.assertEqual((min(z), max(z)), (face["properties"]["z_low"], face["properties"]["z_high"]))
+            self.assertAlmostEqual(max(z), 14, delta=0.1)
+            # A geometry has the same positions as its WKB, which has 4 and 9 bytes of heads before them.
+            numbers = struct.unpack_from(f"<{3 * len(outer)}d", wkb, len(wkb) - 24 * len(outer))
+            self.assertEqual([tuple(numbers[i:i + 3]) for i in range(0, len(numbers), 3)], list(outer))
+        self.assertEqual(found.report["roofs"]["pitched"], 2)
+        self.assertEqual(found.buildings.columns["roof_type"].tolist(), ["gabled"])
 
     def test_crs_and_metadata(self):
         found = find(block(), lod=2)

@@ -160,6 +160,7 @@ RunReport filled() {
     report.count(Reason::polygon_repaired, 6);
     report.seconds[0] = 0.25;
     report.surface = SurfaceReport{{391000, 5820000, -3}, 5, 4, 100, 184};
+    report.roofs = RoofReport{5, 7, 2, 1000.5, 12.25};
     report.cuts = {{1, 2.5}, {2, 0.75}};
     report.sampling = SamplingReport{0.25, 1.5, {}, 0.25};
     report.peak_memory_bytes[static_cast<std::size_t>(Stage::write)] = 1LL << 40;
@@ -176,6 +177,13 @@ TEST(JsonReport, readsBackAsItWas) {
                                      {"points", 100},
                                      {"triangles", 184}}));
     EXPECT_FALSE(Json::parse(json_report({})).contains("surface"));
+    EXPECT_EQ(json["roofs"], (Json{{"faces", 14},
+                                   {"flat", 5},
+                                   {"pitched", 7},
+                                   {"doubtful", 2},
+                                   {"area_m2", 1000.5},
+                                   {"doubtful_area_m2", 12.25}}));
+    EXPECT_FALSE(Json::parse(json_report({})).contains("roofs"));
     EXPECT_EQ(json["truncated_stacks"],
               Json::parse(R"([{"level":1,"rmse_m":2.5},{"level":2,"rmse_m":0.75}])"));
     EXPECT_FALSE(Json::parse(json_report({})).contains("truncated_stacks"));

@@ -77,6 +77,13 @@ TEST(Summary, countsWhatTheLayersHold) {
     report.buildings = 1;
     report.contours = 999;
     EXPECT_EQ(summary(report, Layers::both, "x"), "1 building and 999 contours in x\n");
+    report.roofs.emplace();
+    report.roofs->flat = 2;
+    report.roofs->pitched = 1500;
+    report.roofs->doubtful = 3;
+    EXPECT_EQ(summary(report, Layers::both, "x"), "1 building, 999 contours and 1,505 faces of roofs in x\n");
+    EXPECT_EQ(summary(report, Layers::buildings, "x"), "1 building and 1,505 faces of roofs in x\n");
+    report.roofs.reset();
     report.buildings = report.contours = 0;
     EXPECT_EQ(summary(report, Layers::both, "x"), "0 buildings and 0 contours in x\n");
 }

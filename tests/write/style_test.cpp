@@ -182,6 +182,26 @@ TEST(Qml, ABlockStandsOnTheGround) {
     EXPECT_NE(qml.find("value=\"&quot;height&quot;\""), std::string::npos);
 }
 
+/// A direction has one colour: the sectors meet at odd multiples of 22.5 degrees, and north goes around 0.
+TEST(Qml, FacesHaveTheColourOfTheirDirection) {
+    LayerSpec spec = layer_spec("roofs");
+    spec.fields.push_back({"slope", "", FieldType::real, "", ""});
+    spec.fields.push_back({"azimuth", "", FieldType::real, "", ""});
+    spec.style = {.title = "t", .label = "slope", .slope = "slope", .azimuth = "azimuth"};
+    const std::string qml = qml_style(spec, {"id", "height", "status", "slope", "azimuth"});
+    for (const char* rule :
+         {"filter=\"&quot;azimuth&quot; &gt;= 337.5 OR &quot;azimuth&quot; &lt; 22.5\" label=\"north\"",
+          "filter=\"&quot;azimuth&quot; &gt;= 157.5 AND &quot;azimuth&quot; &lt; 202.5\" label=\"south\"",
+          "filter=\"&quot;azimuth&quot; IS NULL AND &quot;slope&quot; IS NOT NULL\" label=\"flat\"",
+          "filter=\"&quot;slope&quot; IS NULL\" label=\"doubtful\"",
+          "color_hsv((580 - &quot;azimuth&quot;) % 360, scale_linear(&quot;slope&quot;, 8, 50, 25, 75), 85)",
+          "fieldName=\"round(&quot;slope&quot;) || '&#176;'\""})
+        EXPECT_NE(qml.find(rule), std::string::npos) << rule << '\n' << qml;
+    // The hue of the south is opposite to that of the north: 40 and 220.
+    EXPECT_NE(qml.find("\"color\" value=\"217,173,87,255\""), std::string::npos);
+    EXPECT_NE(qml.find("\"color\" value=\"87,130,217,255\""), std::string::npos);
+}
+
 TEST(Qml, WhatIsNotCertainIsPaler) {
     LayerSpec spec = layer_spec("buildings");
     EXPECT_EQ(qml_style(spec, {"id", "height", "status"}).find("paler"), std::string::npos);

@@ -1,0 +1,91 @@
+#include "roofs/meeting_planes.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "roofs/made_roof.hpp"
+#include "roofs/make_roof.hpp"
+
+namespace d2b::roofs {
+namespace {
+
+/// Two faces with the border at row 16 of a rectangle of 12 x 20 cells.
+struct TwoFaces {
+    explicit TwoFaces(Height height) : roof{12, 20, std::move(height)} {
+        const auto at = [](std::int64_t row, std::int64_t col) {
+            return FinePoint{row * FinePoint::steps * roof_steps, col * FinePoint::steps * roof_steps};
+        };
+        faces = {{{{at(10, 20), at(16, 20), at(16, 40), at(10, 40)}, {}}, 0},
+                 {{{at(16, 20), at(22, 20), at(22, 40), at(16, 40)}, {}}, 1}};
+        for (const LabelledFace& face : faces)
+            cells.push_back(cells_of(face.outline, grid, lattice));
+    }
+    void solve(const std::vector<Plane>& first) {
+        planes = meeting_planes(faces, face_edges(faces), first, cells, grid, lattice);
+        elevations = corner_elevations(faces, planes, lattice);
+    }
+    /// Elevation of the corner of a face at a row and column of the raster.
+    [[nodiscard]] double corner(std::size_t face, std::int64_t row, std::int64_t col) const {
+        for (std::size_t i = 0; i < faces[face].outline.exterior.size(); ++i)
+            if (const FinePoint& p = faces[face].outline.exterior[i];
+                p.row == row * FinePoint::steps * roof_steps && p.col == col * FinePoint::steps * roof_steps)
+                return elevations[face][i] + grid.datum;
+        ADD_FAILURE() << "no corner at " << row << ' ' << col;
+        return 0;
+    }
+
+    MadeRoof roof;
+    BuildingGrid grid = roof.grid();
+    RoofLattice lattice{grid, 0.5};
+    std::vector<LabelledFace> faces;
+    std::vector<std::vector<std::size_t>> cells;
+    std::vector<FacePlane> planes;
+    std::vector<std::vector<double>> elevations;
+};
+
+/// Noise moves each plane by itself, but both have one elevation at the ridge.
+TEST(MeetingPlanes, MeetAlongTheRidge) {
+    std::mt19937 random(4);
+    TwoFaces two([&](double row, double col) {
+        return gable(16, 0.7)(row, col) + 0.2 * (static_cast<double>(random() % 1000) / 1000 - 0.5);
+    });
+    two.solve({plane_of(two.grid, 16, 0, 9.05, 0.69, 0.002), plane_of(two.grid, 16, 0, 8.95, -0.71, -0.003)});
+    for (const int col : {20, 40}) {
+        EXPECT_NEAR(two.corner(0, 16, col), two.corner(1, 16, col), 1e-3);
+        EXPECT_NEAR(two.corner(0, 16, col), 9, 0.1);
+    }
+    EXPECT_NEAR(two.planes[0].plane.slope_y, 0.7, 0.03);
+    EXPECT_NEAR(two.planes[1].plane.slope_y, -0.7, 0.03);
+    // All corners of a face are on its plane.
+    for (std::size_t face = 0; face < 2; ++face)
+        for (std::size_t i = 0; i < 4; ++i) {
+            const GridPoint at = two.lattice.position(two.faces[face].outline.exterior[i]);
+            EXPECT_NEAR(two.elevations[face][i], two.planes[face].plane.at(at.x, at.y), 1e-3);
+        }
+}
+
+TEST(MeetingPlanes, AStepStays) {
+    TwoFaces two([](double row, double) { return row < 16 ? 6.0 : 9.0; });
+    two.solve({plane_of(two.grid, 0, 0, 6, 0, 0), plane_of(two.grid, 0, 0, 9, 0, 0)});
+    for (const int col : {20, 40}) {
+        EXPECT_NEAR(two.corner(0, 16, col), 6, 0.01);
+        EXPECT_NEAR(two.corner(1, 16, col), 9, 0.01);
+    }
+    EXPECT_FALSE(two.planes[0].level);
+}
+
+/// A face of 70 degrees is a wall or a tree.
+TEST(MeetingPlanes, TooSteepFacesAreLevel) {
+    const double steep = std::tan(70 * 3.14159265358979 / 180);
+    TwoFaces two([&](double row, double) { return row < 16 ? 6.0 : 9.0 + steep * (row - 16); });
+    two.solve({plane_of(two.grid, 0, 0, 6, 0, 0), plane_of(two.grid, 16, 0, 9, steep, 0)});
+    EXPECT_FALSE(two.planes[0].level);
+    EXPECT_TRUE(two.planes[1].level);
+    EXPECT_EQ(two.planes[1].plane.slope_y, 0);
+    EXPECT_NEAR(two.corner(1, 16, 20), two.corner(1, 22, 40), 1e-9);
+}
+
+}  // namespace
+}  // namespace d2b::roofs
