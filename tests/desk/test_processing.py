@@ -190,9 +190,9 @@ class Toolbox(DeskCase):
 
     def test_every_layer_of_the_run_is_loaded_and_no_other(self):
         target = str(self.folder / "layers.gpkg")
-        results, _, _ = self.run_it(OUTPUT=target, write_doubtful=True, write_rejected=True)
+        results, _, _ = self.run_it(OUTPUT=target, roofs=True, write_doubtful=True, write_rejected=True)
         self.assertEqual(results, {"OUTPUT": target, **{name.upper(): f"{target}|layername={name}" for name in
-                                                        ("buildings", "contours", "doubtful", "rejected")}})
+                                                        ("buildings", "contours", "roofs", "doubtful", "rejected")}})
         results, _, _ = self.run_it(OUTPUT=target, layers=1, write_rejected=True)  # the others stay in the file
         self.assertEqual(results, {"OUTPUT": target, "CONTOURS": f"{target}|layername=contours",
                                    "REJECTED": f"{target}|layername=rejected"})

@@ -48,6 +48,24 @@ TEST_F(StyleTest, AGeoPackageHasAStyleOfEachLayer) {
     EXPECT_EQ(ask("PRAGMA foreign_key_check"), "");
 }
 
+/// A second style by suitability for panels, which the user chooses.
+TEST_F(StyleTest, RoofsHaveTwoStyles) {
+    LayerSpec spec = layer_spec("roofs");
+    spec.fields.push_back({"slope", "", FieldType::real, "", ""});
+    spec.fields.push_back({"azimuth", "", FieldType::real, "", ""});
+    spec.style = {.title = "t", .label = "slope", .slope = "slope", .azimuth = "azimuth"};
+    for (int run = 0; run < 2; ++run) {
+        const auto sink = open_sink(over("a.gpkg"), callbacks_);
+        sink->begin({&spec, 1}, provenance());
+        sink->finish();
+        EXPECT_EQ(styles("roofs"), "dem2buildings*,dem2buildings solar");
+    }
+    const std::string qml = ask("SELECT styleQML FROM layer_styles WHERE styleName = 'dem2buildings solar'");
+    EXPECT_NE(qml.find("(&quot;slope&quot; BETWEEN 10 AND 60 AND &quot;azimuth&quot; BETWEEN 135 AND 225)"),
+              std::string::npos)
+        << qml;
+}
+
 TEST_F(StyleTest, AGeoPackageSaysWhatItsLayersAndFieldsAre) {
     write(to("a.gpkg"), 1);
     const std::string xml =

@@ -10,7 +10,7 @@ namespace d2b::writing {
 
 namespace {
 
-constexpr const char* our_style = "'dem2buildings'";
+constexpr const char* our_name = "'dem2buildings'";
 
 /// SQL for the current time, or the value of OGR_CURRENT_DATE, which the tables of GDAL follow too.
 std::string now() {
@@ -85,15 +85,17 @@ void GeopackageTables::style() const {
         return;
     const char* doing = "writing the style";
     const std::string of_layer = " FROM layer_styles WHERE lower(f_table_name) = lower(" + table_ + ")";
-    run_or_throw("DELETE" + of_layer + " AND styleName = " + our_style + " AND owner = " + our_style, doing);
-    run_or_throw(
-        "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
-        "styleName, styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', " +
-            table_ + ", " + sql_literal(layer_.geometry) + ", " + our_style + ", " +
-            sql_literal(qml_style(layer_.spec, layer_.columns)) + ", '', NOT EXISTS (SELECT 1" + of_layer +
-            " AND useAsDefault), " + sql_literal(layer_.spec.style.title) + ", " + our_style + ", " + now() +
-            ")",
-        doing);
+    for (const NamedStyle& style : qml_styles(layer_.spec, layer_.columns)) {
+        const std::string name = sql_literal(style.name);
+        run_or_throw("DELETE" + of_layer + " AND styleName = " + name + " AND owner = " + our_name, doing);
+        run_or_throw(
+            "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
+            "styleName, styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', " +
+                table_ + ", " + sql_literal(layer_.geometry) + ", " + name + ", " + sql_literal(style.qml) +
+                ", '', NOT EXISTS (SELECT 1" + of_layer + " AND useAsDefault), " + sql_literal(style.title) +
+                ", " + our_name + ", " + now() + ")",
+            doing);
+    }
 }
 
 void GeopackageTables::metadata(const Provenance& provenance) const {

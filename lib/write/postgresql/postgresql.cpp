@@ -208,14 +208,15 @@ void PostgresqlTable::style() const {
     run_or_throw("DELETE" + of_layer + " AND position(" + sql_literal(std::string(style_signature)) +
                      " in styleqml::text) > 0",
                  doing);
-    run_or_throw(
-        "INSERT INTO public.layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
-        "stylename, styleqml, useasdefault, description) SELECT current_database(), current_schema(), " +
-            sql_literal(layer_.table) + ", " + sql_literal(layer_.geometry) +
-            ", 'dem2buildings', XMLPARSE(DOCUMENT " + sql_literal(qml_style(layer_.spec, layer_.columns)) +
-            "), NOT EXISTS (SELECT 1" + of_layer + " AND useasdefault), " +
-            sql_literal(layer_.spec.style.title),
-        doing);
+    for (const NamedStyle& style : qml_styles(layer_.spec, layer_.columns))
+        run_or_throw(
+            "INSERT INTO public.layer_styles (f_table_catalog, f_table_schema, f_table_name, "
+            "f_geometry_column, stylename, styleqml, useasdefault, description) SELECT current_database(), "
+            "current_schema(), " +
+                sql_literal(layer_.table) + ", " + sql_literal(layer_.geometry) + ", " +
+                sql_literal(style.name) + ", XMLPARSE(DOCUMENT " + sql_literal(style.qml) +
+                "), NOT EXISTS (SELECT 1" + of_layer + " AND useasdefault), " + sql_literal(style.title),
+            doing);
 }
 
 }  // namespace

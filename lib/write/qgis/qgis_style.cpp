@@ -33,6 +33,7 @@ struct Columns {
     std::string bottom;
     std::string height;
     std::string min_height;
+    bool by_sun = false;  ///< colours faces by their suitability for panels, not by their direction
 };
 
 /// Returns the 2D renderer: coloured by height, or by azimuth and slope, with a legend, or a single symbol.
@@ -247,6 +248,35 @@ std::string roof_rules(const LayerStyle& style, const Columns& columns) {
     return headed_rules(style.title, rules, symbols);
 }
 
+constexpr const char* sun_title = "Suitability for solar panels north of the equator";
+
+/// One rule per suitability for panels. Limits are those of docs/tasks/solar.md, without that of the area.
+std::string sun_rules(const Columns& columns) {
+    struct Class {
+        const char* name;
+        const char* colour;
+        std::string filter;
+    };
+    const std::string tilted = columns.slope + " BETWEEN 10 AND 60 AND " + columns.azimuth;
+    const std::array<Class, 4> classes{
+        {{"flat, or facing south", "253,191,45,255",
+          columns.slope + " &lt; 8 OR (" + tilted + " BETWEEN 135 AND 225)"},
+         {"facing east or west", "254,228,150,255", tilted + " BETWEEN 90 AND 270"},
+         {"less suitable", "150,165,190,255", columns.slope + " IS NOT NULL"},
+         {"doubtful", "190,190,190,255", columns.slope + " IS NULL"}}};
+    std::string rules;
+    std::string symbols;
+    std::string others;  // that no class above takes
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const Class& one = classes[i];
+        rules += rule(i, "(" + one.filter + ")" + others, one.name);
+        symbols += symbol(i, area(one.colour, "70,45,35,255", "0.12"));
+        if (i < 2)
+            others += " AND NOT coalesce(" + one.filter + ", false)";
+    }
+    return headed_rules(sun_title, rules, symbols);
+}
+
 }  // namespace
 
 std::string renderer(const LayerSpec& spec, const Columns& columns) {
@@ -258,7 +288,7 @@ std::string renderer(const LayerSpec& spec, const Columns& columns) {
     if (spec.points)
         text += "singleSymbol\">\n  <symbols>\n" + symbol(0, dot(), "marker") + "  </symbols>\n";
     else if (!columns.azimuth.empty())
-        text += "RuleRenderer\">\n" + roof_rules(style, columns);
+        text += "RuleRenderer\">\n" + (columns.by_sun ? sun_rules(columns) : roof_rules(style, columns));
     else if (columns.colour.empty())
         text += "singleSymbol\">\n  <symbols>\n" + symbol(0, hatched()) + "  </symbols>\n";
     else
@@ -403,7 +433,10 @@ std::string map_tip(const qml::Columns& columns) {
 
 }  // namespace
 
-std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& columns) {
+namespace {
+
+/// @param by_sun see qml::Columns
+std::string document(const LayerSpec& spec, const std::vector<std::string>& columns, bool by_sun) {
     const LayerStyle& style = spec.style;
     const auto named = [&](const std::string& name) { return column(spec, columns, name); };
     const qml::Columns fields{.colour = named(style.colour),
@@ -416,7 +449,8 @@ std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& col
                               .top = named(style.top),
                               .bottom = named(style.bottom),
                               .height = named(style.height),
-                              .min_height = named(style.min_height)};
+                              .min_height = named(style.min_height),
+                              .by_sun = by_sun};
     std::string text = "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n";
     text += style_signature;
     text += "<qgis version=\"3.16.0\" labelsEnabled=\"" + std::string(fields.label.empty() ? "0" : "1") +
@@ -428,6 +462,19 @@ std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& col
         text += qml::labeling(spec, fields);
     text += aliases(spec, columns) + map_tip(fields);
     return text + " <layerGeometryType>" + (spec.points ? "0" : "2") + "</layerGeometryType>\n</qgis>\n";
+}
+
+}  // namespace
+
+std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& columns) {
+    return document(spec, columns, false);
+}
+
+std::vector<NamedStyle> qml_styles(const LayerSpec& spec, const std::vector<std::string>& columns) {
+    std::vector<NamedStyle> styles{{"dem2buildings", spec.style.title, qml_style(spec, columns)}};
+    if (!spec.style.azimuth.empty())
+        styles.push_back({"dem2buildings solar", qml::sun_title, document(spec, columns, true)});
+    return styles;
 }
 
 namespace {

@@ -25,6 +25,16 @@ inline constexpr std::string_view style_signature = "<!-- The default style of d
 /// the names
 [[nodiscard]] std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& columns);
 
+/// Style under a name, by which QGIS lists it.
+struct NamedStyle {
+    std::string name;
+    std::string title;
+    std::string qml;
+};
+/// Returns the styles of a layer, the default one first. @param columns see qml_style()
+[[nodiscard]] std::vector<NamedStyle> qml_styles(const LayerSpec& spec,
+                                                 const std::vector<std::string>& columns);
+
 /// Returns title, abstract and lineage of a layer as QGIS metadata (XML).
 [[nodiscard]] std::string qgis_metadata(const LayerSpec& spec, const Provenance& provenance);
 
