@@ -19,7 +19,7 @@
 namespace d2b::test {
 namespace {
 
-constexpr std::size_t roofs = 2;  // after buildings and contours
+constexpr std::size_t roof_layer = 2;  // after buildings and contours
 constexpr double degree = std::numbers::pi / 180;
 
 /// Town in which the gabled house has a shed roof that rises by `per_col` and `per_row` metres a cell.
@@ -45,21 +45,21 @@ struct RoofRun : TownRun {
     /// Faces of a building, as numbers of features.
     [[nodiscard]] std::vector<std::size_t> faces_of(std::int64_t building) const {
         std::vector<std::size_t> faces;
-        for (std::size_t i = 0; i < count(roofs); ++i)
-            if (sink.whole(roofs, i, "bldg_id") == building)
+        for (std::size_t i = 0; i < count(roof_layer); ++i)
+            if (sink.whole(roof_layer, i, "bldg_id") == building)
                 faces.push_back(i);
         return faces;
     }
     [[nodiscard]] std::string kind(std::size_t face) const {
-        return std::get<std::string>(sink.value(roofs, face, "kind"));
+        return std::get<std::string>(sink.value(roof_layer, face, "kind"));
     }
     /// The face of pitched roofs with the largest area.
     [[nodiscard]] std::size_t largest_pitched() const {
-        std::size_t largest = count(roofs);
-        for (std::size_t i = 0; i < count(roofs); ++i)
+        std::size_t largest = count(roof_layer);
+        for (std::size_t i = 0; i < count(roof_layer); ++i)
             if (kind(i) == "pitched" &&
-                (largest == count(roofs) ||
-                 sink.number(roofs, i, "area_m2") > sink.number(roofs, largest, "area_m2")))
+                (largest == count(roof_layer) ||
+                 sink.number(roof_layer, i, "area_m2") > sink.number(roof_layer, largest, "area_m2")))
                 largest = i;
         return largest;
     }
@@ -110,8 +110,8 @@ double turned(double one, double other) {
 /// Faces of each building are valid, tile it, are plane, and say of themselves what their corners say.
 void expect_sound(const RoofRun& town) {
     Geos geos;
-    ASSERT_EQ(town.sink.layers[roofs].name, "roofs");
-    EXPECT_TRUE(town.sink.layers[roofs].with_z);
+    ASSERT_EQ(town.sink.layers[roof_layer].name, "roofs");
+    EXPECT_TRUE(town.sink.layers[roof_layer].with_z);
     std::size_t all = 0;
     for (std::size_t b = 0; b < town.count(buildings); ++b) {
         const std::int64_t id = town.sink.whole(buildings, b, "id");
@@ -124,35 +124,35 @@ void expect_sound(const RoofRun& town) {
         EXPECT_FALSE(faces.empty());
         for (const std::size_t i : faces) {
             ++all;
-            const Feature& face = town.sink.features[roofs][i];
+            const Feature& face = town.sink.features[roof_layer][i];
             ASSERT_EQ(face.parts.size(), 1U);
             EXPECT_EQ(geos.invalidity(face.parts), "");
             EXPECT_LT(geos.area_outside(face.parts[0], building.parts[0]), 1e-6 * area_of(building.parts));
             sum += area_of(face.parts);
-            sum_m2 += town.sink.number(roofs, i, "area_m2");
+            sum_m2 += town.sink.number(roof_layer, i, "area_m2");
             const FittedFace fitted(face.parts[0]);
             EXPECT_LT(fitted.distance, 1e-3);
             EXPECT_LT(fitted.slope(), 65);
             if (town.kind(i) == "doubtful") {
-                EXPECT_EQ(town.sink.value(roofs, i, "slope"), FieldValue{});
-                EXPECT_EQ(town.sink.value(roofs, i, "azimuth"), FieldValue{});
+                EXPECT_EQ(town.sink.value(roof_layer, i, "slope"), FieldValue{});
+                EXPECT_EQ(town.sink.value(roof_layer, i, "azimuth"), FieldValue{});
                 continue;
             }
-            EXPECT_NEAR(town.sink.number(roofs, i, "slope"), fitted.slope(), 0.3);
-            EXPECT_EQ(town.kind(i), town.sink.number(roofs, i, "slope") < 8 ? "flat" : "pitched");
+            EXPECT_NEAR(town.sink.number(roof_layer, i, "slope"), fitted.slope(), 0.3);
+            EXPECT_EQ(town.kind(i), town.sink.number(roof_layer, i, "slope") < 8 ? "flat" : "pitched");
             if (town.kind(i) == "pitched")
-                EXPECT_LT(turned(town.sink.number(roofs, i, "azimuth"), fitted.azimuth()), 1);
+                EXPECT_LT(turned(town.sink.number(roof_layer, i, "azimuth"), fitted.azimuth()), 1);
             else
-                EXPECT_EQ(town.sink.value(roofs, i, "azimuth"), FieldValue{});
+                EXPECT_EQ(town.sink.value(roof_layer, i, "azimuth"), FieldValue{});
             const auto [low, high] = std::ranges::minmax(face.parts[0].elevations);
-            EXPECT_EQ(town.sink.number(roofs, i, "z_low"), low);
-            EXPECT_EQ(town.sink.number(roofs, i, "z_high"), high);
+            EXPECT_EQ(town.sink.number(roof_layer, i, "z_low"), low);
+            EXPECT_EQ(town.sink.number(roof_layer, i, "z_high"), high);
         }
         EXPECT_NEAR(sum, area_of(building.parts), 1e-6 * area_of(building.parts));
         EXPECT_NEAR(sum_m2, town.sink.number(buildings, b, "area_m2"),
                     0.01 * static_cast<double>(faces.size() + 1));
     }
-    EXPECT_EQ(all, town.count(roofs));
+    EXPECT_EQ(all, town.count(roof_layer));
     ASSERT_TRUE(town.report.roofs);
     EXPECT_EQ(town.report.roofs->faces(), static_cast<std::int64_t>(all));
     EXPECT_EQ(town.report.counted(Reason::roof_face_doubtful), town.report.roofs->doubtful);
@@ -182,11 +182,11 @@ TEST(Roofs, OfTheMadeTown) {
     ASSERT_EQ(faces.size(), 2U);
     std::vector<double> azimuths;
     for (const std::size_t i : faces) {
-        EXPECT_NEAR(town.sink.number(roofs, i, "slope"), std::atan(4.0 / 6) / degree, 0.5);
-        EXPECT_NEAR(town.sink.number(roofs, i, "area_m2"), MadeTown::gabled.area() / 2, 6);
-        EXPECT_NEAR(town.sink.number(roofs, i, "roof_m2"),
-                    town.sink.number(roofs, i, "area_m2") * std::hypot(1, 4.0 / 6), 1);
-        azimuths.push_back(std::remainder(town.sink.number(roofs, i, "azimuth"), 360));
+        EXPECT_NEAR(town.sink.number(roof_layer, i, "slope"), std::atan(4.0 / 6) / degree, 0.5);
+        EXPECT_NEAR(town.sink.number(roof_layer, i, "area_m2"), MadeTown::gabled.area() / 2, 6);
+        EXPECT_NEAR(town.sink.number(roof_layer, i, "roof_m2"),
+                    town.sink.number(roof_layer, i, "area_m2") * std::hypot(1, 4.0 / 6), 1);
+        azimuths.push_back(std::remainder(town.sink.number(roof_layer, i, "azimuth"), 360));
     }
     std::ranges::sort(azimuths, {}, [](double azimuth) { return std::abs(azimuth); });
     EXPECT_NEAR(azimuths[0], 0, 1);
@@ -210,11 +210,12 @@ TEST_P(ShedRoof, SlopesInTheDirectionOfItsRaster) {
     RoofRun town(with_shed(0.4, 0.2));
     town.place(GetParam().transform, GetParam().crs);
     town.run();
-    ASSERT_GT(town.count(roofs), 0U);
+    ASSERT_GT(town.count(roof_layer), 0U);
     const std::size_t shed = town.largest_pitched();
-    ASSERT_LT(shed, town.count(roofs));
-    EXPECT_LT(turned(town.sink.number(roofs, shed, "azimuth"), GetParam().azimuth), GetParam().tolerance);
-    EXPECT_NEAR(town.sink.number(roofs, shed, "slope"), GetParam().slope, GetParam().tolerance);
+    ASSERT_LT(shed, town.count(roof_layer));
+    EXPECT_LT(turned(town.sink.number(roof_layer, shed, "azimuth"), GetParam().azimuth),
+              GetParam().tolerance);
+    EXPECT_NEAR(town.sink.number(roof_layer, shed, "slope"), GetParam().slope, GetParam().tolerance);
     EXPECT_EQ(town.kind(shed), "pitched");
 }
 
@@ -254,14 +255,16 @@ TEST(Roofs, ElevationsInFeet) {
     feet.place({391000, 1, 0, 5820000, 0, -1});
     feet.options.read.vertical_unit = "ft";
     feet.run();
-    ASSERT_EQ(feet.count(roofs), metres.count(roofs));
-    for (std::size_t i = 0; i < feet.count(roofs); ++i) {
-        EXPECT_NEAR(feet.sink.number(roofs, i, "z_high") * 0.3048, metres.sink.number(roofs, i, "z_high"),
-                    0.02);
-        EXPECT_NEAR(feet.sink.number(roofs, i, "z_low") * 0.3048, metres.sink.number(roofs, i, "z_low"),
-                    0.02);
-        EXPECT_NEAR(feet.sink.number(roofs, i, "slope"), metres.sink.number(roofs, i, "slope"), 0.1);
-        EXPECT_NEAR(feet.sink.number(roofs, i, "rmse_m"), metres.sink.number(roofs, i, "rmse_m"), 0.01);
+    ASSERT_EQ(feet.count(roof_layer), metres.count(roof_layer));
+    for (std::size_t i = 0; i < feet.count(roof_layer); ++i) {
+        EXPECT_NEAR(feet.sink.number(roof_layer, i, "z_high") * 0.3048,
+                    metres.sink.number(roof_layer, i, "z_high"), 0.02);
+        EXPECT_NEAR(feet.sink.number(roof_layer, i, "z_low") * 0.3048,
+                    metres.sink.number(roof_layer, i, "z_low"), 0.02);
+        EXPECT_NEAR(feet.sink.number(roof_layer, i, "slope"), metres.sink.number(roof_layer, i, "slope"),
+                    0.1);
+        EXPECT_NEAR(feet.sink.number(roof_layer, i, "rmse_m"), metres.sink.number(roof_layer, i, "rmse_m"),
+                    0.01);
     }
     const std::size_t gabled = feet.at(MadeTown::gabled);
     EXPECT_NEAR(feet.sink.number(buildings, gabled, "ridge_z") * 0.3048,
@@ -278,7 +281,7 @@ TEST(Roofs, OfPartsBelongToTheirPart) {
     expect_sound(town);
     for (std::size_t b = 0; b < town.count(); ++b)
         for (const std::size_t face : town.faces_of(town.sink.whole(buildings, b, "id")))
-            EXPECT_EQ(town.sink.value(roofs, face, "part_id"), town.sink.value(buildings, b, "part_id"));
+            EXPECT_EQ(town.sink.value(roof_layer, face, "part_id"), town.sink.value(buildings, b, "part_id"));
 }
 
 TEST(Roofs, InAnotherCrsKeepTheirElevations) {
@@ -289,16 +292,16 @@ TEST(Roofs, InAnotherCrsKeepTheirElevations) {
     other.place({391000, 1, 0, 5820000, 0, -1});
     other.options.outline.target_crs = "EPSG:4326";
     other.run();
-    ASSERT_EQ(other.count(roofs), town.count(roofs));
-    for (std::size_t i = 0; i < town.count(roofs); ++i) {
-        const WorldPolygon& there = other.sink.features[roofs][i].parts.at(0);
-        const WorldPolygon& here = town.sink.features[roofs][i].parts.at(0);
+    ASSERT_EQ(other.count(roof_layer), town.count(roof_layer));
+    for (std::size_t i = 0; i < town.count(roof_layer); ++i) {
+        const WorldPolygon& there = other.sink.features[roof_layer][i].parts.at(0);
+        const WorldPolygon& here = town.sink.features[roof_layer][i].parts.at(0);
         EXPECT_NEAR(there.exterior[0].x, 13.4, 0.1);
         ASSERT_EQ(there.elevations.size(),
                   there.exterior.size() + (there.interiors.empty() ? 0 : there.interiors[0].size()));
         EXPECT_EQ(std::ranges::min(there.elevations), std::ranges::min(here.elevations));
         EXPECT_EQ(std::ranges::max(there.elevations), std::ranges::max(here.elevations));
-        EXPECT_EQ(other.sink.value(roofs, i, "area_m2"), town.sink.value(roofs, i, "area_m2"));
+        EXPECT_EQ(other.sink.value(roof_layer, i, "area_m2"), town.sink.value(roof_layer, i, "area_m2"));
     }
 }
 
@@ -352,7 +355,7 @@ class RandomHouses {
         const double angle = std::numbers::pi * share();
         const double slope = 0.2 + share();
         const double eaves = 44 + 5 * share();
-        const unsigned kind = random_() % 5;
+        const std::size_t kind = random_() % 5;
         for (int r = 0; r < side; ++r)
             for (int c = 0; c < side; ++c) {
                 const double x = c + 0.5 - col;
@@ -410,11 +413,11 @@ TEST_P(RandomRoofs, AreTheSameOnAnyNumberOfThreadsAndInAnyBands) {
     one.run(1);
     HouseRun four(houses.surface());
     four.run(4, {1 << 10, 0});
-    ASSERT_EQ(four.count(roofs), one.count(roofs));
-    for (std::size_t i = 0; i < one.count(roofs); ++i) {
-        EXPECT_EQ(four.sink.features[roofs][i].values, one.sink.features[roofs][i].values);
-        const WorldPolygon& here = one.sink.features[roofs][i].parts[0];
-        const WorldPolygon& there = four.sink.features[roofs][i].parts[0];
+    ASSERT_EQ(four.count(roof_layer), one.count(roof_layer));
+    for (std::size_t i = 0; i < one.count(roof_layer); ++i) {
+        EXPECT_EQ(four.sink.features[roof_layer][i].values, one.sink.features[roof_layer][i].values);
+        const WorldPolygon& here = one.sink.features[roof_layer][i].parts[0];
+        const WorldPolygon& there = four.sink.features[roof_layer][i].parts[0];
         EXPECT_EQ(there.exterior, here.exterior);
         EXPECT_EQ(there.interiors, here.interiors);
         EXPECT_EQ(there.elevations, here.elevations);

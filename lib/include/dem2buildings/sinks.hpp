@@ -43,8 +43,9 @@ struct LayerStyle {
     std::string order{};      ///< field that determines the drawing order, low to high; "" for any order
     std::string certainty{};  ///< field from 0 to 1: features below `certain` are paler; "" for none
     double certain = 1;
-    // Fields of slanted faces in degrees: the azimuth determines the hue, the slope the saturation. Flat faces,
-    // without an azimuth, are light; those without a slope are grey. "" for other features.
+    // Fields of slanted faces in degrees: the azimuth gives the hue, the slope the saturation. Flat faces
+    // without an azimuth are light, those without a slope grey.
+    // "" for other features.
     std::string slope{};
     std::string azimuth{};
 
