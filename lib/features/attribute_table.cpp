@@ -201,7 +201,7 @@ constexpr std::array roof_face_table{
                               [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.slope)); }},
     Attribute<RoofFaceRecord>{
         "azimuth", "Azimuth", FieldType::real, Unit::none,
-        "direction in which water runs, degrees clockwise from the north of the CRS; NULL "
+        "direction in which water runs, degrees clockwise from the north of the CRS of the output; NULL "
         "below a slope of 8 degrees",
         [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.azimuth)); }},
     Attribute<RoofFaceRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre, "area in plan",

@@ -1,8 +1,11 @@
 #include "features/contour_drawer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -265,6 +268,25 @@ FeaturePolygon PolygonMaker::roof_face(const roofs::RoofFace& face) {
     made.parts.push_back(std::move(polygon));
     made.invalid_reason = geos_.invalidity(made.parts);
     return made;
+}
+
+double PolygonMaker::azimuth(const Position& at, const Position& step) {
+    constexpr double degrees = 180 / std::numbers::pi;
+    const RunSetup& setup = terms_.setup;
+    Position image = step;
+    if (to_target_) {
+        // A cell is short enough for the image to be straight.
+        const double scale = std::sqrt(setup.georeference.cell_area()) / std::hypot(step.x, step.y);
+        const double stretch = x_stretch(setup.georeference, setup.crs, setup.dem.window);
+        std::array<Position, 2> ends{at, {at.x + scale * step.x / stretch, at.y + scale * step.y}};
+        if (!to_target_->apply_to_positions(ends))
+            return std::numeric_limits<double>::quiet_NaN();
+        const bool angles = setup.target.kind() == Crs::Kind::geographic;
+        image = {(ends[1].x - ends[0].x) * (angles ? std::cos(ends[0].y / degrees) : 1),
+                 ends[1].y - ends[0].y};
+    }
+    const double azimuth = std::atan2(image.x, image.y) * degrees;
+    return azimuth < 0 ? azimuth + 360 : azimuth;
 }
 
 namespace {

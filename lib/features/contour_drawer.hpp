@@ -104,6 +104,10 @@ class PolygonMaker {
     /// Converts a face of a roof, with the elevations of its corners. No parts if the output CRS tears it.
     [[nodiscard]] FeaturePolygon roof_face(const roofs::RoofFace& face);
 
+    /// Direction of a step at a place of the raster, in degrees clockwise from the north of the output's CRS;
+    /// NaN if it has no image there. @param step in metres along x and y of the raster's CRS
+    [[nodiscard]] double azimuth(const Position& at, const Position& step);
+
     /// Metres per vertical unit.
     [[nodiscard]] double metres() const { return terms_.metres; }
     /// Returns times and outline counters since construction.

@@ -20,8 +20,8 @@ std::string_view kind_name(roofs::FaceKind kind) {
     return kind == roofs::FaceKind::flat ? "flat" : kind == roofs::FaceKind::pitched ? "pitched" : "doubtful";
 }
 
-/// Direction in which water runs in the CRS of the raster, degrees clockwise from north.
-double azimuth_of(const roofs::FaceMeasure& face, const RunSetup& setup) {
+/// Direction in which water runs, along x and y of the raster's CRS.
+Position fall_of(const roofs::FaceMeasure& face, const RunSetup& setup) {
     const double stretch = x_stretch(setup.georeference, setup.crs, setup.dem.window);
     const auto unit = [&](Position step) {
         const double length = std::hypot(step.x * stretch, step.y);
@@ -31,10 +31,8 @@ double azimuth_of(const roofs::FaceMeasure& face, const RunSetup& setup) {
     const Position row = unit(setup.georeference.step(1, 0));
     // The gradient rises by slope_col along a row and by slope_row down a column.
     const double determinant = col.x * row.y - col.y * row.x;
-    const double x = (face.slope_col * row.y - face.slope_row * col.y) / determinant;
-    const double y = (face.slope_row * col.x - face.slope_col * row.x) / determinant;
-    const double azimuth = std::atan2(-x, -y) * 180 / std::numbers::pi;
-    return azimuth < 0 ? azimuth + 360 : azimuth;
+    return {(face.slope_row * col.y - face.slope_col * row.y) / determinant,
+            (face.slope_col * row.x - face.slope_row * col.x) / determinant};
 }
 
 void count(const RoofFaceRecord& face, RunReport& report) {
@@ -71,8 +69,11 @@ std::vector<RoofLayer::Face> RoofLayer::draw(const Building& building, PolygonMa
         record.building_id = building.id;
         record.whole = building.whole;
         record.slope = measure.kind == roofs::FaceKind::doubtful ? no_value : slope;
-        record.azimuth =
-            measure.kind == roofs::FaceKind::pitched ? azimuth_of(measure, input_.setup) : no_value;
+        record.azimuth = measure.kind == roofs::FaceKind::pitched
+                             ? maker.azimuth(input_.setup.georeference.position(face.outline.exterior.front(),
+                                                                                roofs::roof_steps),
+                                             fall_of(measure, input_.setup))
+                             : no_value;
         record.area_m2 = measure.area * building.area_m2;
         record.roof_m2 = record.area_m2 / std::cos(slope * std::numbers::pi / 180);
         const auto [low, high] = std::ranges::minmax(face.elevations);

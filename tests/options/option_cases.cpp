@@ -39,7 +39,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"split_width", {{"30"}}},
         {"ground", {{"none"}, {"/vsimem/scene/dtm.tif"}}},
         {"lod", {{"2"}}},
-        {"detail", {{"6"}}},
+        {"detail", {{"6"}, {"0"}}},
         {"fl", {{"6", "9"}}},
         {"i", {{"2.5"}}},
         {"off", {{"1"}}},

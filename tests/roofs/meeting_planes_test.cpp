@@ -93,7 +93,7 @@ TEST(MergedFaces, AreThoseWithALowStepThatSavesLittle) {
     for (const auto& [step, expected] :
          {std::pair{0.1, std::vector<std::int32_t>{0, 0}}, std::pair{3.0, std::vector<std::int32_t>{0, 1}}}) {
         TwoFaces two([&](double row, double) { return row < 16 ? 6.0 : 6.0 + step; });
-        two.solve({plane_of(two.grid, 0, 0, 6, 0, 0), plane_of(two.grid, 0, 0, 6 + step, 0, 0)});
+        two.planes = {{plane_of(two.grid, 0, 0, 6, 0, 0)}, {plane_of(two.grid, 0, 0, 6 + step, 0, 0)}};
         EXPECT_EQ(merged_faces(face_edges(two.faces), two.planes, two.cells, 2, two.grid, two.lattice),
                   expected)
             << step;
