@@ -26,7 +26,7 @@ constexpr double small_step_m = 0.25;    // planes that are nearer than this at 
 constexpr double crease_step_m = 0.6;    // same where they cross at a steep angle
 constexpr double crease_distance = 1.5;  // cells between a corner and the line in which its planes cross
 constexpr int rounds = 8;
-constexpr int pulls = 6;  // towards meetings, each with twice the weight
+constexpr int pulls = 4;  // towards meetings, each with twice the weight
 constexpr double met_m = 1e-3;
 
 template <typename Use>
