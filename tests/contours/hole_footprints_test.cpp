@@ -25,14 +25,14 @@ TraceGrid court() {
     return grid;
 }
 
-const LevelPlan plan{0, {{}, {0, 15}}, true};
+const LevelPlan one_level{0, {{}, {0, 15}}, true};
 
 TEST(KeptFootprints, AreNoNoiseWhateverTheirSize) {
     TraceGrid grid{3, 3, std::vector<double>(9, 0.0), std::vector<Label>(9, 0)};
     grid.z[4] = 10;
     grid.labels[4] = 1;
     Context context;
-    const test::ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 1000, 1000.0}, context);
+    const test::ContourSet set = trace_plan(grid, one_level, {TraceMode::cells, 1000, 1000.0}, context);
     ASSERT_EQ(set.buildings.size(), 1U);
     EXPECT_EQ(set.contours[1].squares(), 1);
     EXPECT_EQ(context.report.counted(Reason::contour_short), 0);
@@ -41,7 +41,7 @@ TEST(KeptFootprints, AreNoNoiseWhateverTheirSize) {
 
 TEST(KeptFootprints, KeepTheirHoles) {
     Context context;
-    const test::ContourSet set = trace_plan(court(), plan, {TraceMode::cells, 1000, 1000.0}, context);
+    const test::ContourSet set = trace_plan(court(), one_level, {TraceMode::cells, 1000, 1000.0}, context);
     ASSERT_EQ(set.contours.size(), 2U);  // the root and the footprint
     EXPECT_EQ(set.contours[1].interiors.size(), 1U);
     EXPECT_EQ(set.contours[1].squares(), 46);
@@ -51,7 +51,7 @@ TEST(KeptFootprints, KeepTheirHoles) {
 
 TEST(KeptFootprints, HaveNoNoiseOnThem) {
     Context context;
-    const test::ContourSet set = trace_plan(court(), plan, {TraceMode::cells, 10}, context);
+    const test::ContourSet set = trace_plan(court(), one_level, {TraceMode::cells, 10}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[2].squares(), 6);  // a ring of 10 points; that of the other has 4
     EXPECT_EQ(context.report.counted(Reason::contour_short), 1);
@@ -68,7 +68,7 @@ TEST(KeptFootprints, HolesAboveThemAreFilled) {
             grid.z[i] = row == 4 && col == 5 ? 10 : 20;  // a pit of a cell in the upper level
         }
     Context context;
-    const test::ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 10}, context);
+    const test::ContourSet set = trace_plan(grid, one_level, {TraceMode::cells, 10}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[2].interiors.size(), 0U);
     EXPECT_EQ(context.report.counted(Reason::hole_short), 1);
@@ -79,7 +79,7 @@ TEST(KeptFootprints, HolesAroundTheirCourtyardsStay) {
     for (std::size_t i = 0; i < 120; ++i)
         grid.z[i] = grid.labels[i] == 1 ? 20 : 0;
     Context context;
-    const test::ContourSet set = trace_plan(grid, plan, {TraceMode::cells, 1 + 6}, context);
+    const test::ContourSet set = trace_plan(grid, one_level, {TraceMode::cells, 1 + 6}, context);
     ASSERT_EQ(set.contours.size(), 3U);
     EXPECT_EQ(set.contours[2].interiors.size(), 1U);  // short, but the footprint's hole lies in it
 }

@@ -83,8 +83,8 @@ TEST(Scene, CellsForAnArea) {
 }
 
 /// A block of 10 m, 8 x 8 cells in the middle of 12 x 12, with a border of another height.
-struct Block {
-    explicit Block(float border) {
+struct BorderedBlock {
+    explicit BorderedBlock(float border) {
         surface = MetreGrid(12, 12);
         terrain = MetreGrid(12, 12);
         cells = Mask(12, 12);
@@ -106,19 +106,19 @@ struct Block {
 };
 
 TEST(BlurredEdge, IsTakenOffBelowHalfTheHeightBesideIt) {
-    EXPECT_EQ(Block(4.9F).left(), 36);
-    EXPECT_EQ(Block(5.1F).left(), 64);
+    EXPECT_EQ(BorderedBlock(4.9F).left(), 36);
+    EXPECT_EQ(BorderedBlock(5.1F).left(), 64);
 }
 
 TEST(BlurredEdge, OneCellAloneIsTakenOff) {
-    Block block(10);
+    BorderedBlock block(10);
     block.surface.values[block.surface.index(5, 2)] = 3;
     EXPECT_EQ(block.left(), 63);
     EXPECT_EQ(block.cells.values[block.cells.index(5, 2)], 0);
 }
 
 TEST(BlurredEdge, WhatHasNoInsideKeepsItsBorder) {
-    Block block(3);
+    BorderedBlock block(3);
     for (std::int32_t row = 0; row < 12; ++row)
         for (std::int32_t col = 0; col < 12; ++col)
             if (row > 3)

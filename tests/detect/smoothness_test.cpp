@@ -21,7 +21,7 @@ constexpr int along_row = smooth_along_row;
 constexpr int along_column = smooth_along_column;
 constexpr int any = smooth_any_way;
 constexpr int enough = smooth_enough;
-constexpr int all = along_row | along_column | any | enough;
+constexpr int every_flag = along_row | along_column | any | enough;
 
 MetreGrid surface_of(std::int32_t rows, std::int32_t cols, const Shape& z) {
     MetreGrid grid(rows, cols);
@@ -39,7 +39,7 @@ TEST(Smoothness, PlanesAreSmoothInsideAndBendAtTheBorder) {
         1);
     for (std::int32_t r = 1; r < 5; ++r)
         for (std::int32_t c = 1; c < 39; ++c)
-            EXPECT_EQ(flags.at(r, c), all) << r << ' ' << c;
+            EXPECT_EQ(flags.at(r, c), every_flag) << r << ' ' << c;
     // The border continues outwards, so that a slope ends there: 0.75 m along the row, 0.25 m along the
     // column.
     EXPECT_EQ(flags.at(2, 0), along_column | any | enough);
@@ -52,14 +52,14 @@ TEST(Smoothness, PlanesAreSmoothInsideAndBendAtTheBorder) {
 TEST(Smoothness, StepBendsAcrossAlone) {
     const auto flags = flags_of(surface_of(5, 10, [](auto, auto c) { return c < 5 ? 0.0F : 3.0F; }), 1);
     for (std::int32_t c = 0; c < 10; ++c)
-        EXPECT_EQ(flags.at(2, c), c == 4 || c == 5 ? along_column | any | enough : all) << c;
+        EXPECT_EQ(flags.at(2, c), c == 4 || c == 5 ? along_column | any | enough : every_flag) << c;
 }
 
 TEST(Smoothness, RidgesAreSmoothAlong) {
     const auto ridge = flags_of(
         surface_of(11, 11, [](auto, auto c) { return -0.5F * static_cast<float>(std::abs(c - 5)); }), 1);
     EXPECT_EQ(ridge.at(5, 5), along_column | any | enough);
-    EXPECT_EQ(ridge.at(5, 4), all);
+    EXPECT_EQ(ridge.at(5, 4), every_flag);
     for (const int sign : {1, -1}) {
         const auto diagonal = flags_of(surface_of(11, 11,
                                                   [&](auto r, auto c) {
@@ -109,18 +109,19 @@ TEST(Smoothness, UnknownCellsBendWhateverMeetsThem) {
     for (const std::int32_t beside : {2, 4}) {
         EXPECT_EQ(flags.at(3, beside), along_column | any | enough);
         EXPECT_EQ(flags.at(beside, 3), along_row | any | enough);
-        EXPECT_EQ(flags.at(beside, beside), all);
+        EXPECT_EQ(flags.at(beside, beside), every_flag);
     }
 }
 
 TEST(Smoothness, OneCellOneRowOneColumnNone) {
-    EXPECT_EQ(flags_of(MetreGrid(1, 1, 7.0F), 1).values, std::vector<std::uint8_t>{all});
+    EXPECT_EQ(flags_of(MetreGrid(1, 1, 7.0F), 1).values, std::vector<std::uint8_t>{every_flag});
     EXPECT_EQ(flags_of(MetreGrid(1, 1, unknown), 1).values, std::vector<std::uint8_t>{0});
     const MetreGrid step = surface_of(1, 5, [](auto, auto c) { return c < 2 ? 0.0F : 2.0F; });
-    const std::vector<std::uint8_t> across{all, along_column | any | enough, along_column | any | enough, all,
-                                           all};
+    const std::vector<std::uint8_t> across{every_flag, along_column | any | enough,
+                                           along_column | any | enough, every_flag, every_flag};
     EXPECT_EQ(flags_of(step, 1).values, across);
-    const std::vector<std::uint8_t> down{all, along_row | any | enough, along_row | any | enough, all, all};
+    const std::vector<std::uint8_t> down{every_flag, along_row | any | enough, along_row | any | enough,
+                                         every_flag, every_flag};
     EXPECT_EQ(flags_of(transposed(step), 1).values, down);
     EXPECT_EQ(flags_of(MetreGrid(), 1).size(), 0U);
 }

@@ -99,24 +99,24 @@ TEST(DivideFace, randomFaces) {
 }
 
 /// An L with a corner in the middle of a straight edge.
-const PlanarPartition plan{{{0, 0}, {10, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, {}};
-const PartitionFace face{{0, 1, 2, 3, 4, 5, 6}, {}};
+const PlanarPartition l_plan{{{0, 0}, {10, 0}, {20, 0}, {20, 10}, {10, 10}, {10, 20}, {0, 20}}, {}};
+const PartitionFace l_face{{0, 1, 2, 3, 4, 5, 6}, {}};
 
 TEST(TriangulateFace, everyCornerIsUsed) {
-    const auto triangles = triangulate_face(face, plan, with_geos);
+    const auto triangles = triangulate_face(l_face, l_plan, with_geos);
     ASSERT_TRUE(triangles);
-    EXPECT_EQ(triangles->size(), face.exterior.size() - 2);
+    EXPECT_EQ(triangles->size(), l_face.exterior.size() - 2);
 }
 
 /// What leaves the corner out has the right area, and would leave a gap beside its neighbour.
 TEST(TriangulateFace, noCornerMayBeLeftOut) {
     const auto coarse = [](const FinePolygon&) {
-        return std::vector<FineTriangle>{{plan.nodes[0], plan.nodes[2], plan.nodes[4]},
-                                         {plan.nodes[2], plan.nodes[3], plan.nodes[4]},
-                                         {plan.nodes[0], plan.nodes[4], plan.nodes[6]},
-                                         {plan.nodes[4], plan.nodes[5], plan.nodes[6]}};
+        return std::vector<FineTriangle>{{l_plan.nodes[0], l_plan.nodes[2], l_plan.nodes[4]},
+                                         {l_plan.nodes[2], l_plan.nodes[3], l_plan.nodes[4]},
+                                         {l_plan.nodes[0], l_plan.nodes[4], l_plan.nodes[6]},
+                                         {l_plan.nodes[4], l_plan.nodes[5], l_plan.nodes[6]}};
     };
-    EXPECT_FALSE(triangulate_face(face, plan, coarse));
+    EXPECT_FALSE(triangulate_face(l_face, l_plan, coarse));
 }
 
 TEST(TriangulateFace, flatAndForeignTrianglesAreRefused) {
@@ -125,13 +125,13 @@ TEST(TriangulateFace, flatAndForeignTrianglesAreRefused) {
         triangles.push_back({polygon.exterior[0], polygon.exterior[1], polygon.exterior[0]});
         return triangles;
     };
-    EXPECT_FALSE(triangulate_face(face, plan, flat));
+    EXPECT_FALSE(triangulate_face(l_face, l_plan, flat));
     const auto foreign = [](const FinePolygon& polygon) {
         std::vector<FineTriangle> triangles = with_geos(polygon);
         triangles[0][0].row += 1;
         return triangles;
     };
-    EXPECT_FALSE(triangulate_face(face, plan, foreign));
+    EXPECT_FALSE(triangulate_face(l_face, l_plan, foreign));
 }
 
 /// What fails is tried with rows and columns exchanged.
@@ -142,14 +142,14 @@ TEST(TriangulateFace, isTriedTurned) {
             throw GeometryError("GEOS failed.");
         return with_geos(polygon);
     };
-    const auto triangles = triangulate_face(face, plan, fails_first);
+    const auto triangles = triangulate_face(l_face, l_plan, fails_first);
     ASSERT_TRUE(triangles);
     EXPECT_EQ(calls, 2);
-    EXPECT_EQ(triangles->size(), face.exterior.size() - 2);
+    EXPECT_EQ(triangles->size(), l_face.exterior.size() - 2);
     const auto fails = [](const FinePolygon&) -> std::vector<FineTriangle> {
         throw GeometryError("GEOS failed.");
     };
-    EXPECT_FALSE(triangulate_face(face, plan, fails));
+    EXPECT_FALSE(triangulate_face(l_face, l_plan, fails));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace d2b::surface {
 namespace {
 
-constexpr Int128 square = Int128{FinePoint::steps} * FinePoint::steps;
+constexpr Int128 square_cell = Int128{FinePoint::steps} * FinePoint::steps;
 
 /// What must hold of any: both forms closed, and of the area and the volume that the cells have.
 void expect_whole(const MadeSurfaces& made, int cells, Int128 cell_heights, Int128 shell_heights) {
@@ -20,11 +20,11 @@ void expect_whole(const MadeSurfaces& made, int cells, Int128 cell_heights, Int1
     for (const SurfacePart& solid : made.solids)
         EXPECT_EQ(fault_of({&solid, 1}), "");
     for (const auto* parts : {&made.shell, &made.solids}) {
-        EXPECT_TRUE(twice_plan_area(*parts, FaceKind::roof) == 2 * cells * square);
-        EXPECT_TRUE(twice_plan_area(*parts, FaceKind::ground) == 2 * cells * square);
+        EXPECT_TRUE(twice_plan_area(*parts, FaceKind::roof) == 2 * cells * square_cell);
+        EXPECT_TRUE(twice_plan_area(*parts, FaceKind::ground) == 2 * cells * square_cell);
     }
-    EXPECT_TRUE(six_volumes(made.solids) == 6 * cell_heights * square);
-    EXPECT_TRUE(six_volumes(made.shell) == 6 * shell_heights * square);
+    EXPECT_TRUE(six_volumes(made.solids) == 6 * cell_heights * square_cell);
+    EXPECT_TRUE(six_volumes(made.shell) == 6 * shell_heights * square_cell);
 }
 
 std::size_t walls_of(const SurfacePart& part) {
@@ -145,7 +145,7 @@ TEST(MakeSurfaces, stacksWithCommonWalls) {
 TEST(MakeSurfaces, whatHasNoHeightIsNotThere) {
     SurfaceCluster cluster = blocks_of({{"ab"}}, {20, 30}, {0, 30});
     MadeSurfaces made = surfaces_of(cluster);
-    EXPECT_TRUE(six_volumes(made.shell) == 6 * 20 * square);
+    EXPECT_TRUE(six_volumes(made.shell) == 6 * 20 * square_cell);
     EXPECT_EQ(made.solids.size(), 1U);
     EXPECT_EQ(fault_of(made.shell), "");
     cluster.contours[0].top = -5;

@@ -20,14 +20,14 @@ bool is_sound(const std::vector<PartitionContour>& contours) {
 }
 
 /// Rows run to the south: down, to the east, and back.
-PartitionContour house(FineRing ring, std::int32_t building, std::int64_t top = 10) {
+PartitionContour house_of(FineRing ring, std::int32_t building, std::int64_t top = 10) {
     return {{std::move(ring), {}}, -1, building, top};
 }
 
 /// The corner of a house has come to lie a step within the wall of another.
 TEST(SnapRound, aCornerBehindAWall) {
-    std::vector<PartitionContour> contours{house({{0, 0}, {1000, 2}, {1000, 1000}, {0, 1000}}, 0),
-                                           house({{300, -500}, {700, -500}, {500, 2}}, 1)};
+    std::vector<PartitionContour> contours{house_of({{0, 0}, {1000, 2}, {1000, 1000}, {0, 1000}}, 0),
+                                           house_of({{300, -500}, {700, -500}, {500, 2}}, 1)};
     ASSERT_FALSE(is_sound(contours));
     snap_round(contours);
     EXPECT_TRUE(is_sound(contours));
@@ -37,8 +37,8 @@ TEST(SnapRound, aCornerBehindAWall) {
 
 /// What is not at odds is not changed, however near its corners lie.
 TEST(SnapRound, whatIsSoundStays) {
-    std::vector<PartitionContour> contours{house({{0, 0}, {1000, 2}, {1000, 1000}, {0, 1000}}, 0),
-                                           house({{300, -500}, {700, -500}, {500, 0}}, 1)};
+    std::vector<PartitionContour> contours{house_of({{0, 0}, {1000, 2}, {1000, 1000}, {0, 1000}}, 0),
+                                           house_of({{300, -500}, {700, -500}, {500, 0}}, 1)};
     ASSERT_TRUE(is_sound(contours));
     const FineRing before = contours[0].outline.exterior;
     snap_round(contours);
@@ -47,7 +47,7 @@ TEST(SnapRound, whatIsSoundStays) {
 
 /// A needle whose tip has come to lie beyond its other wall: what is left of it is not passed there and back.
 TEST(SnapRound, aNeedleThatTurnedOver) {
-    std::vector<PartitionContour> contours{house(
+    std::vector<PartitionContour> contours{house_of(
         {{0, 0}, {1000, 0}, {1000, 1000}, {501, 1000}, {500, 1900}, {501, 1950}, {500, 1000}, {0, 1000}}, 0)};
     ASSERT_FALSE(is_sound(contours));
     snap_round(contours);
@@ -59,7 +59,7 @@ TEST(SnapRound, aNeedleThatTurnedOver) {
 
 /// What is no wider than a step is not taken for a house of no area: it stays at odds, and is found to be.
 TEST(SnapRound, aHouseThatIsGoneIsFound) {
-    std::vector<PartitionContour> contours{house({{0, 0}, {1, 500}, {0, 1000}, {0, 400}}, 0)};
+    std::vector<PartitionContour> contours{house_of({{0, 0}, {1, 500}, {0, 1000}, {0, 400}}, 0)};
     snap_round(contours);
     EXPECT_GT(contours[0].outline.exterior.size(), 2U);
 }
@@ -75,15 +75,15 @@ FinePoint rounded(double angle, double along, double left) {
 std::vector<PartitionContour> tips_beside_a_wall(std::mt19937& random) {
     const double angle = 0.001 * static_cast<double>(random() % 6283);
     const auto at = [&](double along, double left) { return rounded(angle, along, left); };
-    std::vector<PartitionContour> contours{house({at(0, 0), at(2000, 0), at(2000, 500), at(0, 500)}, 0)};
+    std::vector<PartitionContour> contours{house_of({at(0, 0), at(2000, 0), at(2000, 500), at(0, 500)}, 0)};
     for (std::int32_t i = 1; i < 10; ++i) {
         const double off = 0.01 * static_cast<double>(1 + random() % 99);
         const double along = 200 * i + 0.1 * static_cast<double>(random() % 100);
         if (i % 3 == 0) {
-            contours.push_back(house({at(along, off), at(along + 70, 200), at(along - 70, 200)}, 0, 20));
+            contours.push_back(house_of({at(along, off), at(along + 70, 200), at(along - 70, 200)}, 0, 20));
             contours.back().parent = 0;
         } else {
-            contours.push_back(house({at(along, -off), at(along - 70, -200), at(along + 70, -200)}, i));
+            contours.push_back(house_of({at(along, -off), at(along - 70, -200), at(along + 70, -200)}, i));
         }
     }
     return contours;
