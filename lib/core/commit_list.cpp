@@ -8,7 +8,7 @@ namespace d2b {
 namespace {
 
 /// Joins "Cannot write a.tif: the disk is full." and "\"a.gpkg\" has been changed already" into one sentence.
-std::string joined(std::string sentence, const std::string& clauses) {
+std::string with_clauses(std::string sentence, const std::string& clauses) {
     if (clauses.empty())
         return sentence;
     if (sentence.ends_with('.'))
@@ -43,7 +43,7 @@ void CommitList::publish(const std::function<void()>& tell) {
         if (tell)
             tell();
     } catch (const OutputError& error) {
-        throw OutputError(joined(error.what(), roll_back(shown)));
+        throw OutputError(with_clauses(error.what(), roll_back(shown)));
     } catch (...) {
         static_cast<void>(roll_back(shown));
         throw;

@@ -32,11 +32,11 @@ Box box_of(std::span<const WorldPolygon> polygons) {
 namespace d2b {
 namespace {
 
-namespace index = boost::geometry::index;
+namespace spatial_index = boost::geometry::index;
 using Corner = boost::geometry::model::d2::point_xy<double>;
 using Extent = boost::geometry::model::box<Corner>;
 using Entry = std::pair<Extent, std::size_t>;
-using Tree = index::rtree<Entry, index::rstar<16>>;
+using Tree = spatial_index::rtree<Entry, spatial_index::rstar<16>>;
 
 Extent extent_of(const Box& box) {
     return {{box.left, box.low}, {box.right, box.high}};
@@ -62,12 +62,12 @@ BoxTree& BoxTree::operator=(BoxTree&&) noexcept = default;
 BoxTree::~BoxTree() = default;
 
 void BoxTree::query(const Box& box, const std::function<void(std::size_t)>& visit) const {
-    impl_->tree.query(index::intersects(extent_of(box)),
+    impl_->tree.query(spatial_index::intersects(extent_of(box)),
                       boost::make_function_output_iterator([&](const Entry& entry) { visit(entry.second); }));
 }
 
 bool BoxTree::intersects_any(const Box& box) const {
-    return impl_->tree.qbegin(index::intersects(extent_of(box))) != impl_->tree.qend();
+    return impl_->tree.qbegin(spatial_index::intersects(extent_of(box))) != impl_->tree.qend();
 }
 
 }  // namespace d2b

@@ -123,7 +123,7 @@ bool Crs::on_ellipsoid() const {
 void require_plane(const Crs& crs, const std::string& option, const std::string& input) {
     if (crs.kind() != Crs::Kind::other)
         return;
-    const std::string what = quoted(crs.name()) + ", which has no plane coordinates; ";
+    const std::string what = in_quotes(crs.name()) + ", which has no plane coordinates; ";
     if (!option.empty())
         throw OptionError(option + " is " + what +
                           "give a projected or geographic coordinate reference system.");
@@ -138,7 +138,7 @@ void require_horizontal(const Crs& crs, const char* role) {
         throw OptionError(std::string("There is no coordinate reference system to transform ") + role +
                           "; state which one the coordinates are in.");
     if (crs.kind() == Crs::Kind::other)
-        throw OptionError(quoted(crs.name()) + " has no plane coordinates to transform " + role +
+        throw OptionError(in_quotes(crs.name()) + " has no plane coordinates to transform " + role +
                           "; choose a projected or geographic coordinate reference system.");
 }
 
@@ -167,7 +167,8 @@ CoordinateTransform::CoordinateTransform(const Crs& from, const Crs& to, std::sp
     impl_->operation = operation_between(context, source.get(), target.get(),
                                          area_of(from.impl().horizontal.get(), area).get());
     if (!impl_->operation)
-        throw OptionError("PROJ has no operation from " + quoted(from.name()) + " to " + quoted(to.name()) +
+        throw OptionError("PROJ has no operation from " + in_quotes(from.name()) + " to " +
+                          in_quotes(to.name()) +
                           "; choose a coordinate reference system that the coordinates can be converted to.");
 }
 
@@ -182,8 +183,8 @@ void CoordinateTransform::apply(std::span<Position> positions) {
         transform_in_place(impl_->operation.get(), images);
     for (std::size_t i = 0; i < images.size(); ++i)
         if (!is_finite(positions[i]) || !is_finite(images[i]))
-            throw InputError("Position " + position_text(positions[i]) + " of " + quoted(impl_->from) +
-                             " has no counterpart in " + quoted(impl_->to) +
+            throw InputError("Position " + position_text(positions[i]) + " of " + in_quotes(impl_->from) +
+                             " has no counterpart in " + in_quotes(impl_->to) +
                              "; check which coordinate reference system the coordinates are in.");
     std::copy(images.begin(), images.end(), positions.begin());
 }

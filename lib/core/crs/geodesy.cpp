@@ -261,7 +261,7 @@ void GeodesicRingMeasurer::locate(std::span<const Position> positions, std::span
     lon_lat_->apply(places);
     for (std::size_t i = 0; i < places.size(); ++i)
         if (!is_finite(positions[i]) || !is_finite(places[i]) || std::abs(positions[i].x) > farthest)
-            throw InputError("Position " + position_text(positions[i]) + " of " + quoted(name_) +
+            throw InputError("Position " + position_text(positions[i]) + " of " + in_quotes(name_) +
                              " has no longitude and latitude; check which coordinate reference system the "
                              "coordinates are in.");
 }

@@ -16,7 +16,7 @@
 
 namespace d2b {
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     constexpr std::size_t longest = 60;
     std::string result(text.substr(0, longest));
     std::replace_if(
@@ -171,7 +171,7 @@ bool may_be_a_name(std::string_view text) {
 
 OptionError unusable(std::string_view text, const std::string& why) {
     return OptionError(
-        quoted(text) + " is not " + why +
+        in_quotes(text) + " is not " + why +
         "; give a code such as EPSG:25832 or EPSG:25832+7837, WKT, PROJJSON or a PROJ string.");
 }
 
@@ -196,7 +196,7 @@ OptionError unreadable(std::string_view text, const ProjContext& context) {
 
 PjPtr parse_crs(const ProjContext& context, std::string_view text) {
     if (const std::string code = guess_epsg_code(text); !code.empty())
-        throw OptionError(quoted(text) + " is not a coordinate reference system; write " + code +
+        throw OptionError(in_quotes(text) + " is not a coordinate reference system; write " + code +
                           " if that is meant.");
     std::string definition(text);
     if (is_proj_string(text) && text.find("type=crs") == std::string_view::npos)
@@ -206,10 +206,10 @@ PjPtr parse_crs(const ProjContext& context, std::string_view text) {
         throw unreadable(text, context);
     const std::string name = proj_get_name(crs.get());
     if (!proj_is_crs(crs.get()))
-        throw unusable(text, "a coordinate reference system but " + quoted(name));
+        throw unusable(text, "a coordinate reference system but " + in_quotes(name));
     if (may_be_a_name(text) && lower_alphanumerics(text) != lower_alphanumerics(name))
         throw unusable(text,
-                       "the name of a coordinate reference system (the nearest is " + quoted(name) + ")");
+                       "the name of a coordinate reference system (the nearest is " + in_quotes(name) + ")");
     return crs;
 }
 

@@ -15,7 +15,7 @@
 namespace d2b {
 
 /// Quotes text for messages, without line breaks and truncated, because WKT can be long.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// Formats a position for messages, independent of the locale: "(9, 48.5)".
 [[nodiscard]] std::string position_text(const Position& p);
