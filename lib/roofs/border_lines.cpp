@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
@@ -279,20 +280,18 @@ class LineDrawing {
     const BorderGraph& graph_;
     const std::vector<Plane>& planes_;
     const BorderOptions& options_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> known_;  ///< corner, node; sorted when added
-    std::vector<GridPoint> corners_;                              ///< by node
-    std::vector<std::vector<FittedLine>> through_;                ///< by node: lines that should pass it
-    DisjointSets merged_;                                         ///< nodes of collapsed chains
+    std::unordered_map<std::uint32_t, std::uint32_t> nodes_;  ///< by corner
+    std::vector<GridPoint> corners_;                          ///< by node
+    std::vector<std::vector<FittedLine>> through_;            ///< by node: lines that should pass it
+    DisjointSets merged_;                                     ///< nodes of collapsed chains
     std::vector<Line> lines_;
 };
 
 std::uint32_t LineDrawing::node(std::uint32_t corner) {
-    const auto at =
-        std::ranges::lower_bound(known_, corner, {}, &std::pair<std::uint32_t, std::uint32_t>::first);
-    if (at != known_.end() && at->first == corner)
-        return at->second;
+    const auto [known, is_new] = nodes_.try_emplace(corner, merged_.size());
+    if (!is_new)
+        return known->second;
     const std::uint32_t added = merged_.add();
-    known_.insert(at, {corner, added});
     corners_.push_back(graph_.point(corner));
     through_.emplace_back();
     return added;

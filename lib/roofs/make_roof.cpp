@@ -212,7 +212,7 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
     const RoofLattice lattice(grid, options.cell_centre);
     std::vector<LabelledFace> faces =
         partition(refined(footprint), border_lines(grid, nearest, segments.planes, options.borders),
-                  nearest.labels, grid, lattice, geos);
+                  nearest.labels, grid, lattice, geos, stop);
     std::vector<Plane> first;
     for (const LabelledFace& face : faces)
         first.push_back(segments.planes[static_cast<std::size_t>(face.label)]);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "geometry/box_tree.hpp"
 #include "raster/row_spans.hpp"
 #include "roofs/make_roof.hpp"
 
@@ -51,14 +52,30 @@ std::optional<double> crossing(const FineSegment& segment, FinePoint a, FinePoin
     return along;
 }
 
+Box box_of(FinePoint a, FinePoint b) {
+    Box box;
+    for (const FinePoint& p : {a, b})
+        box.add(Position{static_cast<double>(p.col), static_cast<double>(p.row)});
+    return box;
+}
+
 /// Leads lines that cross a wall near a corner of the footprint through the corner: hips and valleys end
 /// there.
-std::vector<FineSegment> through_corners(const FinePolygon& footprint,
-                                         const std::vector<FineSegment>& lines) {
+std::vector<FineSegment> through_corners(const FinePolygon& footprint, const std::vector<FineSegment>& lines,
+                                         const StopToken& stop) {
+    std::vector<FineSegment> walls;
+    std::vector<Box> boxes;
+    for_edges(footprint, [&](FinePoint a, FinePoint b) {
+        walls.push_back({a, b});
+        boxes.push_back(box_of(a, b));
+    });
+    const BoxTree tree(boxes);
     std::vector<FineSegment> result;
     for (const FineSegment& line : lines) {
+        stop.check();
         std::vector<std::pair<double, FinePoint>> stops;
-        for_edges(footprint, [&](FinePoint a, FinePoint b) {
+        tree.query(box_of(line.from, line.to), [&](std::size_t i) {
+            const auto& [a, b] = walls[i];
             const std::optional<double> share = crossing(line, a, b);
             if (!share)
                 return;
@@ -219,7 +236,7 @@ std::vector<FaceEdge> face_edges(const std::vector<LabelledFace>& faces) {
 
 std::vector<LabelledFace> partition(const FinePolygon& footprint, const std::vector<BorderLine>& lines,
                                     const std::vector<std::int32_t>& labels, const BuildingGrid& grid,
-                                    const RoofLattice& lattice, Geos& geos) {
+                                    const RoofLattice& lattice, Geos& geos, const StopToken& stop) {
     constexpr double least_area = 1;  // cells
     std::vector<FineSegment> segments;
     for (const BorderLine& line : lines) {
@@ -231,7 +248,7 @@ std::vector<LabelledFace> partition(const FinePolygon& footprint, const std::vec
     if (segments.empty())
         faces.push_back({footprint, 0});
     else
-        for (FinePolygon& outline : geos.divide(footprint, through_corners(footprint, segments)))
+        for (FinePolygon& outline : geos.divide(footprint, through_corners(footprint, segments, stop)))
             faces.push_back({std::move(outline), 0});
     for (LabelledFace& face : faces)
         face.label = label_of(face.outline, labels, grid, lattice);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/lattice.hpp"
+#include "core/stop_token.hpp"
 #include "geometry/geos.hpp"
 #include "roofs/border_lines.hpp"
 #include "roofs/building_grid.hpp"
@@ -44,12 +45,12 @@ class RoofLattice {
 
 /// Divides a footprint by lines and gives each face the label that most of its cells have. Neighbouring faces
 /// of one label are one face; faces of less than a cell join their neighbour. @param footprint on the lattice
-/// of roofs @throws GeometryError
+/// of roofs @throws GeometryError, Cancelled
 [[nodiscard]] std::vector<LabelledFace> partition(const FinePolygon& footprint,
                                                   const std::vector<BorderLine>& lines,
                                                   const std::vector<std::int32_t>& labels,
                                                   const BuildingGrid& grid, const RoofLattice& lattice,
-                                                  Geos& geos);
+                                                  Geos& geos, const StopToken& stop = {});
 
 /// Merges neighbours of one label. Faces without a label (-1) get that of the neighbour with the longest
 /// edge.
