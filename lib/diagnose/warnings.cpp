@@ -93,8 +93,12 @@ std::string sparse_points_warning(const SamplingReport& report, double side) {
            "a denser scan, or check the objects that -write_doubtful writes";
 }
 
+bool is_blurred(const SamplingReport& report) {
+    return report.edge_width_cells && *report.edge_width_cells > widest_step;
+}
+
 std::string blur_warning(const SamplingReport& report, double side) {
-    if (!report.edge_width_cells || *report.edge_width_cells <= widest_step)
+    if (!is_blurred(report))
         return {};
     const std::string metres = rounded(*report.edge_width_cells * side) + " m";
     return "walls are blurred: they extend over " + rounded(*report.edge_width_cells) + " cells (" + metres +
@@ -163,6 +167,10 @@ std::string traced_warning(const OutlineLength& buildings, const OutlineLength& 
 
 std::string doubtful_roofs_warning(const RoofReport& roofs) {
     constexpr double most = 0.5;
+    if (roofs.level)
+        return "all faces of roofs are level and doubtful, because blurred walls mean blurred ridges, which "
+               "have "
+               "no slopes to trust; use a sharper surface, or leave -roofs out";
     if (!(roofs.doubtful_area_m2 > most * roofs.area_m2))
         return {};
     return percent(roofs.doubtful_area_m2 / roofs.area_m2) +

@@ -41,7 +41,9 @@ inline void warn_unless_empty(const std::string& cause, Context& context) {
 /// @param side cell size in m
 [[nodiscard]] std::string sparse_points_warning(const SamplingReport& report, double side);
 
-/// Same, if walls are blurred: they fall over more than 2.5 cells.
+/// True if walls are blurred: they fall over more than 2.5 cells.
+[[nodiscard]] bool is_blurred(const SamplingReport& report);
+/// Same, if walls are blurred.
 [[nodiscard]] std::string blur_warning(const SamplingReport& report, double side);
 
 /// Same, if elevations were rounded to half a metre or more.
@@ -53,8 +55,8 @@ inline void warn_unless_empty(const std::string& cause, Context& context) {
 /// @param cell_m cell size in m
 [[nodiscard]] std::string coarse_cells_warning(double cell_m);
 
-/// Returns a warning if more than half of the area of roofs is doubtful. A clause without a full stop; "" if
-/// less is.
+/// Returns a warning if all roofs are level, or more than half of their area is doubtful. A clause without a
+/// full stop; "" if less is.
 [[nodiscard]] std::string doubtful_roofs_warning(const RoofReport& roofs);
 
 /// Returns a warning if -simplify would remove most of a building: its tolerance exceeds 100 cells. A clause

@@ -233,6 +233,28 @@ Geodesy::Measure PolygonMaker::measured(const FeaturePolygon& made, const Parts&
     return measure(geodesy_, draw_valid(as_drawn, as_drawn, geos_, status, uncounted).parts);
 }
 
+namespace {
+
+/// Gives the vertices of a repaired polygon the elevations of the nearest ones as drawn.
+void take_elevations(const WorldPolygon& drawn, WorldPolygon& repaired) {
+    std::vector<Position> vertices = drawn.exterior;
+    for (const WorldRing& ring : drawn.interiors)
+        vertices.insert(vertices.end(), ring.begin(), ring.end());
+    const auto take = [&](const WorldRing& ring) {
+        for (const Position& p : ring) {
+            const auto nearest = std::ranges::min_element(
+                vertices, {}, [&](const Position& q) { return std::hypot(q.x - p.x, q.y - p.y); });
+            repaired.elevations.push_back(
+                drawn.elevations[static_cast<std::size_t>(nearest - vertices.begin())]);
+        }
+    };
+    take(repaired.exterior);
+    for (const WorldRing& ring : repaired.interiors)
+        take(ring);
+}
+
+}  // namespace
+
 FeaturePolygon PolygonMaker::roof_face(const roofs::RoofFace& face) {
     const StageClock clock(tally_, Stage::roofs);
     const Georeference& georeference = terms_.setup.georeference;
@@ -266,7 +288,14 @@ FeaturePolygon PolygonMaker::roof_face(const roofs::RoofFace& face) {
     if (split_by_projection_)
         return made;
     made.parts.push_back(std::move(polygon));
-    made.invalid_reason = geos_.invalidity(made.parts);
+    if (!geos_.invalidity(made.parts).empty()) {
+        const WorldPolygon drawn = std::move(made.parts.front());
+        made.parts = repaired({drawn}, geos_);
+        for (WorldPolygon& part : made.parts)
+            take_elevations(drawn, part);
+        made.status = OutlineStatus::repaired;
+        tally_.count(made.parts.empty() ? Reason::polygon_lost : Reason::polygon_repaired);
+    }
     return made;
 }
 

@@ -88,7 +88,7 @@ std::vector<RoofLayer::Face> RoofLayer::draw(const Building& building, PolygonMa
 
 void RoofLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const {
     std::int64_t id = sink.first_id();
-    context.report.roofs.emplace();
+    context.report.roofs.emplace().level = input_.roofs->are_level();
     draw_in_order(
         *context.threads, buildings_.size(),
         [&](std::size_t i, std::size_t thread) { return draw(buildings_[i], makers[thread]); },

@@ -16,19 +16,22 @@ namespace d2b::features {
 class StoredRoofs {
   public:
     /// @param contours number of contours
-    StoredRoofs(std::unique_ptr<Spool> spool, std::size_t contours)
-        : spool_(std::move(spool)), places_(contours), records_(contours) {}
+    /// @param level true if no face has a slope
+    StoredRoofs(std::unique_ptr<Spool> spool, std::size_t contours, bool level)
+        : spool_(std::move(spool)), places_(contours), records_(contours), level_(level) {}
 
     /// Thread-safe. @param contour of level 1, given once @throws OutputError if the spool is full
     void put(std::size_t contour, const roofs::Roof& roof, const RoofRecord& record);
     /// @return nullopt if the contour has no roof @throws OutputError if the spool cannot be read
     [[nodiscard]] std::optional<roofs::Roof> roof(std::size_t contour) const;
+    [[nodiscard]] bool are_level() const { return level_; }
     [[nodiscard]] const RoofRecord& record(std::size_t contour) const { return records_[contour]; }
 
   private:
     std::unique_ptr<Spool> spool_;
     std::vector<SpoolEntry> places_;
     std::vector<RoofRecord> records_;
+    bool level_;
 };
 
 }  // namespace d2b::features

@@ -5,20 +5,25 @@
 #include <limits>
 #include <vector>
 
+#include "contours/clean_tiers.hpp"
 #include "contours/for_each_building.hpp"
+#include "diagnose/warnings.hpp"
 #include "geometry/geos.hpp"
 #include "roofs/make_roof.hpp"
 
 namespace d2b::pipeline {
 namespace {
 
-roofs::RoofParameters parameters(const features::RunSetup& setup, double metres) {
+/// @param level true if no face gets a slope
+roofs::RoofParameters parameters(const features::RunSetup& setup, double metres, bool level) {
     const double detail = setup.plan.detail;
     roofs::RoofParameters parameters;
     parameters.segments.price_m3 = 2 * detail * detail * std::max(1.0, setup.cell_m());
     parameters.segments.min_area_m2 = setup.plan.asked.roofs.min_area_m2;
     parameters.cell = setup.cell;
     parameters.metres = metres;
+    if (level)
+        parameters.tiers = contours::region_options(detail, setup.cell, metres);
     parameters.cell_centre = setup.plan.trace == TraceMode::points ? 0 : 0.5;
     return parameters;
 }
@@ -54,8 +59,9 @@ features::StoredRoofs extract_roofs(ElevationReader& reader, const FoundBuilding
                                     const contours::ContourList& contours, const outline::Outliner& outliner,
                                     const features::RunSetup& setup, Context& context) {
     const double metres = context.report.units.vertical_metres;
-    const roofs::RoofParameters asked = parameters(setup, metres);
-    features::StoredRoofs roofs(context.make_spool(), contours.size());
+    const bool level = context.report.sampling && diagnose::is_blurred(*context.report.sampling);
+    const roofs::RoofParameters asked = parameters(setup, metres, level);
+    features::StoredRoofs roofs(context.make_spool(), contours.size(), level);
     const auto footprints = footprints_by_label(contours, found.buildings);
     const StopToken& stop = context.threads->stop();
     contours::for_each_building(reader, found.labels, found.count(), setup.dem.window, Stage::roofs, context,

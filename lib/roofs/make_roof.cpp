@@ -151,17 +151,39 @@ double roundness_of(const FineRing& ring, const RoofLattice& lattice) {
     return 2 * std::numbers::pi * std::abs(twice) / (length * length);
 }
 
+/// Tiers as level planes.
+PlaneSegments level_segments(const contours::BuildingCells& cells, const contours::RegionOptions& options,
+                             const BuildingGrid& grid, double metres, const StopToken& stop) {
+    const contours::TierRegions tiers = contours::merge_regions(cells, options, stop);
+    PlaneSegments segments;
+    for (const contours::TierRegion& tier : tiers.regions)
+        segments.planes.push_back({0, 0, tier.points > 0 ? tier.mean * metres - grid.datum : 0});
+    segments.labels.assign(grid.size(), -1);
+    std::size_t next = 0;
+    for (const contours::BuildingCells::Run& run : cells.runs)
+        for (std::int32_t col = run.begin; col < run.end; ++col, ++next)
+            segments.labels[grid.index(run.row - grid.first_row, col - grid.first_col)] =
+                static_cast<std::int32_t>(tiers.of_cell[next]);
+    return segments;
+}
+
 /// Faces with their cells and planes.
 struct FittedFaces {
     std::vector<std::vector<std::size_t>> cells;
     std::vector<FacePlane> planes;
 };
 
-FittedFaces fit_faces(const std::vector<LabelledFace>& faces, const std::vector<Plane>& first,
+/// @param level true if the planes stay as they are
+FittedFaces fit_faces(const std::vector<LabelledFace>& faces, const std::vector<Plane>& first, bool level,
                       const BuildingGrid& grid, const RoofLattice& lattice) {
     FittedFaces fitted;
     for (const LabelledFace& face : faces)
         fitted.cells.push_back(cells_of(face.outline, grid, lattice));
+    if (level) {
+        for (const Plane& plane : first)
+            fitted.planes.push_back({plane, true, true});
+        return fitted;
+    }
     fitted.planes = meeting_planes(faces, face_edges(faces), first, fitted.cells, grid, lattice);
     return fitted;
 }
@@ -206,7 +228,9 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
                const RoofParameters& options, Geos& geos, const StopToken& stop) {
     const BuildingGrid grid =
         make_building_grid(cells, box_of(footprint), margin, options.cell, options.metres);
-    const PlaneSegments segments = segment_planes(grid, options.segments, stop);
+    const PlaneSegments segments = options.tiers
+                                       ? level_segments(cells, *options.tiers, grid, options.metres, stop)
+                                       : segment_planes(grid, options.segments, stop);
     const double price = coplanar_price * options.segments.price_m3 / grid.cell_m;
     const NearestLabels nearest = nearest_labels(segments.labels, grid.rows, grid.cols);
     const RoofLattice lattice(grid, options.cell_centre);
@@ -216,10 +240,10 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
     std::vector<Plane> first;
     for (const LabelledFace& face : faces)
         first.push_back(segments.planes[static_cast<std::size_t>(face.label)]);
-    FittedFaces fitted = fit_faces(faces, first, grid, lattice);
+    FittedFaces fitted = fit_faces(faces, first, options.tiers.has_value(), grid, lattice);
     for (int round = 0;
          round < merge_rounds && merge_coplanar(faces, first, fitted, price, grid, lattice, geos); ++round)
-        fitted = fit_faces(faces, first, grid, lattice);
+        fitted = fit_faces(faces, first, options.tiers.has_value(), grid, lattice);
     const std::vector<FacePlane>& planes = fitted.planes;
     const std::vector<std::vector<std::size_t>>& inside = fitted.cells;
     const std::vector<std::vector<double>> elevations = corner_elevations(faces, planes, lattice);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct RoofParameters {
     SegmentOptions segments;
     BorderOptions borders;
     CellSize cell;
-    double metres = 1;         ///< metres per unit of the elevations
+    double metres = 1;  ///< metres per unit of the elevations
+    /// Instead of planes, level tiers with these options: for surfaces without slopes to trust.
+    std::optional<contours::RegionOptions> tiers{};
     double cell_centre = 0.5;  ///< position of the centre of cell 0 on the lattice: 0 with -trace points
 };
 

@@ -122,6 +122,7 @@ struct RoofReport {
     std::int64_t doubtful = 0;
     double area_m2 = 0;           ///< of all faces in plan
     double doubtful_area_m2 = 0;  ///< of those that are doubtful
+    bool level = false;           ///< all faces are level, because walls are blurred
 
     [[nodiscard]] std::int64_t faces() const { return flat + pitched + doubtful; }
 };
