@@ -213,6 +213,20 @@ TEST(ScaleDoubt, RoofsOfWhichMoreThanHalfIsDoubtful) {
     EXPECT_EQ(doubtful_roofs_warning(roofs),
               "62 % of the area of roofs is doubtful, because faces are too narrow for the cells or no plane "
               "suits their points; use a finer raster, or leave -roofs out");
+    roofs.level = true;
+    EXPECT_EQ(
+        doubtful_roofs_warning(roofs),
+        "all faces of roofs are level and doubtful, because blurred walls mean blurred ridges, which have "
+        "no slopes to trust; use a sharper surface, or leave -roofs out");
+}
+
+TEST(ScaleDoubt, WallsOverMoreThanTwoAndAHalfCellsAreBlurred) {
+    SamplingReport report;
+    EXPECT_FALSE(is_blurred(report));
+    report.edge_width_cells = 2.5;
+    EXPECT_FALSE(is_blurred(report));
+    report.edge_width_cells = 2.6;
+    EXPECT_TRUE(is_blurred(report));
 }
 
 TEST(ScaleDoubt, ToleranceOfMoreThanAHundredCells) {

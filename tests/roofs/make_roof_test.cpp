@@ -114,6 +114,25 @@ TEST(MakeRoof, NarrowFacesAreDoubtful) {
     EXPECT_EQ(roof.type, "flat");
 }
 
+/// Tiers are level, whatever slopes the points have, and tile the footprint.
+TEST(MakeRoof, TiersHaveNoSlope) {
+    const MadeRoof made{12, 20, gable(16, 0.7)};
+    RoofParameters parameters;
+    parameters.tiers = contours::RegionOptions{0.25, 2, 12};
+    Geos geos;
+    const Roof roof = make_roof(made.cells(), made.outline(1), parameters, geos, {});
+    EXPECT_GT(roof.faces.size(), 2U);
+    double whole = 0;
+    for (const RoofFace& face : roof.faces) {
+        EXPECT_EQ(face.measure.kind, FaceKind::doubtful);
+        EXPECT_EQ(slope_degrees(face.measure), 0);
+        EXPECT_EQ(std::ranges::min(face.elevations), std::ranges::max(face.elevations));
+        whole += face.measure.area;
+    }
+    EXPECT_NEAR(whole, 1, 1e-9);
+    EXPECT_EQ(roof.type, "unknown");
+}
+
 TEST(MakeRoof, WithoutAValidPointIsDoubtfulOrFlatButWhole) {
     const Roof roof = roof_of({12, 20, [](double, double) { return std::nan(""); }});
     ASSERT_EQ(roof.faces.size(), 1U);
