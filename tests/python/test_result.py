@@ -37,8 +37,8 @@ class Results(PythonCase):
     def test_roofs(self):
         dem = block()
         dem[10:25, 15:35] = 14 - 0.5 * numpy.abs(numpy.arange(15) - 7)[:, None]  # a gable along the columns
-        found = find(dem, roofs=True)
-        self.assertEqual(repr(found), "<dem2buildings.Result: 1 buildings, 1 contours, 2 roofs>")
+        found = find(dem, roofs=True, layers="buildings")
+        self.assertEqual(repr(found), "<dem2buildings.Result: 1 buildings, 2 roofs>")
         faces = found.roofs
         self.assertEqual(faces.name, "roofs")
         self.assertEqual(faces.columns["kind"].tolist(), ["pitched", "pitched"])
