@@ -45,6 +45,7 @@ bool takes_its_object(const std::string& one, const std::string& other) {
                                                                  {"-min_wall 4", of_short_walls},
                                                                  {"-regularize right", of_oblique_walls},
                                                                  {"-regularize free", of_oblique_walls},
+                                                                 {"-roofs -roof_min_area 200", high},
                                                                  {"-snodata 16", high},
                                                                  {"-split_by /vsimem/scene/parcels.gpkg "
                                                                   "-split_width 30",
