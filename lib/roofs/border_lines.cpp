@@ -49,6 +49,16 @@ class BorderGraph {
         return chains;
     }
     [[nodiscard]] bool is_junction(std::uint32_t corner) const { return degree_[corner] != 2; }
+    /// True if no cell at a corner belongs to the building.
+    [[nodiscard]] bool is_outside(std::uint32_t corner) const {
+        const auto row = static_cast<std::int32_t>(corner / width_);
+        const auto col = static_cast<std::int32_t>(corner % width_);
+        for (const std::size_t cell : {grid_.index(row - 1, col - 1), grid_.index(row - 1, col),
+                                       grid_.index(row, col - 1), grid_.index(row, col)})
+            if (labels_.distances[cell] == 0)
+                return false;
+        return true;
+    }
     [[nodiscard]] GridPoint point(std::uint32_t corner) const {
         return {grid_.x(corner % width_), grid_.y(corner / width_)};
     }
@@ -270,7 +280,8 @@ class LineDrawing {
                                         const PlaneDifference& difference) const;
     [[nodiscard]] static bool spans(std::span<const GridPoint> points, const Run& run,
                                     const PlaneDifference& difference);
-    [[nodiscard]] GridPoint place(const GridPoint& mean, const std::vector<FittedLine>& lines) const;
+    [[nodiscard]] static GridPoint place(const GridPoint& mean, const std::vector<FittedLine>& lines,
+                                         double max_move);
 
     struct Line {
         std::uint32_t from;
@@ -282,6 +293,7 @@ class LineDrawing {
     const BorderOptions& options_;
     std::unordered_map<std::uint32_t, std::uint32_t> nodes_;  ///< by corner
     std::vector<GridPoint> corners_;                          ///< by node
+    std::vector<bool> is_outside_;                            ///< by node
     std::vector<std::vector<FittedLine>> through_;            ///< by node: lines that should pass it
     DisjointSets merged_;                                     ///< nodes of collapsed chains
     std::vector<Line> lines_;
@@ -293,6 +305,7 @@ std::uint32_t LineDrawing::node(std::uint32_t corner) {
         return known->second;
     const std::uint32_t added = merged_.add();
     corners_.push_back(graph_.point(corner));
+    is_outside_.push_back(graph_.is_outside(corner));
     through_.emplace_back();
     return added;
 }
@@ -455,7 +468,7 @@ void LineDrawing::add(const Chain& chain) {
 }
 
 /// Moves a node to the lines that should pass it.
-GridPoint LineDrawing::place(const GridPoint& mean, const std::vector<FittedLine>& lines) const {
+GridPoint LineDrawing::place(const GridPoint& mean, const std::vector<FittedLine>& lines, double max_move) {
     constexpr double stay = 0.02;  // weight of not moving
     double xx = stay;
     double xy = 0;
@@ -474,7 +487,7 @@ GridPoint LineDrawing::place(const GridPoint& mean, const std::vector<FittedLine
     const GridPoint move{(pull.x * yy - pull.y * xy) / determinant,
                          (pull.y * xx - pull.x * xy) / determinant};
     const double length = std::hypot(move.x, move.y);
-    const double share = length > options_.max_move ? options_.max_move / length : 1;
+    const double share = length > max_move ? max_move / length : 1;
     return {mean.x + share * move.x, mean.y + share * move.y};
 }
 
@@ -484,6 +497,7 @@ std::vector<BorderLine> LineDrawing::lines() {
         double count = 0;
         std::vector<FittedLine> lines;
         GridPoint at;
+        bool outside = false;
     };
     std::vector<Group> groups(corners_.size());
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
@@ -491,11 +505,14 @@ std::vector<BorderLine> LineDrawing::lines() {
         group.sum.x += corners_[i].x;
         group.sum.y += corners_[i].y;
         ++group.count;
+        group.outside = group.outside || is_outside_[i];
         group.lines.insert(group.lines.end(), through_[i].begin(), through_[i].end());
     }
     for (Group& group : groups)
         if (group.count > 0)
-            group.at = place({group.sum.x / group.count, group.sum.y / group.count}, group.lines);
+            // Beyond the building the labels say nothing about where a line goes on.
+            group.at = place({group.sum.x / group.count, group.sum.y / group.count}, group.lines,
+                             group.outside ? std::numeric_limits<double>::infinity() : options_.max_move);
     std::vector<BorderLine> result;
     for (const Line& line : lines_)
         if (const std::uint32_t from = merged_.find(line.from), to = merged_.find(line.to); from != to)

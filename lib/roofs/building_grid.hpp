@@ -40,8 +40,8 @@ struct BuildingGrid {
 [[nodiscard]] BuildingGrid make_building_grid(const contours::BuildingCells& cells, const LatticeBox& box,
                                               std::int32_t margin, const CellSize& cell, double metres);
 
-/// Nearest label of each cell: its own, or outside of the labels that of the nearest labelled cell; the first
-/// in scan order if several are equally near (Meijster et al. 2000). @param labels -1: none
+/// Nearest label of each cell: its own, or outside of the labels that of the nearest labelled cell, one of
+/// several that are equally near (Meijster et al. 2000). @param labels -1: none
 struct NearestLabels {
     std::vector<std::int32_t> labels;
     std::vector<float> distances;  ///< cells

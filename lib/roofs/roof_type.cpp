@@ -112,7 +112,7 @@ std::string_view roof_type(std::span<const FaceShape> faces, double roundness) {
         total += face.area;
         flat += face.slope < flat_degrees ? face.area : 0;
     }
-    if (total < whole / 2)
+    if (total <= 0 || total < whole / 2)
         return "unknown";
     if (flat >= most * total)
         return "flat";
