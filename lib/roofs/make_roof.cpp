@@ -127,9 +127,10 @@ void summarize(Roof& roof, const std::vector<FacePlane>& planes, const RoofLatti
     double cells = 0;
     for (std::size_t i = 0; i < roof.faces.size(); ++i) {
         const FaceMeasure& m = roof.faces[i].measure;
-        shapes.push_back({m.area, slope_degrees(m),
-                          std::atan2(-m.slope_col, m.slope_row) * degrees_per_radian,
-                          taper_of(roof.faces[i], planes[i].plane, lattice), m.kind == FaceKind::doubtful});
+        shapes.push_back(
+            {m.area, slope_degrees(m), std::atan2(-m.slope_col, m.slope_row) * degrees_per_radian,
+             taper_of(roof.faces[i], planes[i].plane, lattice), m.kind == FaceKind::doubtful,
+             std::ranges::min(roof.faces[i].elevations), std::ranges::max(roof.faces[i].elevations)});
         squares += m.rmse_m * m.rmse_m * static_cast<double>(m.cells);
         cells += static_cast<double>(m.cells);
     }

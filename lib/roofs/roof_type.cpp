@@ -26,8 +26,20 @@ struct SlopeSide {
     double area = 0;
     double hip_area = 0;      ///< of faces that end in a point
     double pyramid_area = 0;  ///< of those that certainly do
-    double gentle = 0;        ///< slope of the gentlest face
-    double steep = 0;
+    std::vector<FaceShape> faces;
+
+    /// True if a gentle face stands on a steep one.
+    [[nodiscard]] bool is_bent() const {
+        constexpr double least_bend = 15;  // degrees between the faces
+        constexpr double steep = 45;
+        constexpr double gap = 1;  // m
+        return std::ranges::any_of(faces, [&](const FaceShape& below) {
+            return below.slope > steep && std::ranges::any_of(faces, [&](const FaceShape& above) {
+                       return below.slope - above.slope > least_bend &&
+                              std::abs(above.low - below.high) < gap;
+                   });
+        });
+    }
 };
 
 std::vector<SlopeSide> sides_of(std::vector<FaceShape> faces, double total) {
@@ -39,12 +51,11 @@ std::vector<SlopeSide> sides_of(std::vector<FaceShape> faces, double total) {
         auto side = std::ranges::find_if(
             sides, [&](const SlopeSide& s) { return angle(s.azimuth, face.azimuth) < same_direction; });
         if (side == sides.end())
-            side = sides.insert(sides.end(), {face.azimuth, 0, 0, 0, face.slope, face.slope});
+            side = sides.insert(sides.end(), {face.azimuth, 0, 0, 0, {}});
         side->area += face.area;
         side->hip_area += face.taper < hip_taper ? face.area : 0;
         side->pyramid_area += face.taper < pyramid_taper ? face.area : 0;
-        side->gentle = std::min(side->gentle, face.slope);
-        side->steep = std::max(side->steep, face.slope);
+        side->faces.push_back(face);
     }
     std::ranges::stable_sort(sides, std::greater<>(), &SlopeSide::area);
     std::erase_if(sides, [&](const SlopeSide& side) { return side.area < negligible * total; });
@@ -65,7 +76,7 @@ double oblique_area(const std::vector<SlopeSide>& sides) {
 std::string_view pitched_type(const std::vector<SlopeSide>& sides, double total, double roundness) {
     constexpr double round = 0.9;  // an octagon has 0.95, a square 0.79
     constexpr double oblique_share = 0.3;
-    constexpr double mansard_bend = 15;  // degrees between the slopes of one side
+    constexpr double mansard_share = 0.3;  // narrow lower faces are often merged with the upper ones
     if ((sides.size() >= 4 && roundness > round) ||
         (sides.size() >= 5 && oblique_area(sides) > oblique_share * total))
         return "domed";
@@ -84,12 +95,12 @@ std::string_view pitched_type(const std::vector<SlopeSide>& sides, double total,
         group->area += side.area;
         group->hip_area += side.hip_area;
         group->pyramid_area += side.pyramid_area;
-        bent += side.steep - side.gentle > mansard_bend ? side.area : 0;
+        bent += side.is_bent() ? side.area : 0;
     }
     const double area = along.area + across.area;
     if (!has_opposite || area < main_share * total)
         return "complex";
-    if (bent >= most * area)
+    if (bent >= mansard_share * area)
         return "mansard";
     if (across.hip_area <= across.area / 2)
         return "gabled";

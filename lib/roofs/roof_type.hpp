@@ -15,6 +15,8 @@ struct FaceShape {
     double azimuth = 0;  ///< degrees in which water runs; any if flat
     double taper = 1;    ///< length near its top as a share of that near its bottom: a hip ends in a point
     bool doubtful = false;
+    double low = 0;  ///< elevation of its lowest corner, in m
+    double high = 0;
 };
 
 /// Name of the type of a roof: flat, shed, gabled, hipped, pyramidal, mansard, domed, complex or unknown.

@@ -31,7 +31,7 @@ TEST_P(RoofType, IsThatOfItsFaces) {
     EXPECT_EQ(roof_type(faces, GetParam().roundness), GetParam().type);
 }
 
-// A face has area, slope, azimuth, taper, and whether it is doubtful.
+// A face has area, slope, azimuth, taper, whether it is doubtful, and its lowest and highest elevations.
 INSTANTIATE_TEST_SUITE_P(
     Table, RoofType,
     testing::Values(
@@ -45,7 +45,17 @@ INSTANTIATE_TEST_SUITE_P(
         TypeCase{"gabled", {{36, 35, 0}, {36, 35, 180}, {14, 35, 90}, {14, 35, 270}}},
         TypeCase{"hipped", {{36, 35, 0, 0.6}, {36, 35, 180, 0.6}, {14, 35, 90, 0.2}, {14, 35, 270, 0.2}}},
         TypeCase{"pyramidal", {{25, 35, 0, 0.2}, {25, 35, 180, 0.2}, {25, 35, 90, 0.2}, {25, 35, 270, 0.2}}},
-        TypeCase{"mansard", {{30, 60, 0}, {20, 25, 0}, {30, 60, 180}, {20, 25, 180}}},
+        // The gentle faces stand on the steep ones; below, they belong to another house of the row.
+        TypeCase{"mansard",
+                 {{30, 60, 0, 1, false, 3, 6},
+                  {20, 25, 0, 1, false, 6, 8},
+                  {30, 60, 180, 1, false, 3, 6},
+                  {20, 25, 180, 1, false, 6, 8}}},
+        TypeCase{"gabled",
+                 {{30, 60, 0, 1, false, 3, 8},
+                  {20, 25, 0, 1, false, 3, 6},
+                  {30, 60, 180, 1, false, 3, 8},
+                  {20, 25, 180, 1, false, 3, 6}}},
         // A cone in six pieces is round, or has sides that are not at right angles.
         TypeCase{"domed",
                  {{17, 40, 0, 0.2},
