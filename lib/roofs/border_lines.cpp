@@ -53,14 +53,13 @@ class BorderGraph {
     [[nodiscard]] bool is_outside(std::uint32_t corner) const {
         const auto row = static_cast<std::int32_t>(corner / width_);
         const auto col = static_cast<std::int32_t>(corner % width_);
-        for (const std::size_t cell : {grid_.index(row - 1, col - 1), grid_.index(row - 1, col),
-                                       grid_.index(row, col - 1), grid_.index(row, col)})
-            if (labels_.distances[cell] == 0)
-                return false;
-        return true;
+        const std::array cells{grid_.index(row - 1, col - 1), grid_.index(row - 1, col),
+                               grid_.index(row, col - 1), grid_.index(row, col)};
+        return std::ranges::all_of(cells, [&](std::size_t cell) { return labels_.distances[cell] > 0; });
     }
     [[nodiscard]] GridPoint point(std::uint32_t corner) const {
-        return {grid_.x(corner % width_), grid_.y(corner / width_)};
+        const std::uint32_t row = corner / width_;
+        return {grid_.x(corner % width_), grid_.y(row)};
     }
     /// Computes the numbers of sides before chains() removes them.
     void count_degrees() {
@@ -276,6 +275,8 @@ class LineDrawing {
     void add_line(std::uint32_t from, std::uint32_t to, const std::optional<FittedLine>& line);
     void add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run,
                   const PlaneDifference& difference);
+    [[nodiscard]] std::vector<bool> crease_sides(std::span<const GridPoint> points,
+                                                 const PlaneDifference& difference) const;
     [[nodiscard]] std::vector<Run> runs(std::span<const GridPoint> points,
                                         const PlaneDifference& difference) const;
     [[nodiscard]] static bool spans(std::span<const GridPoint> points, const Run& run,
@@ -337,35 +338,42 @@ bool LineDrawing::spans(std::span<const GridPoint> points, const Run& run,
     return to - from >= least_share * std::hypot(high.x - low.x, high.y - low.y);
 }
 
-/// Divides a chain into creases and steps.
-std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points,
-                                   const PlaneDifference& difference) const {
+/// Finds the sides of a chain that lie near the line in which the planes meet; the majority of five decides.
+std::vector<bool> LineDrawing::crease_sides(std::span<const GridPoint> points,
+                                            const PlaneDifference& difference) const {
     constexpr double least_bend = 0.08;      // difference of slopes
     constexpr double crease_distance = 1.5;  // cells from the line in which the planes meet
     constexpr double crease_step_m = 1.0;
     constexpr std::size_t smoothed = 2;  // sides to both sides
-    constexpr std::size_t shortest = 4;  // sides
     const std::size_t sides = points.size() - 1;
     std::vector<bool> crease(sides, false);
-    if (difference.steepness > least_bend * grid_.cell_m) {
-        std::vector<int> near(sides);
-        for (std::size_t i = 0; i < sides; ++i) {
-            const double step = std::abs(difference.at(middle(points[i], points[i + 1])));
-            near[i] = step / difference.steepness <= crease_distance && step < crease_step_m ? 1 : 0;
-        }
-        for (std::size_t i = 0; i < sides; ++i) {
-            if (sides < 2 * smoothed + 1) {
-                crease[i] = near[i] != 0;
-                continue;
-            }
-            int votes = 0;
-            for (std::size_t k = 0; k <= 2 * smoothed; ++k)
-                votes += near[std::clamp<std::size_t>(i + k, smoothed, sides - 1 + smoothed) - smoothed];
-            crease[i] = 2 * votes > static_cast<int>(2 * smoothed + 1);
-        }
+    if (difference.steepness <= least_bend * grid_.cell_m)
+        return crease;
+    std::vector<int> near(sides);
+    for (std::size_t i = 0; i < sides; ++i) {
+        const double step = std::abs(difference.at(middle(points[i], points[i + 1])));
+        near[i] = step / difference.steepness <= crease_distance && step < crease_step_m ? 1 : 0;
     }
+    for (std::size_t i = 0; i < sides; ++i) {
+        if (sides < 2 * smoothed + 1) {
+            crease[i] = near[i] != 0;
+            continue;
+        }
+        int votes = 0;
+        for (std::size_t k = 0; k <= 2 * smoothed; ++k)
+            votes += near[std::clamp<std::size_t>(i + k, smoothed, sides - 1 + smoothed) - smoothed];
+        crease[i] = votes > static_cast<int>(smoothed);
+    }
+    return crease;
+}
+
+/// Divides a chain into creases and steps. Short runs join their neighbours.
+std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points,
+                                   const PlaneDifference& difference) const {
+    constexpr std::size_t shortest = 4;  // sides
+    const std::vector<bool> crease = crease_sides(points, difference);
     std::vector<Run> runs;
-    for (std::size_t i = 0; i < sides; ++i)
+    for (std::size_t i = 0; i < crease.size(); ++i)
         if (runs.empty() || runs.back().crease != crease[i])
             runs.push_back({i, i + 1, crease[i]});
         else

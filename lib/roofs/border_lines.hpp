@@ -8,12 +8,6 @@
 
 namespace d2b::roofs {
 
-/// Point of a building's grid, in cells from its centre.
-struct GridPoint {
-    double x = 0;
-    double y = 0;
-};
-
 /// Straight line between two faces.
 struct BorderLine {
     GridPoint from;

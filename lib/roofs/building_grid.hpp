@@ -10,6 +10,12 @@
 
 namespace d2b::roofs {
 
+/// Point of a building's grid, in cells from its centre.
+struct GridPoint {
+    double x = 0;
+    double y = 0;
+};
+
 /// Cells of one building on the rectangle around it, with their elevations in metres above its first valid
 /// cell. Positions are in cells from the centre of the rectangle, x along a row and y down a column.
 struct BuildingGrid {
@@ -31,6 +37,14 @@ struct BuildingGrid {
     /// Position of a lattice corner (or a point between corners) of the grid.
     [[nodiscard]] double x(double col) const { return (col - 0.5 * cols) * x_step; }
     [[nodiscard]] double y(double row) const { return (row - 0.5 * rows) * y_step; }
+    /// Centre of a cell.
+    [[nodiscard]] GridPoint centre(std::size_t cell) const {
+        const std::size_t at_row = cell / static_cast<std::size_t>(cols);
+        const std::size_t at_col = cell % static_cast<std::size_t>(cols);
+        return {x(static_cast<double>(at_col) + 0.5), y(static_cast<double>(at_row) + 0.5)};
+    }
+    /// Elevation of a cell; NaN outside of the building and where not valid.
+    [[nodiscard]] double elevation(std::size_t cell) const { return static_cast<double>(elevations[cell]); }
     [[nodiscard]] double col(double x) const { return x / x_step + 0.5 * cols; }
     [[nodiscard]] double row(double y) const { return y / y_step + 0.5 * rows; }
 };

@@ -65,14 +65,13 @@ FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, 
     FaceMeasure face;
     face.slope_col = plane.slope_x / grid.cell_m;
     face.slope_row = plane.slope_y / grid.cell_m;
-    const auto width = static_cast<std::size_t>(grid.cols);
     double squares = 0;
     for (const std::size_t cell : cells) {
-        const double z = grid.elevations[cell];
+        const double z = grid.elevation(cell);
         if (std::isnan(z))
             continue;
-        const double residual = z - plane.at(grid.x(static_cast<double>(cell % width) + 0.5),
-                                             grid.y(static_cast<double>(cell / width) + 0.5));
+        const GridPoint p = grid.centre(cell);
+        const double residual = z - plane.at(p.x, p.y);
         squares += residual * residual;
         ++face.cells;
     }
@@ -189,6 +188,15 @@ FittedFaces fit_faces(const std::vector<LabelledFace>& faces, const std::vector<
     return fitted;
 }
 
+/// Planes of the labels of faces.
+std::vector<Plane> planes_of(const std::vector<LabelledFace>& faces, const std::vector<Plane>& by_label) {
+    std::vector<Plane> planes(faces.size());
+    std::ranges::transform(faces, planes.begin(), [&](const LabelledFace& face) {
+        return by_label[static_cast<std::size_t>(face.label)];
+    });
+    return planes;
+}
+
 /// Merges faces between which a low step is left. @param first planes by face @return false if there are none
 bool merge_coplanar(std::vector<LabelledFace>& faces, std::vector<Plane>& first, const FittedFaces& fitted,
                     double price, const BuildingGrid& grid, const RoofLattice& lattice, Geos& geos) {
@@ -212,10 +220,7 @@ bool merge_coplanar(std::vector<LabelledFace>& faces, std::vector<Plane>& first,
         if (grown[i])
             first[i] = planes[i];
     faces = dissolve(std::move(faces), geos);
-    std::vector<Plane> kept;
-    for (const LabelledFace& face : faces)
-        kept.push_back(first[static_cast<std::size_t>(face.label)]);
-    first = std::move(kept);
+    first = planes_of(faces, first);
     return true;
 }
 
@@ -238,9 +243,7 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
     std::vector<LabelledFace> faces =
         partition(refined(footprint), border_lines(grid, nearest, segments.planes, options.borders),
                   nearest.labels, grid, lattice, geos, stop);
-    std::vector<Plane> first;
-    for (const LabelledFace& face : faces)
-        first.push_back(segments.planes[static_cast<std::size_t>(face.label)]);
+    std::vector<Plane> first = planes_of(faces, segments.planes);
     FittedFaces fitted = fit_faces(faces, first, options.tiers.has_value(), grid, lattice);
     for (int round = 0;
          round < merge_rounds && merge_coplanar(faces, first, fitted, price, grid, lattice, geos); ++round)

@@ -53,11 +53,6 @@ struct Normal {
     }
 };
 
-GridPoint cell_centre(const BuildingGrid& grid, std::size_t cell) {
-    const auto width = static_cast<std::size_t>(grid.cols);
-    return {grid.x(static_cast<double>(cell % width) + 0.5), grid.y(static_cast<double>(cell / width) + 0.5)};
-}
-
 /// Equations of all faces of a building.
 class PlaneSystem {
   public:
@@ -101,10 +96,10 @@ PlaneSystem::PlaneSystem(const std::vector<LabelledFace>& faces, const std::vect
             normal.centre.y += p.y / static_cast<double>(corners_[i].size());
         }
         for (const std::size_t cell : cells[i]) {
-            const double z = grid.elevations[cell];
+            const double z = grid.elevation(cell);
             if (std::isnan(z))
                 continue;
-            const GridPoint p = cell_centre(grid, cell);
+            const GridPoint p = grid.centre(cell);
             normal.add(p, z, std::abs(z - first[i].at(p.x, p.y)) < near_m ? 1 : far_weight);
             normal.low = std::min(normal.low, z);
             normal.high = std::max(normal.high, z);
@@ -218,9 +213,8 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
                                       const std::vector<std::vector<std::size_t>>& cells,
                                       const BuildingGrid& grid, const RoofLattice& lattice) {
     const PlaneSystem system(faces, first, cells, grid, lattice);
-    std::vector<FacePlane> planes;
-    for (const Plane& plane : first)
-        planes.push_back({plane});
+    std::vector<FacePlane> planes(first.size());
+    std::ranges::transform(first, planes.begin(), [](const Plane& plane) { return FacePlane{plane}; });
     const auto keep_plausible = [&] {
         bool changed = false;
         for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -245,10 +239,11 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
         std::vector<PlaneSystem::Meeting> meetings = meetings_of(edges, planes, lattice);
         system.solve(meetings, planes);
         double weight = first_weight;
-        for (int pull = 0; pull < pulls; ++pull, weight *= 2) {
+        for (int pull = 0; pull < pulls; ++pull) {
             for (PlaneSystem::Meeting& m : meetings)
                 m.weight = step(m) < met_softly_m ? meeting_weight : weight;
             system.solve(meetings, planes);
+            weight *= 2;
         }
         std::erase_if(meetings, [&](const PlaneSystem::Meeting& m) { return m.weight != meeting_weight; });
         system.solve(meetings, planes);
@@ -283,8 +278,8 @@ std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
     std::vector<PlaneMoments> moments(planes.size());
     for (std::size_t i = 0; i < planes.size(); ++i)
         for (const std::size_t cell : cells[i])
-            if (const double z = grid.elevations[cell]; !std::isnan(z)) {
-                const GridPoint p = cell_centre(grid, cell);
+            if (const double z = grid.elevation(cell); !std::isnan(z)) {
+                const GridPoint p = grid.centre(cell);
                 moments[i].add(p.x, p.y, z);
             }
     DisjointSets sets(static_cast<std::uint32_t>(planes.size()));

@@ -125,32 +125,38 @@ std::int32_t label_at(FinePoint point, const std::vector<std::int32_t>& labels, 
     return labels[grid.index(row, col)];
 }
 
+/// Gives faces without a label that of the neighbour with the longest edge.
+void label_all(const std::vector<FaceEdge>& edges, std::vector<LabelledFace>& faces) {
+    for (bool changed = true; std::exchange(changed, false);) {
+        std::vector<std::map<std::int32_t, double>> beside(faces.size());  // length by label
+        for (const FaceEdge& edge : edges) {
+            if (edge.left < 0 || edge.right < 0)
+                continue;
+            const double length = length_of(edge.from, edge.to);
+            const auto left = static_cast<std::size_t>(edge.left);
+            const auto right = static_cast<std::size_t>(edge.right);
+            beside[left][faces[right].label] += length;
+            beside[right][faces[left].label] += length;
+        }
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            if (faces[i].label >= 0)
+                continue;
+            beside[i].erase(-1);
+            const auto longest =
+                std::ranges::max_element(beside[i], {}, &std::pair<const std::int32_t, double>::second);
+            if (longest == beside[i].end())
+                continue;
+            faces[i].label = longest->first;
+            changed = true;
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<LabelledFace> dissolve(std::vector<LabelledFace> faces, Geos& geos) {
     const std::vector<FaceEdge> edges = face_edges(faces);
-    for (bool changed = true; std::exchange(changed, false);) {
-        std::vector<std::map<std::int32_t, double>> beside(faces.size());  // length by label
-        for (const FaceEdge& edge : edges)
-            if (edge.left >= 0 && edge.right >= 0) {
-                const double length = length_of(edge.from, edge.to);
-                beside[static_cast<std::size_t>(edge.left)]
-                      [faces[static_cast<std::size_t>(edge.right)].label] += length;
-                beside[static_cast<std::size_t>(edge.right)]
-                      [faces[static_cast<std::size_t>(edge.left)].label] += length;
-            }
-        for (std::size_t i = 0; i < faces.size(); ++i) {
-            if (faces[i].label >= 0)
-                continue;
-            double longest = 0;
-            for (const auto& [label, length] : beside[i])
-                if (label >= 0 && length > longest) {
-                    longest = length;
-                    faces[i].label = label;
-                    changed = true;
-                }
-        }
-    }
+    label_all(edges, faces);
     std::vector<FineSegment> kept;
     std::map<std::pair<FinePoint, FinePoint>, std::int32_t> left;  // label on the left of an edge
     for (const FaceEdge& edge : edges) {

@@ -58,7 +58,7 @@ class RoofLattice {
 [[nodiscard]] std::vector<LabelledFace> dissolve(std::vector<LabelledFace> faces, Geos& geos);
 
 /// Area in cells.
-[[nodiscard]] double area_in_cells(const FinePolygon& face);
+[[nodiscard]] double area_in_cells(const FinePolygon& polygon);
 
 /// Cells of a grid whose centres lie in a face, as indices.
 [[nodiscard]] std::vector<std::size_t> cells_of(const FinePolygon& face, const BuildingGrid& grid,

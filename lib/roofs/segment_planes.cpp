@@ -69,12 +69,6 @@ class CellNumbers {
     std::vector<std::size_t> cells_;
 };
 
-/// Position of a cell's centre.
-std::pair<double, double> centre(const BuildingGrid& grid, std::size_t cell) {
-    const auto width = static_cast<std::size_t>(grid.cols);
-    return {grid.x(static_cast<double>(cell % width) + 0.5), grid.y(static_cast<double>(cell / width) + 0.5)};
-}
-
 /// Moments of the windows of 3 x 3 valid cells, by their middle cell.
 struct Windows {
     std::vector<PlaneMoments> moments;
@@ -90,9 +84,9 @@ Windows plane_windows(const BuildingGrid& grid, const CellNumbers& numbers) {
         bool whole = true;
         for (const std::size_t row : {i - width, i, i + width})
             for (const std::size_t cell : {row - 1, row, row + 1}) {
-                const double z = grid.elevations[cell];
+                const double z = grid.elevation(cell);
                 whole = whole && !std::isnan(z);
-                const auto [x, y] = centre(grid, cell);
+                const auto [x, y] = grid.centre(cell);
                 sum.add(x, y, z, 1.0 / 9);
             }
         if (!whole)
@@ -110,7 +104,7 @@ std::vector<PlaneRegion> first_regions(const BuildingGrid& grid, const CellNumbe
     regions.reserve(numbers.cells().size());
     for (const std::size_t i : numbers.cells()) {
         PlaneRegion& region = regions.emplace_back();
-        const double z = grid.elevations[i];
+        const double z = grid.elevation(i);
         if (std::isnan(z))
             continue;
         std::size_t best = i;
@@ -118,7 +112,7 @@ std::vector<PlaneRegion> first_regions(const BuildingGrid& grid, const CellNumbe
             for (const std::size_t cell : {row - 1, row, row + 1})
                 if (windows.errors[cell] < windows.errors[best])
                     best = cell;
-        const auto [x, y] = centre(grid, i);
+        const auto [x, y] = grid.centre(i);
         const bool has_window = std::isfinite(windows.errors[best]);
         region.moments.add(x, y, z, has_window ? own_share : 1);
         if (has_window)
@@ -191,8 +185,8 @@ void tidy(const BuildingGrid& grid, const CellNumbers& numbers, double price, do
     for (std::size_t n = 0; n < parts.size(); ++n) {
         const std::size_t i = numbers.cells()[n];
         ++sizes[parts[n]];
-        if (const double z = grid.elevations[i]; !std::isnan(z)) {
-            const auto [x, y] = centre(grid, i);
+        if (const double z = grid.elevation(i); !std::isnan(z)) {
+            const auto [x, y] = grid.centre(i);
             regions[parts[n]].moments.add(x, y, z);
         }
     }
@@ -221,78 +215,103 @@ void tidy(const BuildingGrid& grid, const CellNumbers& numbers, double price, do
     labels = numbered(graph, parts, numbers, grid.size());
 }
 
-/// Gives cells the labels of neighbours whose planes suit them better (iterated conditional modes).
-void relax(const BuildingGrid& grid, const CellNumbers& numbers, const std::vector<Plane>& planes,
-           double price, std::vector<std::int32_t>& labels) {
-    constexpr double side_weight = 0.4142;    // of the length of a border beside a cell
-    constexpr double corner_weight = 0.2929;  // and across its corner: nearly independent of direction
-    const auto width = static_cast<std::ptrdiff_t>(grid.cols);
+/// Relaxation of labels: cells get those of neighbours whose planes suit them better.
+class Relaxation {
+  public:
+    /// @param price squared metres of a cell per side of a cell
+    Relaxation(const BuildingGrid& grid, const std::vector<Plane>& planes, double price,
+               std::vector<std::int32_t>& labels)
+        : grid_(grid), planes_(planes), price_(price), labels_(labels) {
+        constexpr double side = 0.4142;    // of the length of a border beside a cell
+        constexpr double corner = 0.2929;  // and across its corner: nearly independent of direction
+        const auto width = static_cast<std::ptrdiff_t>(grid.cols);
+        neighbours_ = {{{-width - 1, corner},
+                        {-width, side},
+                        {-width + 1, corner},
+                        {-1, side},
+                        {1, side},
+                        {width - 1, corner},
+                        {width, side},
+                        {width + 1, corner}}};
+    }
+    /// @return true if the label of a cell changed
+    bool relax(std::size_t cell) {
+        collect(cell);
+        if (count_ == 1)
+            return false;
+        const auto [x, y] = grid_.centre(cell);
+        const double z = grid_.elevation(cell);
+        double least = std::numeric_limits<double>::infinity();
+        std::int32_t best = labels_[cell];
+        for (std::size_t k = 0; k < count_; ++k) {
+            const Plane& plane = planes_[static_cast<std::size_t>(candidates_[k].label)];
+            const double residual = std::isnan(z) ? 0 : z - plane.at(x, y);
+            const double cost = residual * residual + price_ * (total_ - candidates_[k].weight);
+            if (cost < least - 1e-12) {
+                least = cost;
+                best = candidates_[k].label;
+            }
+        }
+        return std::exchange(labels_[cell], best) != best;
+    }
+
+  private:
     struct Neighbour {
         std::ptrdiff_t offset;
         double weight;
     };
-    const std::array<Neighbour, 8> sides{{{-width - 1, corner_weight},
-                                          {-width, side_weight},
-                                          {-width + 1, corner_weight},
-                                          {-1, side_weight},
-                                          {1, side_weight},
-                                          {width - 1, corner_weight},
-                                          {width, side_weight},
-                                          {width + 1, corner_weight}}};
     struct Candidate {
         std::int32_t label;
         double weight;
     };
-    const auto relaxed = [&](std::size_t i) {
-        std::array<Candidate, 9> candidates{{{labels[i], 0}}};
-        std::size_t count = 1;
-        double total = 0;
-        for (const Neighbour& side : sides) {
-            const std::int32_t label =
-                labels[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + side.offset)];
+    /// Collects the labels of a cell and its neighbours with the lengths of their borders.
+    void collect(std::size_t cell) {
+        candidates_[0] = {labels_[cell], 0};
+        count_ = 1;
+        total_ = 0;
+        for (const Neighbour& neighbour : neighbours_) {
+            const auto beside =
+                static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + neighbour.offset);
+            const std::int32_t label = labels_[beside];
             if (label < 0)
                 continue;
-            total += side.weight;
-            std::size_t k = 0;
-            while (k < count && candidates[k].label != label)
-                ++k;
-            if (k == count)
-                candidates[count++] = {label, 0};
-            candidates[k].weight += side.weight;
+            total_ += neighbour.weight;
+            const auto end = candidates_.begin() + static_cast<std::ptrdiff_t>(count_);
+            const auto known = std::find_if(candidates_.begin(), end,
+                                            [label](const Candidate& c) { return c.label == label; });
+            if (known == end)
+                candidates_[count_++] = {label, neighbour.weight};
+            else
+                known->weight += neighbour.weight;
         }
-        if (count == 1)
-            return labels[i];
-        const auto [x, y] = centre(grid, i);
-        const double z = grid.elevations[i];
-        double least = std::numeric_limits<double>::infinity();
-        std::int32_t best = labels[i];
-        for (std::size_t k = 0; k < count; ++k) {
-            const double residual =
-                std::isnan(z) ? 0 : z - planes[static_cast<std::size_t>(candidates[k].label)].at(x, y);
-            const double cost = residual * residual + price * (total - candidates[k].weight);
-            if (cost < least - 1e-12) {
-                least = cost;
-                best = candidates[k].label;
-            }
-        }
-        return best;
-    };
+    }
+
+    const BuildingGrid& grid_;
+    const std::vector<Plane>& planes_;
+    double price_;
+    std::vector<std::int32_t>& labels_;
+    std::array<Neighbour, 8> neighbours_{};
+    std::array<Candidate, 9> candidates_{};
+    std::size_t count_ = 0;
+    double total_ = 0;
+};
+
+/// Relaxes the labels of all cells in turn (iterated conditional modes).
+void relax(const BuildingGrid& grid, const CellNumbers& numbers, const std::vector<Plane>& planes,
+           double price, std::vector<std::int32_t>& labels) {
+    Relaxation relaxation(grid, planes, price, labels);
     const std::vector<std::size_t>& cells = numbers.cells();
     for (int sweep = 0; sweep < relax_sweeps; ++sweep) {
         bool changed = false;
-        for (std::size_t k = 0; k < cells.size(); ++k) {
-            const std::size_t i = cells[sweep % 2 == 0 ? k : cells.size() - 1 - k];
-            const std::int32_t label = relaxed(i);
-            changed = changed || label != labels[i];
-            labels[i] = label;
-        }
+        for (std::size_t k = 0; k < cells.size(); ++k)
+            changed = relaxation.relax(cells[sweep % 2 == 0 ? k : cells.size() - 1 - k]) || changed;
         if (!changed)
             return;
     }
 }
 
 std::size_t label_count(const std::vector<std::int32_t>& labels) {
-    return static_cast<std::size_t>(std::ranges::max(labels) + 1);
+    return static_cast<std::size_t>(std::ranges::max(labels)) + 1;
 }
 
 }  // namespace
@@ -304,11 +323,11 @@ std::vector<Plane> fit_planes(const BuildingGrid& grid, const std::vector<std::i
     for (int round = 0; round < fit_rounds; ++round) {
         std::vector<PlaneMoments> sums(count);
         for (std::size_t i = 0; i < labels.size(); ++i) {
-            const double z = grid.elevations[i];
+            const double z = grid.elevation(i);
             if (labels[i] < 0 || std::isnan(z))
                 continue;
             const auto label = static_cast<std::size_t>(labels[i]);
-            const auto [x, y] = centre(grid, i);
+            const auto [x, y] = grid.centre(i);
             double weight = 1;
             if (round > 0) {
                 const double u = (z - planes[label].at(x, y)) / fitted_residual_m;
