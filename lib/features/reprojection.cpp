@@ -128,12 +128,12 @@ RingProjection RingTransform::apply_with_elevations(WorldRing& ring, std::span<c
     if (projection != RingProjection::whole || !apply_to_positions(corners))
         return projection == RingProjection::whole ? RingProjection::no_image : projection;
     std::size_t corner = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        while (corner + 1 < corners.size() && ring[i] == corners[corner + 1])
+    for (const Position& p : ring) {
+        while (corner + 1 < corners.size() && p == corners[corner + 1])
             ++corner;
         const std::size_t next = corner + 1 < corners.size() ? corner + 1 : 0;
         const double length = plain_distance(corners[corner], corners[next]);
-        const double share = length > 0 ? plain_distance(corners[corner], ring[i]) / length : 0;
+        const double share = length > 0 ? plain_distance(corners[corner], p) / length : 0;
         projected.push_back(elevations[corner] + share * (elevations[next] - elevations[corner]));
     }
     return projection;
