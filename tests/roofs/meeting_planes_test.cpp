@@ -90,8 +90,9 @@ TEST(MeetingPlanes, TooSteepFacesAreLevel) {
 /// A border of 20 cells at a price of 2 m2 has to save 40 m2. A step of 10 cm between 240 cells saves
 /// 240 * 0.05^2 = 0.6 m2, and one of 3 m is no low step.
 TEST(MergedFaces, AreThoseWithALowStepThatSavesLittle) {
-    for (const auto& [step, expected] :
+    for (const auto& [rise, expected] :
          {std::pair{0.1, std::vector<std::int32_t>{0, 0}}, std::pair{3.0, std::vector<std::int32_t>{0, 1}}}) {
+        const double step = rise;  // a lambda of clang 14 cannot capture a structured binding
         TwoFaces two([&](double row, double) { return row < 16 ? 6.0 : 6.0 + step; });
         two.planes = {{plane_of(two.grid, 0, 0, 6, 0, 0)}, {plane_of(two.grid, 0, 0, 6 + step, 0, 0)}};
         EXPECT_EQ(merged_faces(face_edges(two.faces), two.planes, two.cells, 2, two.grid, two.lattice),
