@@ -21,22 +21,22 @@ Scene town_place(std::uint64_t seed) {
     return scene;
 }
 
-constexpr std::array<Place, 11> all{{{"village", 600, village},
-                                     {"hamlet", 500, hamlet},
-                                     {"pines", 300, pines},
-                                     {"hillside", 400, hillside},
-                                     {"rows", 300, rows},
-                                     {"outskirts", 600, outskirts},
-                                     {"park", 500, park},
-                                     {"town", 1000, town_place},
-                                     {"estate", 400, estate},
-                                     {"forest", 1000, forest},
-                                     {"fields", 1000, fields}}};
+constexpr std::array<Place, 11> all_places{{{"village", 600, village},
+                                            {"hamlet", 500, hamlet},
+                                            {"pines", 300, pines},
+                                            {"hillside", 400, hillside},
+                                            {"rows", 300, rows},
+                                            {"outskirts", 600, outskirts},
+                                            {"park", 500, park},
+                                            {"town", 1000, town_place},
+                                            {"estate", 400, estate},
+                                            {"forest", 1000, forest},
+                                            {"fields", 1000, fields}}};
 
 }  // namespace
 
 std::span<const Place> places() {
-    return all;
+    return all_places;
 }
 
 }  // namespace d2b::sample

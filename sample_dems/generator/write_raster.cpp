@@ -11,7 +11,7 @@ namespace d2b::sample {
 
 namespace {
 
-constexpr std::int32_t rows_at_a_time = 256;
+constexpr std::int32_t rows_per_block = 256;
 
 Dataset create(const std::string& path, const RasterSpec& spec) {
     GDALDriver* const driver = GetGDALDriverManager()->GetDriverByName("GTiff");
@@ -45,8 +45,8 @@ void write_raster(const std::string& path, const RasterSpec& spec, const RowSour
     GDALRasterBand* const band = dataset->GetRasterBand(1);
     const std::int32_t cols = spec.grid.cols;
     std::vector<float> elevations;
-    for (std::int32_t row = 0; row < spec.grid.rows; row += rows_at_a_time) {
-        const std::int32_t rows = std::min(rows_at_a_time, spec.grid.rows - row);
+    for (std::int32_t row = 0; row < spec.grid.rows; row += rows_per_block) {
+        const std::int32_t rows = std::min(rows_per_block, spec.grid.rows - row);
         elevations.resize(static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols));
         source(row, rows, elevations);
         QuietGdal::require(band->RasterIO(GF_Write, 0, row, cols, rows, elevations.data(), cols, rows,
