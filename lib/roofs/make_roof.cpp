@@ -245,8 +245,9 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
                   nearest.labels, grid, lattice, geos, stop);
     std::vector<Plane> first = planes_of(faces, segments.planes);
     FittedFaces fitted = fit_faces(faces, first, options.tiers.has_value(), grid, lattice);
-    for (int round = 0;
-         round < merge_rounds && merge_coplanar(faces, first, fitted, price, grid, lattice, geos); ++round)
+    for (int round = 0; !options.tiers && round < merge_rounds &&
+                        merge_coplanar(faces, first, fitted, price, grid, lattice, geos);
+         ++round)
         fitted = fit_faces(faces, first, options.tiers.has_value(), grid, lattice);
     const std::vector<FacePlane>& planes = fitted.planes;
     const std::vector<std::vector<std::size_t>>& inside = fitted.cells;

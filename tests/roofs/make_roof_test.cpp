@@ -133,6 +133,18 @@ TEST(MakeRoof, TiersHaveNoSlope) {
     EXPECT_EQ(roof.type, "unknown");
 }
 
+/// Tiers between which a low step is left are not merged into a slanted face.
+TEST(MakeRoof, TiersWithALowStepStayLevel) {
+    const MadeRoof made{12, 20, [](double row, double) { return row < 16 ? 6.0 : 6.2; }};
+    RoofParameters parameters;
+    parameters.tiers = contours::RegionOptions{0.01, 2, 0};
+    Geos geos;
+    const Roof roof = make_roof(made.cells(), made.outline(1), parameters, geos, {});
+    ASSERT_EQ(roof.faces.size(), 2U);
+    for (const RoofFace& face : roof.faces)
+        EXPECT_EQ(slope_degrees(face.measure), 0);
+}
+
 TEST(MakeRoof, WithoutAValidPointIsDoubtfulOrFlatButWhole) {
     const Roof roof = roof_of({12, 20, [](double, double) { return std::nan(""); }});
     ASSERT_EQ(roof.faces.size(), 1U);
