@@ -128,19 +128,12 @@ PolygonSource source_of(const ParcelChoice& choice) {
 int field_of(OGRLayerH layer, const ParcelChoice& choice) {
     if (choice.field.empty())
         return -1;
-    const OGRFeatureDefnH schema = OGR_L_GetLayerDefn(layer);
-    const int field = OGR_FD_GetFieldIndex(schema, choice.field.c_str());
+    const int field = OGR_FD_GetFieldIndex(OGR_L_GetLayerDefn(layer), choice.field.c_str());
     if (field >= 0)
         return field;
-    const int count = OGR_FD_GetFieldCount(schema);
-    std::vector<std::string> names;
-    names.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-        names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(schema, i)));
-    throw OptionError(
-        "The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " + source_of(choice).name() +
-        " has no field '" + choice.field + "' for -split_field; " +
-        (names.empty() ? "it has no fields at all." : "its fields are " + quoted_names(names) + "."));
+    throw OptionError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of the " +
+                      source_of(choice).name() + " has no field '" + choice.field + "' for -split_field; " +
+                      field_list(layer));
 }
 
 /// Box in the coordinates of a layer.

@@ -134,16 +134,19 @@ void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warni
     messages.pass_warnings(warnings);
 }
 
-void refuse_missing_field(OGRLayerH layer, const std::string& dataset, const std::string& field) {
+std::string field_list(OGRLayerH layer) {
     const OGRFeatureDefnH schema = OGR_L_GetLayerDefn(layer);
     const int count = OGR_FD_GetFieldCount(schema);
     std::vector<std::string> names;
     names.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(schema, i)));
-    throw OptionError(
-        "The layer '" + std::string(OGR_L_GetName(layer)) + "' of '" + dataset + "' has no field '" + field +
-        "'; " + (names.empty() ? "it has no fields at all." : "its fields are " + quoted_names(names) + "."));
+    return names.empty() ? "it has no fields at all." : "its fields are " + quoted_names(names) + ".";
+}
+
+void refuse_missing_field(OGRLayerH layer, const std::string& dataset, const std::string& field) {
+    throw OptionError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of '" + dataset +
+                      "' has no field '" + field + "'; " + field_list(layer));
 }
 
 void warn_of_others(std::size_t others, const std::string& dataset, const std::string& layer,

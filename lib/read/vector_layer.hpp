@@ -46,6 +46,8 @@ namespace d2b::reading {
 void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warnings,
                        const std::function<void(OGRFeatureH, OGRGeometryH)>& visit);
 
+/// Lists the fields of a layer for messages: "its fields are 'a' and 'b'."
+[[nodiscard]] std::string field_list(OGRLayerH layer);
 /// Names the fields that a layer has instead. @throws OptionError
 [[noreturn]] void refuse_missing_field(OGRLayerH layer, const std::string& dataset, const std::string& field);
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "roofs/meeting_planes.hpp"
-#include "roofs/partition.hpp"
 
 namespace d2b::roofs {
 namespace {
@@ -240,9 +239,10 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
     const double price = coplanar_price * options.segments.price_m3 / grid.cell_m;
     const NearestLabels nearest = nearest_labels(segments.labels, grid.rows, grid.cols);
     const RoofLattice lattice(grid, options.cell_centre);
+    const FinePolygon area = refined(footprint);
     std::vector<LabelledFace> faces =
-        partition(refined(footprint), border_lines(grid, nearest, segments.planes, options.borders),
-                  nearest.labels, grid, lattice, geos, stop);
+        partition(area, border_lines(grid, nearest, segments.planes, options.borders), nearest.labels, grid,
+                  lattice, geos, stop);
     std::vector<Plane> first = planes_of(faces, segments.planes);
     FittedFaces fitted = fit_faces(faces, first, options.tiers.has_value(), grid, lattice);
     for (int round = 0; !options.tiers && round < merge_rounds &&
@@ -269,7 +269,7 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
     }
     for (RoofFace& face : roof.faces)
         face.measure.area /= whole;
-    summarize(roof, planes, lattice, roundness_of(refined(footprint).exterior, lattice));
+    summarize(roof, planes, lattice, roundness_of(area.exterior, lattice));
     return roof;
 }
 

@@ -11,13 +11,11 @@
 #include "core/stop_token.hpp"
 #include "geometry/geos.hpp"
 #include "roofs/border_lines.hpp"
+#include "roofs/partition.hpp"
 #include "roofs/roof_type.hpp"
 #include "roofs/segment_planes.hpp"
 
 namespace d2b::roofs {
-
-/// Divides a step of the fine lattice, because corners of faces lie on walls between its points.
-inline constexpr std::int64_t roof_steps = 1024;
 
 struct RoofParameters {
     SegmentOptions segments;

@@ -66,10 +66,6 @@ class PlaneSystem {
         std::int32_t other;
         GridPoint at;
         double weight = 1;
-
-        friend bool operator==(const Meeting& a, const Meeting& b) {
-            return a.one == b.one && a.other == b.other && a.at.x == b.at.x && a.at.y == b.at.y;
-        }
     };
     void solve(std::span<const Meeting> meetings, std::vector<FacePlane>& planes) const;
     /// Share of its slope that a plane may keep such that no corner is far above or below the cells of its

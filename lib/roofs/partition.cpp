@@ -8,7 +8,6 @@
 
 #include "geometry/box_tree.hpp"
 #include "raster/row_spans.hpp"
-#include "roofs/make_roof.hpp"
 
 namespace d2b::roofs {
 namespace {

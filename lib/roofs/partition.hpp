@@ -11,6 +11,9 @@
 
 namespace d2b::roofs {
 
+/// Divides a step of the fine lattice, because corners of faces lie on walls between its points.
+inline constexpr std::int64_t roof_steps = 1024;
+
 /// Face of the partition of a footprint, and its label.
 struct LabelledFace {
     FinePolygon outline;  ///< on the lattice of roofs

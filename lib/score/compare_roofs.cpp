@@ -189,7 +189,7 @@ Extent extent_of(const FieldLayer& layer, const std::vector<Polygons>& areas) {
     return {layer.dataset, Crs(layer.crs_wkt), box_of_all(areas)};
 }
 
-/// As it was read.
+/// Returns the extent of a layer in its own CRS.
 Extent extent_of(const FieldLayer& layer) {
     std::vector<Polygons> areas;
     for (const FieldFeature& feature : layer.features)

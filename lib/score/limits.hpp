@@ -27,7 +27,7 @@ struct Limit {
 /// @throws InputError, OptionError as the readers of polygons and rasters
 [[nodiscard]] std::vector<Limit> limits_of(const ScoreRequest& request, Warnings& warnings);
 
-/// Where one side of a comparison lies.
+/// Place of one side of a comparison.
 struct Extent {
     std::string name;  ///< of the dataset
     Crs crs;

@@ -61,7 +61,7 @@ struct RoofScoreOptions {
 
 /// Scores found planes of roofs against a reference. Faces are overlaid exactly, and the part of an overlap
 /// where elevations are near is cut out along straight lines, because the difference of two planes is one.
-/// Where faces of one side overlap, an area counts for each of them. @throws Error if GEOS fails
+/// An area on which faces of one side overlap counts for each of them. @throws Error if GEOS fails
 [[nodiscard]] RoofScore score_roofs(const RoofSide& found, const RoofSide& reference,
                                     const RoofScoreOptions& options);
 

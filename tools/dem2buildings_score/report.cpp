@@ -136,6 +136,14 @@ Json json_of(const ShapeScore& shape) {
             {"short_edge_share", number_or_null(shape.short_edge_share)}};
 }
 
+/// Names the datasets that were compared. @param run ScoreRun or RoofScoreRun
+template <typename Run>
+void add_inputs(Lines& lines, const ScoreRequest& request, const Run& run) {
+    lines.add("found", request.found + ", layer " + run.found_layer);
+    lines.add("reference", request.reference + ", layer " + run.reference_layer);
+    lines.add("measured in", run.crs.empty() ? "plain units" : run.crs);
+}
+
 Json shape_json(const ScoreRun& run) {
     const std::optional<DirectionErrors>& directions = run.score.directions;
     return {{"cell_m", number_or_null(run.cell_m)},
@@ -151,11 +159,8 @@ Json shape_json(const ScoreRun& run) {
 std::string score_text(const ScoreRequest& request, const ScoreRun& run, bool quiet) {
     const Score& score = run.score;
     Lines lines(quiet);
-    if (!quiet) {
-        lines.add("found", request.found + ", layer " + run.found_layer);
-        lines.add("reference", request.reference + ", layer " + run.reference_layer);
-        lines.add("measured in", run.crs.empty() ? "plain units" : run.crs);
-    }
+    if (!quiet)
+        add_inputs(lines, request, run);
     lines.add("completeness", percent(score.completeness),
               square_metres(score.shared_m2) + " of " + square_metres(score.reference.area_m2));
     lines.add("correctness", percent(score.correctness),
@@ -217,7 +222,7 @@ void add_angles(Lines& lines, const std::string& name, const std::optional<Angle
     lines.add(name + ", p90", errors ? degrees(errors->p90_deg) : "-");
 }
 
-/// What the buildings of each type were taken for: "gabled 140, hipped 14".
+/// Adds a line per type with the types that were found for its buildings: "gabled 140, hipped 14".
 void add_types(Lines& lines, const RoofScore& score) {
     for (const auto& [type, found] : score.types) {
         std::size_t all = 0;
@@ -243,11 +248,8 @@ std::string roof_score_text(const ScoreRequest& request, const RoofScoreRun& run
     const RoofScore& score = run.score;
     const std::string shared = "of " + square_metres(score.shared_m2);
     Lines lines(quiet);
-    if (!quiet) {
-        lines.add("found", request.found + ", layer " + run.found_layer);
-        lines.add("reference", request.reference + ", layer " + run.reference_layer);
-        lines.add("measured in", run.crs.empty() ? "plain units" : run.crs);
-    }
+    if (!quiet)
+        add_inputs(lines, request, run);
     lines.add("roofs covered", percent(score.covered),
               square_metres(score.shared_m2) + " of " + square_metres(score.reference_m2));
     lines.add("overlap", percent(score.overlap));
