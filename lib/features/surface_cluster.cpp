@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/int128.hpp"
 #include "outline/fine_geometry.hpp"
+#include "roofs/make_roof.hpp"
 #include "surface/partition.hpp"
 #include "surface/vertex_snapping.hpp"
 
@@ -53,8 +55,9 @@ double flat_roof(const BuildingRecord& record, SurfaceRoof roof, const SurfaceLa
 
 class ClusterDrawer {
   public:
-    ClusterDrawer(const SurfaceInput& input, std::optional<RingTransform>& transform)
-        : input_(input), transform_(transform) {}
+    ClusterDrawer(const SurfaceInput& input, std::optional<RingTransform>& transform,
+                  const std::set<std::int64_t>& stacked)
+        : input_(input), transform_(transform), stacked_(stacked) {}
 
     [[nodiscard]] DrawnCluster draw(std::span<const std::uint32_t> contours);
 
@@ -63,14 +66,21 @@ class ClusterDrawer {
         return input_.features.contours.head(contour);
     }
     [[nodiscard]] bool is_wanted(std::uint32_t contour) const;
+    [[nodiscard]] bool has_tiers(std::int64_t building) const {
+        return input_.of == SurfaceOf::contours || as_tiers_.contains(building);
+    }
     void add_building(std::uint32_t contour);
     void add_contour(std::uint32_t contour);
+    void add_roof(std::uint32_t contour, const BuildingRecord& record);
+    void add(surface::PartitionContour&& contour, std::int32_t level);
     [[nodiscard]] double top(std::uint32_t contour, const BuildingRecord& record) const;
     void place();
     void drop(const std::vector<bool>& is_lost);
 
     const SurfaceInput& input_;
     std::optional<RingTransform>& transform_;
+    const std::set<std::int64_t>& stacked_;
+    std::set<std::int64_t> as_tiers_;  // by building index, with SurfaceOf::roofs
     DrawnCluster drawn_;
     std::map<std::int64_t, std::int32_t> building_place_;  // by building index
     std::map<std::int64_t, std::int32_t> contour_place_;   // by contour index
@@ -79,12 +89,12 @@ class ClusterDrawer {
 bool ClusterDrawer::is_wanted(std::uint32_t contour) const {
     const contours::ContourHead& of = head(contour);
     return of.building >= 0 && !input_.features.is_low_confidence(contour) &&
-           (of.key.level == 1 || input_.of == SurfaceOf::contours);
+           (of.key.level == 1 || has_tiers(of.building));
 }
 
 /// Returns the elevation of a flat roof, or of a tier of a stack.
 double ClusterDrawer::top(std::uint32_t contour, const BuildingRecord& record) const {
-    if (input_.of == SurfaceOf::contours)
+    if (input_.of != SurfaceOf::buildings)
         return input_.records.top(contour);
     return flat_roof(record, input_.roof, input_.lattice);
 }
@@ -95,7 +105,7 @@ void ClusterDrawer::add_building(std::uint32_t contour) {
     const auto record = input_.buildings.of(number);
     if (!record)
         return;  // not in any layer; already reported
-    const double base = input_.of == SurfaceOf::contours ? input_.records.base(contour) : record->ground;
+    const double base = input_.of == SurfaceOf::buildings ? record->ground : input_.records.base(contour);
     const double roof = top(contour, *record);
     const bool flat =
         input_.of == SurfaceOf::buildings &&
@@ -111,43 +121,106 @@ void ClusterDrawer::add_building(std::uint32_t contour) {
     drawn_.buildings.push_back(*record);
 }
 
+void ClusterDrawer::add(surface::PartitionContour&& contour, std::int32_t level) {
+    drawn_.levels.push_back(level);
+    drawn_.cluster.contours.push_back(std::move(contour));
+}
+
+FinePolygon refined(const FinePolygon& outline) {
+    FinePolygon result{outline.exterior, outline.interiors};
+    const auto refine = [](FineRing& ring) {
+        for (FinePoint& point : ring)
+            point = {point.row * roofs::roof_steps, point.col * roofs::roof_steps};
+    };
+    refine(result.exterior);
+    std::ranges::for_each(result.interiors, refine);
+    return result;
+}
+
+/// Adds the faces of a roof, or marks the building as one of tiers if it has no roof.
+void ClusterDrawer::add_roof(std::uint32_t contour, const BuildingRecord& record) {
+    const std::int32_t building = building_place_.at(head(contour).building);
+    const std::int64_t base = drawn_.cluster.buildings[static_cast<std::size_t>(building)].base;
+    const auto roof = stacked_.contains(record.id) ? std::nullopt : input_.features.roofs->roof(contour);
+    std::vector<surface::PartitionContour> faces;
+    if (roof)
+        for (const roofs::RoofFace& face : roof->faces) {
+            auto plane =
+                input_.lattice.place_plane(face.outline, face.elevations, roofs::roof_steps, transform_);
+            if (!plane) {
+                faces.clear();
+                break;
+            }
+            const auto height = [&](double metres) {
+                return input_.lattice.height(metres / input_.lattice.frame().vertical_metres);
+            };
+            std::int64_t lowest = height(std::ranges::min(face.elevations));
+            // A slanted face has to stand on the ground with all corners. A level one below it is open
+            // ground.
+            if (!input_.lattice.gaps().rises_above(lowest, base)) {
+                lowest = height(std::accumulate(face.elevations.begin(), face.elevations.end(), 0.0) /
+                                static_cast<double>(face.elevations.size()));
+                plane.reset();
+                ++drawn_.levelled_faces;
+            }
+            faces.push_back({{face.outline.exterior, face.outline.interiors}, -1, building, lowest, plane});
+        }
+    if (faces.empty()) {
+        as_tiers_.insert(head(contour).building);
+        drawn_.stacked.push_back(record.id);
+    }
+    for (surface::PartitionContour& face : faces)
+        add(std::move(face), 1);
+}
+
 void ClusterDrawer::add_contour(std::uint32_t contour) {
     if (head(contour).key.level == 1)
         add_building(contour);
     const auto building = building_place_.find(head(contour).building);
     if (building == building_place_.end())
         return;
+    const BuildingRecord& record = drawn_.buildings[static_cast<std::size_t>(building->second)];
+    if (input_.of == SurfaceOf::roofs && head(contour).key.level == 1) {
+        add_roof(contour, record);
+        if (!as_tiers_.contains(head(contour).building))
+            return;
+    }
     const outline::Outliner& outliner = input_.features.outliner;
     surface::PartitionContour plan;
-    plan.outline = input_.of == SurfaceOf::contours ? outliner.outline(contour) : outliner.footprint(contour);
+    plan.outline =
+        input_.of == SurfaceOf::buildings ? outliner.footprint(contour) : outliner.outline(contour);
+    if (input_.of == SurfaceOf::roofs)
+        plan.outline = refined(plan.outline);
     plan.building = building->second;
-    plan.top = input_.lattice.height(top(contour, drawn_.buildings[static_cast<std::size_t>(plan.building)]));
+    plan.top = input_.lattice.height(top(contour, record));
     if (const auto parent = contour_place_.find(head(contour).parent); parent != contour_place_.end())
         plan.parent = parent->second;
-    drawn_.levels.push_back(head(contour).key.level);
     contour_place_[contour] = static_cast<std::int32_t>(drawn_.cluster.contours.size());
-    drawn_.cluster.contours.push_back(std::move(plan));
+    add(std::move(plan), head(contour).key.level);
 }
 
 /// Nodes the outlines before rounding: vertices that touch edges of other outlines become vertices of these.
 void ClusterDrawer::place() {
     std::vector<surface::PartitionContour>& contours = drawn_.cluster.contours;
-    if (!input_.lattice.is_exact()) {
+    const bool slanted = input_.of == SurfaceOf::roofs;
+    if (slanted) {
+        surface::route_through_vertices(contours);
+    } else if (!input_.lattice.is_exact()) {
         std::vector<FinePolygon> noded = surface::noded_outlines(contours);
         for (std::size_t i = 0; i < contours.size(); ++i)
             contours[i].outline = std::move(noded[i]);
     }
     std::vector<bool> is_lost(drawn_.buildings.size());
     for (surface::PartitionContour& contour : contours)
-        if (auto placed = input_.lattice.place(contour.outline, transform_))
+        if (auto placed = input_.lattice.place(contour.outline, transform_, slanted ? roofs::roof_steps : 1))
             contour.outline = std::move(*placed);
         else
             is_lost[static_cast<std::size_t>(contour.building)] = true;
     if (std::ranges::find(is_lost, true) != is_lost.end())
         drop(is_lost);
-    if (!input_.lattice.is_exact())
+    if (slanted || !input_.lattice.is_exact())
         surface::snap_round(drawn_.cluster.contours);
-    if (input_.of == SurfaceOf::contours)
+    if (input_.of != SurfaceOf::buildings)
         return;
     for (surface::PartitionContour& contour : contours) {
         const auto building = static_cast<std::size_t>(contour.building);
@@ -183,6 +256,8 @@ void ClusterDrawer::drop(const std::vector<bool>& is_lost) {
         rest.levels.push_back(drawn_.levels[i]);
     }
     rest.lost = std::move(drawn_.lost);
+    rest.stacked = std::move(drawn_.stacked);
+    rest.levelled_faces = drawn_.levelled_faces;
     drawn_ = std::move(rest);
 }
 
@@ -226,8 +301,8 @@ bool preserve_volumes(const std::vector<double>& area, surface::SurfaceCluster& 
 }
 
 DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
-                          std::optional<RingTransform>& transform) {
-    return ClusterDrawer(input, transform).draw(contours);
+                          std::optional<RingTransform>& transform, const std::set<std::int64_t>& stacked) {
+    return ClusterDrawer(input, transform, stacked).draw(contours);
 }
 
 namespace {

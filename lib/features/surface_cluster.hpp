@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct DrawnCluster {
     std::vector<BuildingRecord> buildings;  ///< records of the cluster's buildings
     std::vector<std::int32_t> levels;       ///< levels of its contours
     std::vector<LostBuilding> lost;         ///< buildings without ground, height or position in the CRS
+    std::vector<std::int64_t> stacked;  ///< ids of buildings that have tiers instead of the planes of roofs
+    std::int64_t levelled_faces = 0;    ///< faces of roofs that would reach below the ground
 };
 
 /// Returns the roof height of a single-block building on the lattice. With SurfaceRoof::mean the block
@@ -54,8 +57,10 @@ struct DrawnCluster {
 
 /// Collects the outlines and heights of the buildings in a group, on the surface lattice.
 /// @param contours ascending @param transform to the output CRS; one per thread
+/// @param stacked ids of buildings to draw as tiers, with SurfaceOf::roofs
 [[nodiscard]] DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
-                                        std::optional<RingTransform>& transform);
+                                        std::optional<RingTransform>& transform,
+                                        const std::set<std::int64_t>& stacked = {});
 
 /// Merges each tier with the one below if their areas differ by at most 0.1 %: the outline of the lower one
 /// is kept, at the height of the upper one. Also merges tiers that would no longer be higher than the tier

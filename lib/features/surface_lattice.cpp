@@ -20,6 +20,15 @@ double power_of_two_below(double value) {
     return std::exp2(std::floor(std::log2(value)));
 }
 
+/// Returns the number of parts of a step that leaves at most 0.6 mm.
+std::int64_t divisions_of(double step) {
+    constexpr double longest = 0.00062;
+    std::int64_t divisions = 1;
+    while (step / static_cast<double>(divisions) > longest)
+        divisions *= 2;
+    return divisions;
+}
+
 /// Returns the distance from the origin up to which adjacent floats are at most half a step apart.
 double single_precision_reach(double step) {
     constexpr double numbers = 0x1p24;  // 2^23 floats between powers of two, times two
@@ -85,14 +94,17 @@ SurfaceLattice::SurfaceLattice(const SurfaceLatticeParameters& terms)
     std::erase_if(corners, [](const Position& p) { return !std::isfinite(p.x) || !std::isfinite(p.y); });
     const auto [west, east] = std::ranges::minmax(corners, {}, &Position::x);
     const auto [south, north] = std::ranges::minmax(corners, {}, &Position::y);
+    if (terms.slanted)
+        divisions_ = divisions_of(terms.cell_size_m / FinePoint::steps);
+    const std::int64_t steps = FinePoint::steps * divisions_;
     if (is_exact_) {
         const Position corner = terms.georeference.position(corner_);
-        frame_.scale[0] = std::abs(terms.georeference.step(0, 1).x) / FinePoint::steps;
-        frame_.scale[1] = std::abs(terms.georeference.step(1, 0).y) / FinePoint::steps;
+        frame_.scale[0] = std::abs(terms.georeference.step(0, 1).x) / static_cast<double>(steps);
+        frame_.scale[1] = std::abs(terms.georeference.step(1, 0).y) / static_cast<double>(steps);
         frame_.translate = {corner.x, corner.y, 0};
     } else {
         frame_.scale[0] = frame_.scale[1] =
-            power_of_two_below(terms.cell_size_m / frame_.horizontal_metres / FinePoint::steps);
+            power_of_two_below(terms.cell_size_m / frame_.horizontal_metres / static_cast<double>(steps));
         frame_.translate = {std::floor(west.x), std::floor(south.y), 0};
     }
     gaps_ = gaps_in(terms.written(), frame_, {west.x, south.y}, {east.x, north.y});
@@ -118,29 +130,32 @@ FineRing SurfaceLattice::exact_ring(const FineRing& ring) const {
     FineRing placed;
     placed.reserve(ring.size());
     for (const FinePoint& point : ring)
-        placed.push_back({south_ ? point.row - corner_.row : corner_.row - point.row,
-                          east_ ? point.col - corner_.col : corner_.col - point.col});
+        placed.push_back({divisions_ * (south_ ? point.row - corner_.row : corner_.row - point.row),
+                          divisions_ * (east_ ? point.col - corner_.col : corner_.col - point.col)});
     if (east_ != south_)  // a single mirrored axis reverses the orientation
         std::ranges::reverse(placed);
     return placed;
 }
 
 std::optional<FinePolygon> SurfaceLattice::place(const FinePolygon& outline,
-                                                 std::optional<RingTransform>& transform) const {
-    if (is_exact_) {
+                                                 std::optional<RingTransform>& transform,
+                                                 std::int64_t divisor) const {
+    if (is_exact_ && divisor == 1) {
         FinePolygon placed{exact_ring(outline.exterior), {}};
         for (const FineRing& ring : outline.interiors)
             placed.interiors.push_back(exact_ring(ring));
         return placed;
     }
-    WorldPolygon world = terms_.georeference.polygon(FinePolygon{outline.exterior, outline.interiors});
+    WorldPolygon world =
+        terms_.georeference.polygon(FinePolygon{outline.exterior, outline.interiors}, divisor);
     const auto rounded = [&](WorldRing& ring) -> std::optional<FineRing> {
         if (transform && transform->apply(ring) != RingProjection::whole)
             return std::nullopt;
         FineRing placed;
-        for (const Position& p : ring)
-            placed.push_back({-std::llround((p.y - frame_.translate[1]) / frame_.scale[1]),
-                              std::llround((p.x - frame_.translate[0]) / frame_.scale[0])});
+        for (const Position& p : ring) {
+            const auto [row, col] = steps_to(p);
+            placed.push_back({std::llround(row), std::llround(col)});
+        }
         return placed;
     };
     FinePolygon placed;
@@ -157,6 +172,70 @@ std::optional<FinePolygon> SurfaceLattice::place(const FinePolygon& outline,
             placed.interiors.push_back(std::move(*one));
     }
     return placed;
+}
+
+namespace {
+
+/// Corner of a face: row and column in steps, height.
+using FaceCorner = std::array<double, 3>;
+
+/// Least squares, because projected corners are not exactly on a plane.
+surface::RoofPlane fit_plane(std::span<const FaceCorner> corners) {
+    FaceCorner mean{};
+    for (const FaceCorner& c : corners)
+        for (std::size_t i = 0; i < c.size(); ++i)
+            mean[i] += c[i] / static_cast<double>(corners.size());
+    const FinePoint at{std::llround(mean[0]), std::llround(mean[1])};
+    double rr = 0;
+    double rc = 0;
+    double cc = 0;
+    double rz = 0;
+    double cz = 0;
+    for (const FaceCorner& corner : corners) {
+        const double r = corner[0] - mean[0];
+        const double c = corner[1] - mean[1];
+        const double z = corner[2] - mean[2];
+        rr += r * r;
+        rc += r * c;
+        cc += c * c;
+        rz += r * z;
+        cz += c * z;
+    }
+    const double determinant = rr * cc - rc * rc;
+    surface::RoofPlane plane{at, mean[2], 0, 0};
+    if (determinant > 0) {
+        plane.per_row = (rz * cc - cz * rc) / determinant;
+        plane.per_col = (cz * rr - rz * rc) / determinant;
+    }
+    plane.height += (static_cast<double>(at.row) - mean[0]) * plane.per_row +
+                    (static_cast<double>(at.col) - mean[1]) * plane.per_col;
+    return plane;
+}
+
+}  // namespace
+
+std::optional<surface::RoofPlane> SurfaceLattice::place_plane(const FinePolygon& outline,
+                                                              std::span<const double> elevations,
+                                                              std::int64_t divisor,
+                                                              std::optional<RingTransform>& transform) const {
+    std::vector<Position> places;
+    for (const FinePoint& point : outline.exterior)
+        places.push_back(terms_.georeference.position(point, divisor));
+    for (const FineRing& ring : outline.interiors)
+        for (const FinePoint& point : ring)
+            places.push_back(terms_.georeference.position(point, divisor));
+    if (transform && !transform->apply_to_positions(places))
+        return std::nullopt;
+    std::vector<FaceCorner> corners;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto [row, col] = steps_to(places[i]);
+        corners.push_back({row, col, elevations[i] / millimetre});
+    }
+    surface::RoofPlane plane = fit_plane(corners);
+    plane.cosine =
+        1 / std::hypot(1, plane.per_row * millimetre / (frame_.scale[1] * frame_.horizontal_metres),
+                       plane.per_col * millimetre / (frame_.scale[0] * frame_.horizontal_metres));
+    return plane;
 }
 
 void SurfaceLattice::require_single_precision() const {

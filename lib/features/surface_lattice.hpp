@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "core/crs.hpp"
@@ -24,6 +26,8 @@ struct SurfaceLatticeParameters {
     double vertical_metres = 1;
     std::optional<std::array<double, 3>> origin;  ///< origin of local coordinates, metres
     std::string_view option_name = "-surface";    ///< option named in messages
+    bool slanted =
+        false;  ///< true to divide steps up to 0.6 mm, because slanted roofs meet in rounded points
 
     [[nodiscard]] const Crs& written() const {
         return target_crs.kind() == Crs::Kind::none ? crs : target_crs;
@@ -54,10 +58,16 @@ class SurfaceLattice {
     void set_lowest(double lowest);
 
     /// Maps an outline to this lattice: columns eastwards, rows southwards.
-    /// @param transform to the output CRS; one per thread
+    /// @param transform to the output CRS; one per thread @param divisor points of the outline per fine step
     /// @return nullopt if the output CRS tears it
     [[nodiscard]] std::optional<FinePolygon> place(const FinePolygon& outline,
-                                                   std::optional<RingTransform>& transform) const;
+                                                   std::optional<RingTransform>& transform,
+                                                   std::int64_t divisor = 1) const;
+    /// Fits the plane of a face of a roof. @param elevations of the corners of its rings, in metres
+    /// @return nullopt if the output CRS tears it
+    [[nodiscard]] std::optional<surface::RoofPlane> place_plane(
+        const FinePolygon& outline, std::span<const double> elevations, std::int64_t divisor,
+        std::optional<RingTransform>& transform) const;
 
     /// Checks that single precision resolves one step in the whole window. @throws OptionError naming the
     /// largest window that works
@@ -67,16 +77,21 @@ class SurfaceLattice {
 
   private:
     [[nodiscard]] FineRing exact_ring(const FineRing& ring) const;
+    /// Row and column of a position, in steps.
+    [[nodiscard]] std::array<double, 2> steps_to(const Position& p) const {
+        return {(frame_.translate[1] - p.y) / frame_.scale[1], (p.x - frame_.translate[0]) / frame_.scale[0]};
+    }
 
     SurfaceLatticeParameters terms_;
     SurfaceFrame frame_;
     surface::GapTolerances gaps_;
     std::array<Position, 4> corners_{};
     bool is_exact_;
-    bool east_;         ///< columns run eastwards
-    bool south_;        ///< rows run southwards
-    FinePoint corner_;  ///< south-western corner of the frame
-    double reach_ = 0;  ///< largest local coordinate of the window, metres
+    bool east_;                   ///< columns run eastwards
+    bool south_;                  ///< rows run southwards
+    std::int64_t divisions_ = 1;  ///< of a fine step
+    FinePoint corner_;            ///< south-western corner of the frame
+    double reach_ = 0;            ///< largest local coordinate of the window, metres
 };
 
 }  // namespace d2b::features

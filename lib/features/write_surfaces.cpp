@@ -4,7 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
+#include <map>
+#include <numbers>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,12 +20,14 @@
 #include "features/write_features.hpp"
 #include "geometry/geos.hpp"
 #include "options/provenance_text.hpp"
+#include "roofs/roof_type.hpp"
 #include "surface/level_roofs.hpp"
 
 namespace d2b::features {
 namespace {
 
 constexpr std::int64_t max_lost_named = 10;
+constexpr double degrees_per_radian = 180 / std::numbers::pi;
 
 /// Per-thread state.
 struct SurfaceWorker {
@@ -36,6 +42,8 @@ struct GroupSurfaces {
     std::vector<SurfacePart> tiers;
     std::vector<LostBuilding> lost;
     std::vector<PlacedProblem> problems;  // if asked for
+    std::int64_t stacked = 0;             // buildings with tiers instead of the planes of roofs
+    std::int64_t levelled_faces = 0;      // faces of roofs that would reach below the ground
     std::int64_t steps_changed = 0;       // roof steps lower than -min_wall that were levelled
     std::int64_t steps_left = 0;          // roof steps lower than -min_wall that remain
 };
@@ -84,6 +92,34 @@ std::vector<double> roof_areas(const surface::SurfaceCluster& cluster, const sur
             areas[static_cast<std::size_t>(place - cluster.buildings.begin())] = twice / 2;
         }
     return areas;
+}
+
+/// Slope and azimuth of a plane, in the plane of the CRS.
+SurfaceRoofPlane plane_of(const surface::RoofPlane& plane, const SurfaceFrame& frame) {
+    const double height = frame.scale[2] * frame.vertical_metres;
+    const double east = plane.per_col * height / (frame.scale[0] * frame.horizontal_metres);
+    const double south = plane.per_row * height / (frame.scale[1] * frame.horizontal_metres);
+    const double slope = std::atan(std::hypot(east, south)) * degrees_per_radian;
+    if (slope < roofs::flat_degrees)
+        return {slope, std::numeric_limits<double>::quiet_NaN()};
+    const double azimuth = std::atan2(-east, south) * degrees_per_radian;
+    return {slope, azimuth < 0 ? azimuth + 360 : azimuth};
+}
+
+/// Lists the planes of a building's roof. @param building whose faces refer to contours of the cluster
+void describe_roofs(const surface::SurfaceCluster& cluster, const SurfaceFrame& frame,
+                    SurfaceBuilding& building) {
+    std::map<std::int32_t, std::int32_t> numbers;
+    for (SurfaceFace& face : building.faces) {
+        if (face.roof < 0)
+            continue;
+        const auto [found, is_new] =
+            numbers.try_emplace(face.roof, static_cast<std::int32_t>(building.roofs.size()));
+        if (is_new)
+            building.roofs.push_back(
+                plane_of(*cluster.contours[static_cast<std::size_t>(face.roof)].plane, frame));
+        face.roof = found->second;
+    }
 }
 
 /// Makes the surfaces of groups and passes them to the sinks. make() is thread-safe because each thread has a
@@ -144,8 +180,9 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
 
 void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWorker& worker,
                                 GroupSurfaces& result) {
+    std::set<std::int64_t> stacked;
     DrawnCluster drawn = draw_cluster(input_, group, worker.transform);
-    if (input_.of == SurfaceOf::contours)
+    if (input_.of != SurfaceOf::buildings)
         merge_equal_tiers(drawn);
     const auto made_of = [&](const surface::SurfaceCluster& cluster) {
         return surface::make_surfaces(
@@ -153,6 +190,18 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWor
             context_.threads->stop());
     };
     result.made = made_of(drawn.cluster);
+    // A building whose roof prevents a closed surface gets tiers, and is left out only if these do so as
+    // well.
+    while (input_.of == SurfaceOf::roofs && std::ranges::any_of(result.made.left_out, [&](std::int64_t id) {
+               return std::ranges::find(drawn.stacked, id) == drawn.stacked.end();
+           })) {
+        stacked.insert(result.made.left_out.begin(), result.made.left_out.end());
+        drawn = draw_cluster(input_, group, worker.transform, stacked);
+        merge_equal_tiers(drawn);
+        result.made = made_of(drawn.cluster);
+    }
+    result.stacked = std::ssize(drawn.stacked);
+    result.levelled_faces = drawn.levelled_faces;
     const bool moved = fits_volumes() && !result.made.repairs.empty() &&
                        preserve_volumes(roof_areas(drawn.cluster, result.made), drawn.cluster);
     // Levelled last, because other steps would separate equal roofs again.
@@ -165,6 +214,8 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWor
     const auto attributes = building_attributes(input_.features.setup.plan.asked);
     fill_values(drawn.buildings, attributes, result.made.solids);
     fill_values(drawn.buildings, attributes, result.made.shell);
+    for (SurfacePart& part : result.made.solids)
+        describe_roofs(drawn.cluster, input_.lattice.frame(), part.buildings.front());
     result.lost = std::move(drawn.lost);
     add_left_out(drawn, result.made, result.lost);
     std::ranges::sort(result.lost, {}, &LostBuilding::id);
@@ -223,6 +274,8 @@ void SurfaceWriter::warn_of_lost(const std::vector<LostBuilding>& lost) {
 
 void SurfaceWriter::add(GroupSurfaces&& group) {
     count(group.made);
+    context_.report.count(Reason::surface_roof_tiers, group.stacked);
+    context_.report.count(Reason::surface_face_level, group.levelled_faces);
     context_.report.count(Reason::flow_changed, group.steps_changed);
     context_.report.count(Reason::flow_unchanged, group.steps_left);
     steps_left_ += group.steps_left;
@@ -261,7 +314,9 @@ SurfaceMeta surface_meta(const RunPlan& plan, const SurfaceLattice& lattice, con
     const bool tiers = plan.surface_of == SurfaceOf::contours || plan.asked.detect.split_height > 0;
     const FieldNames names = plan.asked.write.fields;
     SurfaceMeta meta{lattice.frame(),
-                     tiers ? "1.3" : "1.2",
+                     plan.surface_of == SurfaceOf::roofs ? "2.2"
+                     : tiers                             ? "1.3"
+                                                         : "1.2",
                      field_specs(building_attributes(plan.asked), units.vertical, names),
                      units.vertical_is_known ? units.vertical : "",
                      {written.wkt(), {}}};

@@ -20,6 +20,7 @@ constexpr std::string_view no_layers = "a sweep writes no layers and no rasters"
 constexpr std::string_view round_walls = "only -regularize auto makes round walls";
 constexpr std::string_view thesis_walls = "its outlines stay as traced unless -regularize auto is given";
 
+constexpr std::string_view flow_roofs = "roofs are planes that meet, and have edges of any length";
 constexpr std::string_view flow_walls = "arcs are short walls, which are merged";
 
 constexpr OptionCondition given(std::string_view name) {
@@ -56,6 +57,12 @@ constexpr std::array rules{
     exclude(given("overwrite"), given("append"), "replace the layers or add to them"),
     exclude(given("roofs"), is("detail", "0"),
             "borders between faces would cost nothing, so give a larger -detail"),
+    exclude(is("surface_of", "roofs"), is("detail", "0"),
+            "borders between faces would cost nothing, so give a larger -detail"),
+    exclude(is("surface_of", "roofs"), is("preset", "thesis"), "it detects no buildings"),
+    exclude(is("surface_of", "roofs"), is_not("flow_ready", "0"), flow_roofs),
+    exclude(is("surface_of", "roofs"), given("min_gap"), flow_roofs),
+    exclude(is("surface_of", "roofs"), given("min_wall"), flow_roofs),
     exclude(is_not("simplify", "0"), is_not("regularize", "off"), "straight walls need no simplification"),
 
     // Levels.
@@ -95,6 +102,7 @@ constexpr std::array rules{
 
     // Surfaces.
     no_effect(given("surface_roof"), is("surface_of", "contours"), "tiers have heights of their own"),
+    no_effect(given("surface_roof"), is("surface_of", "roofs"), "planes have heights of their own"),
     no_effect(given("surface_roof"), is("preset", "thesis"),
               "its surface is that of the contours unless -surface_of buildings is given",
               given("surface_of")),
@@ -128,7 +136,6 @@ constexpr std::array needs{
     OptionDependency{"off", "i", "it is the elevation that the intervals count from"},
     OptionDependency{"cutline_layer", "cutline", "it names the layer of its polygons"},
     OptionDependency{"preview_size", "preview", "it is the size of its picture"},
-    OptionDependency{"roof_min_area", "roofs", "it is the size of their faces"},
     OptionDependency{"surface_of", "surface", "it is the model of the surface"},
     OptionDependency{"surface_roof", "surface", "it is the height of its flat roofs"},
     OptionDependency{"surface_solids", "surface", "it says how many objects an OBJ has, or solids an STL"},
@@ -277,6 +284,14 @@ void check_solids(const Request& request) {
             "ends in .obj or .stl.");
 }
 
+/// One of two options needs a certain value, which the table of dependencies cannot say.
+void check_roofs(const Request& request) {
+    const WriteOptions& write = request.options.write;
+    if (find_option("roof_min_area")->is_given(request) && !write.roofs &&
+        write.surface_of != SurfaceOf::roofs)
+        throw OptionError("-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces.");
+}
+
 }  // namespace
 
 void check_options(const Request& request) {
@@ -287,6 +302,7 @@ void check_options(const Request& request) {
         check_need(need, request);
     check_offset(request.options.levels);
     check_solids(request);
+    check_roofs(request);
     if (!request.tool.sweep.empty() && !request.options.write.preview.empty())
         require_legible(request.tool.sweep_plan.trials(), request.options.write.preview_size);
 }

@@ -49,7 +49,8 @@ std::vector<OptionRow> dataset() {
 
 /// Options of building surfaces.
 std::vector<OptionRow> surface() {
-    const Choices<SurfaceOf> of{{"buildings", SurfaceOf::buildings}, {"contours", SurfaceOf::contours}};
+    const Choices<SurfaceOf> of{
+        {"buildings", SurfaceOf::buildings}, {"contours", SurfaceOf::contours}, {"roofs", SurfaceOf::roofs}};
     const Choices<SurfaceRoof> roofs{{"mean", SurfaceRoof::mean}, {"p50", SurfaceRoof::p50},
                                      {"p70", SurfaceRoof::p70},   {"p90", SurfaceRoof::p90},
                                      {"p95", SurfaceRoof::p95},   {"max", SurfaceRoof::max}};
@@ -75,7 +76,8 @@ std::vector<OptionRow> surface() {
                     .section = DialogSection::output,
                     .help = "Model of the surface.",
                     .details = "buildings: one block with a flat roof per building. contours: the tiers of "
-                               "each building's stack. By default buildings, with -preset thesis contours.",
+                               "each building's stack. roofs: the planes of each roof, LoD2.2. By default "
+                               "buildings, with -preset thesis contours.",
                     .python = Python::extract_file,
                     .repeats = false}));
     rows.push_back(choice_row(

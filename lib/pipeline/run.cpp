@@ -217,7 +217,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     outline::Outliner outliner = features::draw_outlines(*contours, setup, context);
     const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
     std::optional<features::StoredRoofs> roofs;
-    if (setup.plan.asked.write.roofs)
+    if (setup.plan.needs_roofs())
         roofs.emplace(extract_roofs(reader, *found, *contours, outliner, setup, context));
     std::optional<features::BuildingRecords> building_records;
     if (lattice)

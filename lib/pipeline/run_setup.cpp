@@ -155,7 +155,8 @@ std::optional<features::SurfaceLattice> set_up_surfaces(const features::RunSetup
                                       features::lattice_frame(setup.dem.window, setup.plan.trace),
                                       cell_size_m(setup.dem.window, setup.area), units.vertical_metres,
                                       setup.plan.asked.write.surface_origin,
-                                      is_page(sinks) ? "-page" : "-surface"});
+                                      is_page(sinks) ? "-page" : "-surface",
+                                      setup.plan.surface_of == SurfaceOf::roofs});
     if (has_shells(sinks))
         lattice.require_single_precision();
     for (SurfaceSink* sink : sinks.surfaces)

@@ -15,22 +15,28 @@
 #include "surface/faces.hpp"
 #include "surface/partition.hpp"
 #include "surface/planar_partition.hpp"
+#include "surface/roof_heights.hpp"
 #include "surface/vertex_snapping.hpp"
 
 namespace d2b::surface {
 
-/// Input of an extrusion: each contour of a plan extends from the base to its top.
+/// Input of an extrusion: each contour of a plan extends from the base to its roof.
 struct ExtrusionInput {
     PlanarPartition plan;                    ///< contains only these contours; everything else is outside
-    std::span<const std::int64_t> tops;      ///< by contour; above the base if the contour has an edge
+    const RoofHeights& roofs;                ///< above the base wherever a contour has an edge
     std::span<const std::int32_t> building;  ///< by contour
     std::int64_t base = 0;
+
+    /// @param contour next to the node
+    [[nodiscard]] std::int64_t height(std::int32_t contour, std::uint32_t node) const {
+        return contour == open_ground ? base : roofs.at(contour, plan.nodes[node]);
+    }
 };
 
-/// Horizontal face.
-struct HorizontalFace {
+/// Face that is not a wall.
+struct CoverFace {
     std::int32_t building = 0;
-    std::int64_t z = 0;
+    std::int32_t contour = open_ground;  ///< open_ground: the ground of the building
     PartitionFace face;
 };
 
@@ -39,22 +45,22 @@ struct WallFace {
     std::int32_t building = 0;  ///< the higher building
     std::uint32_t left_node = 0;
     std::uint32_t right_node = 0;
-    std::vector<std::int64_t> left;   ///< ascending heights, at least two
-    std::vector<std::int64_t> right;  ///< ascending heights, with the same ends as `left`
+    std::vector<std::int64_t> left;   ///< ascending heights; one if the roofs meet there
+    std::vector<std::int64_t> right;  ///< ascending heights; at least two on one side
 };
 
 /// Surface of the extruded plan. It is closed, because a wall has a vertex at every height at which a roof
 /// next to one of its vertical edges ends.
 struct Extrusion {
-    std::vector<HorizontalFace> roofs;
-    std::vector<HorizontalFace> grounds;  ///< one outline per building, as seen from above
-    std::vector<WallFace> walls;          ///< sorted like the edges
+    std::vector<CoverFace> roofs;
+    std::vector<CoverFace> grounds;  ///< one outline per building, as seen from above
+    std::vector<WallFace> walls;     ///< sorted like the edges
 };
 
 [[nodiscard]] Extrusion extrude(const ExtrusionInput& standing);
 
 /// Builds a surface of polygons. @param ids of the buildings, by index
-[[nodiscard]] SurfacePart assemble_faces(const Extrusion& extrusion, const PlanarPartition& plan,
+[[nodiscard]] SurfacePart assemble_faces(const Extrusion& extrusion, const ExtrusionInput& standing,
                                          std::span<const std::int64_t> ids);
 
 /// Surface of triangles, or the buildings with a face that could not be triangulated.
@@ -62,7 +68,8 @@ struct AssembledTriangles {
     SurfacePart part;
     std::vector<std::int32_t> failed;  ///< ascending; if not empty, the part is unusable
 };
-[[nodiscard]] AssembledTriangles assemble_triangles(const Extrusion& extrusion, const PlanarPartition& plan,
+[[nodiscard]] AssembledTriangles assemble_triangles(const Extrusion& extrusion,
+                                                    const ExtrusionInput& standing,
                                                     std::span<const std::int64_t> ids,
                                                     const Triangulate& triangulate);
 
@@ -83,9 +90,6 @@ class Extruder {
     }
 
   private:
-    [[nodiscard]] std::int64_t height(std::int32_t contour) const {
-        return contour == open_ground ? standing_.base : standing_.tops[static_cast<std::size_t>(contour)];
-    }
     [[nodiscard]] std::int32_t building(std::int32_t contour) const {
         return contour == open_ground ? open_ground : standing_.building[static_cast<std::size_t>(contour)];
     }
@@ -102,7 +106,7 @@ class Extruder {
 
 void Extruder::add_roofs(Extrusion& result) const {
     for (OwnedFace& owned : partition_faces(standing_.plan))
-        result.roofs.push_back({building(owned.owner), height(owned.owner), std::move(owned.face)});
+        result.roofs.push_back({building(owned.owner), owned.owner, std::move(owned.face)});
 }
 
 /// Adds the ground of each building as a whole, whatever stands on it.
@@ -114,7 +118,7 @@ void Extruder::add_grounds(Extrusion& result) const {
             plan.edges.push_back(low);
     straighten(plan, Straighten::inside);
     for (OwnedFace& owned : partition_faces(plan))
-        result.grounds.push_back({owned.owner, standing_.base, std::move(owned.face)});
+        result.grounds.push_back({owned.owner, open_ground, std::move(owned.face)});
 }
 
 void Extruder::find_heights() {
@@ -122,7 +126,7 @@ void Extruder::find_heights() {
     for (const PartitionEdge& edge : standing_.plan.edges)
         for (const std::uint32_t node : {edge.from, edge.to})
             for (const std::int32_t contour : {edge.left, edge.right})
-                heights_[node].push_back(height(contour));
+                heights_[node].push_back(standing_.height(contour, node));
     for (std::vector<std::int64_t>& heights : heights_) {
         std::ranges::sort(heights);
         heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
@@ -134,16 +138,23 @@ std::vector<std::int64_t> Extruder::column(std::uint32_t node, std::int64_t low,
     return {std::ranges::lower_bound(all, low), std::ranges::upper_bound(all, high)};
 }
 
+/// Adds the wall between the roofs on both sides of an edge, of which one is higher at one end at least.
 void Extruder::add_wall(const PartitionEdge& edge, Extrusion& result) const {
-    const std::int64_t left = height(edge.left);
-    const std::int64_t right = height(edge.right);
-    if (left == right)
+    const std::int64_t left_from = standing_.height(edge.left, edge.from);
+    const std::int64_t right_from = standing_.height(edge.right, edge.from);
+    const std::int64_t left_to = standing_.height(edge.left, edge.to);
+    const std::int64_t right_to = standing_.height(edge.right, edge.to);
+    if (left_from == right_from && left_to == right_to)
         return;
+    const bool left_is_higher = left_from > right_from || left_to > right_to;
+    std::vector<std::int64_t> from =
+        column(edge.from, std::min(left_from, right_from), std::max(left_from, right_from));
+    std::vector<std::int64_t> to = column(edge.to, std::min(left_to, right_to), std::max(left_to, right_to));
     // Seen from the lower side.
-    const auto [low, high] = std::minmax(left, right);
-    const auto [from, to] = left > right ? std::pair(edge.from, edge.to) : std::pair(edge.to, edge.from);
-    result.walls.push_back({building(left > right ? edge.left : edge.right), from, to,
-                            column(from, low, high), column(to, low, high)});
+    if (left_is_higher)
+        result.walls.push_back({building(edge.left), edge.from, edge.to, std::move(from), std::move(to)});
+    else
+        result.walls.push_back({building(edge.right), edge.to, edge.from, std::move(to), std::move(from)});
 }
 
 }  // namespace
@@ -190,19 +201,20 @@ class PartBuilder {
     SurfacePart part_;
 };
 
-/// Returns a horizontal face. Seen from below (ground), its rings are reversed.
-SurfaceFace level_face(const HorizontalFace& level, FaceKind kind, PartBuilder& builder) {
+/// Returns a roof or a ground. Seen from below (ground), its rings are reversed.
+SurfaceFace cover_face(const CoverFace& cover, FaceKind kind, const ExtrusionInput& standing,
+                       PartBuilder& builder) {
     const auto ring_of = [&](const std::vector<std::uint32_t>& nodes) {
         std::vector<std::uint32_t> ring;
         ring.reserve(nodes.size());
         for (const std::uint32_t node : nodes)
-            ring.push_back(builder.corner(node, level.z));
+            ring.push_back(builder.corner(node, standing.height(cover.contour, node)));
         if (kind == FaceKind::ground)
             std::ranges::reverse(ring);
         return ring;
     };
-    SurfaceFace face{kind, ring_of(level.face.exterior), {}};
-    for (const auto& nodes : level.face.interiors)
+    SurfaceFace face{kind, ring_of(cover.face.exterior), {}, cover.contour};
+    for (const auto& nodes : cover.face.interiors)
         face.interiors.push_back(ring_of(nodes));
     return face;
 }
@@ -258,49 +270,51 @@ class FaceTriangles {
     std::map<PartitionFace, std::optional<std::vector<PartitionTriangle>>> known_;
 };
 
-void add_level(const HorizontalFace& level, FaceKind kind, const std::vector<PartitionTriangle>& triangles,
-               PartBuilder& builder) {
+void add_cover(const CoverFace& cover, FaceKind kind, const std::vector<PartitionTriangle>& triangles,
+               const ExtrusionInput& standing, PartBuilder& builder) {
     for (PartitionTriangle triangle : triangles) {
         if (kind == FaceKind::ground)
             std::swap(triangle[1], triangle[2]);
         SurfaceTriangle made{kind, {}};
-        std::ranges::transform(triangle, made.corners.begin(),
-                               [&](std::uint32_t node) { return builder.corner(node, level.z); });
-        builder.building(level.building).triangles.push_back(made);
+        std::ranges::transform(triangle, made.corners.begin(), [&](std::uint32_t node) {
+            return builder.corner(node, standing.height(cover.contour, node));
+        });
+        builder.building(cover.building).triangles.push_back(made);
     }
 }
 
 }  // namespace
 
-SurfacePart assemble_faces(const Extrusion& extrusion, const PlanarPartition& plan,
+SurfacePart assemble_faces(const Extrusion& extrusion, const ExtrusionInput& standing,
                            std::span<const std::int64_t> ids) {
-    PartBuilder builder(plan, ids);
-    for (const HorizontalFace& level : extrusion.roofs)
-        builder.building(level.building).faces.push_back(level_face(level, FaceKind::roof, builder));
+    PartBuilder builder(standing.plan, ids);
+    for (const CoverFace& roof : extrusion.roofs)
+        builder.building(roof.building).faces.push_back(cover_face(roof, FaceKind::roof, standing, builder));
     for (const WallFace& wall : extrusion.walls)
         builder.building(wall.building).faces.push_back(wall_face(wall, builder));
-    for (const HorizontalFace& level : extrusion.grounds)
-        builder.building(level.building).faces.push_back(level_face(level, FaceKind::ground, builder));
+    for (const CoverFace& ground : extrusion.grounds)
+        builder.building(ground.building)
+            .faces.push_back(cover_face(ground, FaceKind::ground, standing, builder));
     return builder.take();
 }
 
-AssembledTriangles assemble_triangles(const Extrusion& extrusion, const PlanarPartition& plan,
+AssembledTriangles assemble_triangles(const Extrusion& extrusion, const ExtrusionInput& standing,
                                       std::span<const std::int64_t> ids, const Triangulate& triangulate) {
-    PartBuilder builder(plan, ids);
-    FaceTriangles faces(plan, triangulate);
+    PartBuilder builder(standing.plan, ids);
+    FaceTriangles faces(standing.plan, triangulate);
     AssembledTriangles result;
-    const auto add = [&](const HorizontalFace& level, FaceKind kind) {
-        if (const auto& triangles = faces.of(level.face))
-            add_level(level, kind, *triangles, builder);
+    const auto add = [&](const CoverFace& cover, FaceKind kind) {
+        if (const auto& triangles = faces.of(cover.face))
+            add_cover(cover, kind, *triangles, standing, builder);
         else
-            result.failed.push_back(level.building);
+            result.failed.push_back(cover.building);
     };
-    for (const HorizontalFace& level : extrusion.roofs)
-        add(level, FaceKind::roof);
+    for (const CoverFace& roof : extrusion.roofs)
+        add(roof, FaceKind::roof);
     for (const WallFace& wall : extrusion.walls)
         add_wall(wall, builder);
-    for (const HorizontalFace& level : extrusion.grounds)
-        add(level, FaceKind::ground);
+    for (const CoverFace& ground : extrusion.grounds)
+        add(ground, FaceKind::ground);
     std::ranges::sort(result.failed);
     result.part = builder.take();
     return result;
@@ -309,6 +323,30 @@ AssembledTriangles assemble_triangles(const Extrusion& extrusion, const PlanarPa
 namespace {
 
 using Places = std::vector<std::int32_t>;  ///< indices of buildings
+
+/// Returns true if each edge is traversed once in each direction. With slanted roofs that depends on heights
+/// that have been rounded.
+bool is_closed(const SurfacePart& part) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    const auto add = [&](std::span<const std::uint32_t> ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            edges.emplace_back(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+    };
+    for (const SurfaceBuilding& building : part.buildings) {
+        for (const SurfaceFace& face : building.faces) {
+            add(face.exterior);
+            for (const std::vector<std::uint32_t>& interior : face.interiors)
+                add(interior);
+        }
+        for (const SurfaceTriangle& triangle : building.triangles)
+            add(triangle.corners);
+    }
+    std::ranges::sort(edges);
+    return std::ranges::adjacent_find(edges) == edges.end() &&
+           std::ranges::all_of(edges, [&](const auto& edge) {
+               return std::ranges::binary_search(edges, std::pair(edge.second, edge.first));
+           });
+}
 
 /// Contours of the buildings that have not been excluded.
 class IncludedContours {
@@ -367,6 +405,13 @@ class SurfaceMaker {
   private:
     using Edges = std::vector<std::uint32_t>;
     [[nodiscard]] bool draw_plan();
+    [[nodiscard]] bool raise_roofs();
+    [[nodiscard]] bool is_slanted(std::int32_t contour) const {
+        return included_.contours()[static_cast<std::size_t>(contour)].plane.has_value();
+    }
+    [[nodiscard]] std::int64_t base(std::int32_t contour) const {
+        return cluster_.buildings[static_cast<std::size_t>(included_.building(contour))].base;
+    }
     void remove_flat_contours();
     [[nodiscard]] std::vector<std::uint32_t> blocks() const;
     [[nodiscard]] std::vector<Edges> edges_by(const std::vector<std::uint32_t>& group) const;
@@ -381,16 +426,17 @@ class SurfaceMaker {
     const Triangulate& triangulate_;
     const StopToken& stop_;
     std::vector<std::int64_t> ids_;
-    std::vector<std::int64_t> tops_;  // by contour
-    Places building_of_;              // by contour
+    RoofHeights roofs_;
+    Places building_of_;  // by contour
     PlanarPartition plan_;
+    std::vector<FinePoint> crossings_;  // nodes at which roofs cross each other
     Attempt attempt_;
 };
 
-/// Removes contours whose roofs are not above the base of their building.
+/// Removes contours whose level roofs are not above the base of their building.
 void SurfaceMaker::remove_flat_contours() {
     const auto is_flat = [&](std::int32_t contour) {
-        if (contour == open_ground)
+        if (contour == open_ground || is_slanted(contour))
             return false;
         const auto c = static_cast<std::size_t>(contour);
         return !forms_.gaps.rises_above(included_.contours()[c].top,
@@ -414,8 +460,6 @@ bool SurfaceMaker::draw_plan() {
     remove_flat_contours();
     merge_near_nodes(plan_, forms_.gaps.corners);
     level_near_roofs(plan_, included_.contours(), forms_.gaps.heights);
-    for (const PartitionContour& contour : included_.contours())
-        tops_.push_back(contour.top);
     ResolvedVertices taken =
         resolve_nonmanifold_vertices(plan_, included_.contours(), {forms_.move_steps, forms_.gaps}, stop_);
     if (!taken.unresolved.empty()) {
@@ -427,7 +471,22 @@ bool SurfaceMaker::draw_plan() {
         for (std::int32_t& contour : mend.contours)
             contour = included_.number(contour);
     attempt_.made.repairs = std::move(taken.repairs);
-    return true;
+    return raise_roofs();
+}
+
+/// Sets the heights of roofs. @return false if roofs cross along an edge, or are not above their base
+bool SurfaceMaker::raise_roofs() {
+    crossings_ = split_crossings(plan_, included_.contours());
+    roofs_ = RoofHeights(plan_, included_.contours());
+    for (const std::int32_t contour : roofs_.join_near_crossings(plan_))
+        attempt_.obstructing.push_back(included_.building(contour));
+    for (const PartitionEdge& edge : plan_.edges)
+        for (const std::int32_t contour : {edge.left, edge.right})
+            if (contour != open_ground && is_slanted(contour))
+                for (const std::uint32_t node : {edge.from, edge.to})
+                    if (!forms_.gaps.rises_above(roofs_.at(contour, plan_.nodes[node]), base(contour)))
+                        attempt_.obstructing.push_back(included_.building(contour));
+    return attempt_.obstructing.empty();
 }
 
 /// Returns a number per building that is equal for buildings with common walls.
@@ -462,18 +521,18 @@ std::vector<SurfaceMaker::Edges> SurfaceMaker::edges_by(const std::vector<std::u
 
 ExtrusionInput SurfaceMaker::standing(const Edges& edges, const std::vector<std::uint32_t>& group,
                                       std::uint32_t which) const {
-    ExtrusionInput result{
-        extract_partition(plan_, edges,
-                          [&](std::int32_t contour) {
-                              return group[static_cast<std::size_t>(included_.building(contour))] == which;
-                          }),
-        tops_, building_of_, std::numeric_limits<std::int64_t>::max()};
+    ExtrusionInput result{extract_partition(
+                              plan_, edges,
+                              [&](std::int32_t contour) {
+                                  return group[static_cast<std::size_t>(included_.building(contour))] ==
+                                         which;
+                              },
+                              crossings_),
+                          roofs_, building_of_, std::numeric_limits<std::int64_t>::max()};
     for (const PartitionEdge& edge : result.plan.edges)
         for (const std::int32_t contour : {edge.left, edge.right})
             if (contour != open_ground)
-                result.base =
-                    std::min(result.base,
-                             cluster_.buildings[static_cast<std::size_t>(included_.building(contour))].base);
+                result.base = std::min(result.base, base(contour));
     return result;
 }
 
@@ -487,7 +546,12 @@ void SurfaceMaker::make_solids() {
             continue;
         stop_.check();
         const ExtrusionInput alone = standing(edges[i], each, i);
-        attempt_.made.solids.push_back(assemble_faces(extrude(alone), alone.plan, ids_));
+        SurfacePart& part = attempt_.made.solids.emplace_back(assemble_faces(extrude(alone), alone, ids_));
+        for (SurfaceFace& face : part.buildings.front().faces)
+            if (face.roof >= 0)
+                face.roof = is_slanted(face.roof) ? included_.number(face.roof) : -1;
+        if (roofs_.are_slanted() && !is_closed(part))
+            attempt_.obstructing.push_back(static_cast<std::int32_t>(i));
     }
 }
 
@@ -499,8 +563,12 @@ void SurfaceMaker::make_shell() {
             continue;
         stop_.check();
         const ExtrusionInput together = standing(edges[i], block, i);
-        AssembledTriangles made = assemble_triangles(extrude(together), together.plan, ids_, triangulate_);
+        AssembledTriangles made = assemble_triangles(extrude(together), together, ids_, triangulate_);
         attempt_.obstructing.insert(attempt_.obstructing.end(), made.failed.begin(), made.failed.end());
+        if (roofs_.are_slanted() && made.failed.empty() && !is_closed(made.part))
+            for (std::uint32_t building = 0; building < block.size(); ++building)
+                if (block[building] == i)
+                    attempt_.obstructing.push_back(static_cast<std::int32_t>(building));
         attempt_.made.shell.push_back(std::move(made.part));
     }
 }

@@ -4,26 +4,41 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 
 #include "outline/fine_geometry.hpp"
 #include "surface/partition_editor.hpp"
+#include "surface/roof_heights.hpp"
 
 namespace d2b::surface {
 namespace {
 
-constexpr std::int64_t anything = std::numeric_limits<std::int64_t>::min();
-
 using Arms = std::vector<IncidentEdge>;
-using Stands = std::function<bool(std::int32_t contour)>;
+using Stands = std::function<bool(std::size_t sector)>;
 
-/// Returns the runs of sectors for which stands(contour) == wanted.
-std::vector<SectorRun> runs_of(const Arms& arms, const Stands& stands, bool wanted) {
-    const std::size_t n = arms.size();
-    const auto is = [&](std::size_t i) { return stands(arms[i % n].left) == wanted; };
+/// Properties of the sectors around a node that decide if it is manifold. Sector i is on the left of arm i.
+struct Sectors {
+    std::vector<std::int32_t> contours;
+    std::vector<std::int32_t> buildings;
+    std::vector<std::int64_t> heights;
+};
+
+Sectors sectors_of(FinePoint node, const Arms& arms, std::span<const PartitionContour> contours) {
+    Sectors sectors;
+    for (const IncidentEdge& arm : arms) {
+        sectors.contours.push_back(arm.left);
+        sectors.buildings.push_back(
+            arm.left == open_ground ? open_ground : contours[static_cast<std::size_t>(arm.left)].building);
+    }
+    sectors.heights = heights_at(node, sectors.contours, contours);
+    return sectors;
+}
+
+/// Returns the runs of sectors for which stands(sector) == wanted.
+std::vector<SectorRun> runs_of(std::size_t n, const Stands& stands, bool wanted) {
+    const auto is = [&](std::size_t i) { return stands(i % n) == wanted; };
     std::vector<SectorRun> runs;
     for (std::size_t i = 0; i < n; ++i) {
         if (!is(i) || is(i + n - 1))
@@ -36,24 +51,24 @@ std::vector<SectorRun> runs_of(const Arms& arms, const Stands& stands, bool want
     return runs;
 }
 
-std::vector<std::int32_t> buildings_in(const Arms& arms, const SectorRun& run, const RoofHeights& heights) {
+std::vector<std::int32_t> buildings_in(const Sectors& sectors, const SectorRun& run) {
     std::vector<std::int32_t> buildings;
     for (std::size_t i = 0; i < run.count; ++i)
-        buildings.push_back(heights.building(arms[(run.first + i) % arms.size()].left));
+        buildings.push_back(sectors.buildings[(run.first + i) % sectors.buildings.size()]);
     return buildings;
 }
 
-bool share_a_building(const Arms& arms, const SectorRun& a, const SectorRun& b, const RoofHeights& heights) {
-    const std::vector<std::int32_t> others = buildings_in(arms, b, heights);
-    return std::ranges::any_of(buildings_in(arms, a, heights), [&](std::int32_t building) {
+bool share_a_building(const Sectors& sectors, const SectorRun& a, const SectorRun& b) {
+    const std::vector<std::int32_t> others = buildings_in(sectors, b);
+    return std::ranges::any_of(buildings_in(sectors, a), [&](std::int32_t building) {
         return std::ranges::find(others, building) != others.end();
     });
 }
 
 /// Gaps and runs alternate, so a gap follows the run with the same index.
-std::optional<NonmanifoldVertex> pinch_of(const Arms& arms, const Stands& stands,
-                                          const RoofHeights& heights) {
-    const std::vector<SectorRun> runs = runs_of(arms, stands, true);
+std::optional<NonmanifoldVertex> pinch_of(const Sectors& sectors, const Stands& stands) {
+    const std::size_t n = sectors.contours.size();
+    const std::vector<SectorRun> runs = runs_of(n, stands, true);
     if (runs.size() < 2)
         return std::nullopt;
     NonmanifoldVertex pinch;
@@ -61,8 +76,8 @@ std::optional<NonmanifoldVertex> pinch_of(const Arms& arms, const Stands& stands
         const SectorRun& run = runs[i];
         const SectorRun& next = runs[(i + 1) % runs.size()];
         const std::size_t begin = run.first + run.count;
-        if (share_a_building(arms, run, next, heights))
-            pinch.runs.push_back({begin % arms.size(), (next.first + arms.size() - begin) % arms.size()});
+        if (share_a_building(sectors, run, next))
+            pinch.runs.push_back({begin % n, (next.first + n - begin) % n});
     }
     pinch.fills = !pinch.runs.empty();
     if (!pinch.fills)
@@ -86,34 +101,30 @@ Arms bounding_half_edges(const Arms& all, const SectorRun& run) {
     return arms;
 }
 
-std::optional<NonmanifoldVertex> find_nonmanifold(const Arms& arms, const RoofHeights& heights) {
+std::optional<NonmanifoldVertex> find_nonmanifold(FinePoint node, const Arms& arms,
+                                                  std::span<const PartitionContour> contours) {
     if (arms.size() < 4)
         return std::nullopt;
-    std::vector<std::int64_t> levels{anything};
-    std::vector<std::int32_t> buildings;
-    std::vector<std::int32_t> contours;
-    for (const IncidentEdge& arm : arms)
-        if (arm.left != open_ground) {
-            levels.push_back(heights.contours[static_cast<std::size_t>(arm.left)].top);
-            buildings.push_back(heights.building(arm.left));
-            contours.push_back(arm.left);
-        }
+    const Sectors sectors = sectors_of(node, arms, contours);
+    const std::vector<std::int64_t>& heights = sectors.heights;
+    std::vector<std::int64_t> levels = heights;
+    levels.push_back(no_height);
     for (const std::int64_t level : distinct(std::move(levels))) {
-        if (auto pinch = pinch_of(
-                arms, [&](std::int32_t c) { return heights.exceeds(c, level); }, heights))
+        if (auto pinch = pinch_of(sectors, [&](std::size_t i) { return heights[i] > level; }))
             return pinch;
-        for (const std::int32_t building : distinct(buildings))
-            if (auto pinch = pinch_of(
-                    arms,
-                    [&](std::int32_t c) {
-                        return heights.building(c) == building && heights.exceeds(c, level);
-                    },
-                    heights))
+        for (const std::int32_t building : distinct(sectors.buildings))
+            if (building == open_ground)
+                continue;
+            else if (auto pinch = pinch_of(sectors, [&](std::size_t i) {
+                         return sectors.buildings[i] == building && heights[i] > level;
+                     }))
                 return pinch;
     }
-    for (const std::int32_t contour : distinct(std::move(contours)))
-        if (auto pinch = pinch_of(
-                arms, [&](std::int32_t c) { return c == contour; }, heights))
+    for (const std::int32_t contour : distinct(sectors.contours))
+        if (contour == open_ground)
+            continue;
+        else if (auto pinch =
+                     pinch_of(sectors, [&](std::size_t i) { return sectors.contours[i] == contour; }))
             return pinch;
     return std::nullopt;
 }
@@ -236,7 +247,7 @@ PlannedDistances plan_distances(PlanarPartition& plan, std::span<const Partition
     const auto nodes = static_cast<std::uint32_t>(editor.nodes().size());
     for (std::uint32_t node = 0; node < nodes; ++node) {
         const std::vector<IncidentEdge> arms = editor.around(node);
-        const auto pinch = find_nonmanifold(arms, {contours});
+        const auto pinch = find_nonmanifold(editor.at(node), arms, contours);
         if (!pinch)
             continue;
         stop.check();

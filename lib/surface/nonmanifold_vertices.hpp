@@ -30,24 +30,13 @@ struct NonmanifoldVertex {
     std::vector<SectorRun> runs;  ///< at least one
 };
 
-/// Properties of contours that decide if a vertex is manifold.
-struct RoofHeights {
-    std::span<const PartitionContour> contours;
-
-    [[nodiscard]] bool exceeds(std::int32_t contour, std::int64_t height) const {
-        return contour != open_ground && contours[static_cast<std::size_t>(contour)].top > height;
-    }
-    [[nodiscard]] std::int32_t building(std::int32_t contour) const {
-        return contour == open_ground ? open_ground : contours[static_cast<std::size_t>(contour)].building;
-    }
-};
-
 /// Finds the lowest height at which the vertical line over a node is a non-manifold edge, with more than two
 /// walls: there, the solid occupies more than one run of sectors, for all buildings together or for a single
 /// one, because each has a solid of its own. A roof that touches itself counts, too, because few programs can
 /// triangulate its polygon. @param arms around the node, counter-clockwise @return the first one found
-[[nodiscard]] std::optional<NonmanifoldVertex> find_nonmanifold(const std::vector<IncidentEdge>& arms,
-                                                                const RoofHeights& heights);
+[[nodiscard]] std::optional<NonmanifoldVertex> find_nonmanifold(FinePoint node,
+                                                                const std::vector<IncidentEdge>& arms,
+                                                                std::span<const PartitionContour> contours);
 
 /// Distances by which touching corners are moved apart.
 struct MoveDistances {

@@ -55,8 +55,8 @@ struct Ends {
 
 class Straightener {
   public:
-    explicit Straightener(PlanarPartition& plan)
-        : plan_(plan), ends_(plan.nodes.size()), gone_(plan.edges.size()) {
+    Straightener(PlanarPartition& plan, std::span<const FinePoint> kept)
+        : plan_(plan), kept_(kept), ends_(plan.nodes.size()), gone_(plan.edges.size()) {
         for (std::uint32_t e = 0; e < plan.edges.size(); ++e)
             for (const std::uint32_t node : {plan.edges[e].from, plan.edges[e].to}) {
                 Ends& ends = ends_[node];
@@ -68,7 +68,8 @@ class Straightener {
 
     void run(Straighten what) {
         for (std::uint32_t node = 0; node < ends_.size(); ++node)
-            if (ends_[node].count == 2 && goes_straight_on(node, what))
+            if (ends_[node].count == 2 && goes_straight_on(node, what) &&
+                !std::ranges::binary_search(kept_, plan_.nodes[node]))
                 join(node);
         std::size_t next = 0;
         std::erase_if(plan_.edges, [&](const PartitionEdge&) { return gone_[next++]; });
@@ -100,18 +101,20 @@ class Straightener {
     }
 
     PlanarPartition& plan_;
+    std::span<const FinePoint> kept_;
     std::vector<Ends> ends_;
     std::vector<bool> gone_;
 };
 
 }  // namespace
 
-void straighten(PlanarPartition& plan, Straighten what) {
-    Straightener(plan).run(what);
+void straighten(PlanarPartition& plan, Straighten what, std::span<const FinePoint> kept) {
+    Straightener(plan, kept).run(what);
 }
 
 PlanarPartition extract_partition(const PlanarPartition& plan, std::span<const std::uint32_t> edges,
-                                  const std::function<bool(std::int32_t)>& belongs) {
+                                  const std::function<bool(std::int32_t)>& belongs,
+                                  std::span<const FinePoint> kept) {
     PlanarPartition part;
     std::vector<std::uint32_t> nodes;
     for (const std::uint32_t e : edges) {
@@ -132,7 +135,7 @@ PlanarPartition extract_partition(const PlanarPartition& plan, std::span<const s
     for (PartitionEdge& edge : part.edges)
         for (std::uint32_t* node : {&edge.from, &edge.to})
             *node = static_cast<std::uint32_t>(std::ranges::lower_bound(nodes, *node) - nodes.begin());
-    straighten(part, Straighten::all);
+    straighten(part, Straighten::all, kept);
     return part;
 }
 

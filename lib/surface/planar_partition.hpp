@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,13 +15,28 @@
 
 namespace d2b::surface {
 
+/// Plane of a slanted roof, in steps of height.
+struct RoofPlane {
+    FinePoint at;
+    double height = 0;   ///< at this point
+    double per_row = 0;  ///< rise per step southwards
+    double per_col = 0;  ///< rise per step eastwards
+    double cosine = 1;   ///< of its slope on the ground
+
+    [[nodiscard]] double height_at(FinePoint p) const {
+        return height + static_cast<double>(p.row - at.row) * per_row +
+               static_cast<double>(p.col - at.col) * per_col;
+    }
+};
+
 /// Contour to build a surface from. Outlines lie on the surface's lattice: columns are steps to the east,
 /// rows are steps to the south, heights are steps upwards.
 struct PartitionContour {
     FinePolygon outline;
     std::int32_t parent = -1;   ///< index of the contour that it stands on, which comes before it; -1: none
     std::int32_t building = 0;  ///< index of its building
-    std::int64_t top = 0;       ///< height of its roof outside its children
+    std::int64_t top = 0;       ///< height of its roof outside its children; with a plane its lowest corner
+    std::optional<RoofPlane> plane = {};  ///< of its roof; nullopt: level
 };
 
 /// Stands for a contour: nothing is built there.
@@ -110,13 +126,15 @@ enum class Straighten {
 };
 
 /// Merges collinear edges at nodes of degree two. Node numbers do not change; unused nodes stay in the list.
-void straighten(PlanarPartition& plan, Straighten what);
+/// @param kept positions of nodes that stay, sorted
+void straighten(PlanarPartition& plan, Straighten what, std::span<const FinePoint> kept = {});
 
 /// Extracts the plan of some contours as if the others did not exist: they become outside, and nodes between
 /// collinear edges are removed. O(n log n) in the given edges. @param edges of the plan, all that bound these
-/// contours @param belongs true if a contour is one of them
+/// contours @param belongs true if a contour is one of them @param kept positions of nodes that stay, sorted
 [[nodiscard]] PlanarPartition extract_partition(const PlanarPartition& plan,
                                                 std::span<const std::uint32_t> edges,
-                                                const std::function<bool(std::int32_t)>& belongs);
+                                                const std::function<bool(std::int32_t)>& belongs,
+                                                std::span<const FinePoint> kept = {});
 
 }  // namespace d2b::surface

@@ -106,7 +106,7 @@ class NonmanifoldResolver {
   public:
     NonmanifoldResolver(PlanarPartition& plan, std::span<const PartitionContour> contours,
                         const MoveDistances& wanted, const StopToken& stop)
-        : plan_(plan), heights_{contours}, wanted_(wanted), stop_(stop) {
+        : plan_(plan), contours_(contours), wanted_(wanted), stop_(stop) {
         if (wanted.steps > std::max(wanted.gaps.pinch.rows, wanted.gaps.pinch.cols))
             planned_ = plan_distances(plan, contours, wanted, stop);
         const NodeStars stars(plan);
@@ -138,7 +138,7 @@ class NonmanifoldResolver {
     void move(std::uint32_t node, const SectorRun& run, FinePoint place, bool fills);
 
     PlanarPartition& plan_;
-    RoofHeights heights_;
+    std::span<const PartitionContour> contours_;
     const MoveDistances& wanted_;
     const StopToken& stop_;
     PlannedDistances planned_;
@@ -364,7 +364,7 @@ bool NonmanifoldResolver::take_one(std::uint32_t node, const NonmanifoldVertex& 
 /// Terminates, because each move leaves both nodes with fewer edges than the original one.
 ResolvedVertices NonmanifoldResolver::take() {
     for (std::uint32_t node = 0; node < plan_.nodes.size(); ++node)
-        while (const auto pinch = find_nonmanifold(around_[node], heights_)) {
+        while (const auto pinch = find_nonmanifold(plan_.nodes[node], around_[node], contours_)) {
             stop_.check();
             if (!take_one(node, *pinch)) {
                 for (const std::int32_t contour : contours_of(around_[node]))

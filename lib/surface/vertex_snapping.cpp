@@ -133,20 +133,23 @@ bool has_area(const FineRing& ring) {
 
 }  // namespace
 
+void route_through_vertices(std::vector<PartitionContour>& contours) {
+    const Corners corners(contours);
+    for (PartitionContour& contour : contours) {
+        FinePolygon& outline = contour.outline;
+        // An outline that collapsed entirely stays as it was, so that the conflict is reported.
+        if (FineRing led = without_spikes(corners.routed_through(outline.exterior)); has_area(led))
+            outline.exterior = std::move(led);
+        for (FineRing& ring : outline.interiors)
+            ring = without_spikes(corners.routed_through(ring));
+        std::erase_if(outline.interiors, [](const FineRing& ring) { return !has_area(ring); });
+    }
+}
+
 void snap_round(std::vector<PartitionContour>& contours) {
     for (int round = 0; round < most_snapping_rounds && !make_partition(contours).conflicting.empty();
-         ++round) {
-        const Corners corners(contours);
-        for (PartitionContour& contour : contours) {
-            FinePolygon& outline = contour.outline;
-            // An outline that collapsed entirely stays as it was, so that the conflict is reported.
-            if (FineRing led = without_spikes(corners.routed_through(outline.exterior)); has_area(led))
-                outline.exterior = std::move(led);
-            for (FineRing& ring : outline.interiors)
-                ring = without_spikes(corners.routed_through(ring));
-            std::erase_if(outline.interiors, [](const FineRing& ring) { return !has_area(ring); });
-        }
-    }
+         ++round)
+        route_through_vertices(contours);
 }
 
 namespace {
@@ -189,7 +192,12 @@ bool is_step(std::int64_t low, std::int64_t high, std::int64_t gap) {
     return low < high && high < low + gap;
 }
 
-/// Returns pairs of contours that share a node and differ in height by less than a gap, lower one first.
+bool is_level(std::int32_t contour, const std::vector<PartitionContour>& contours) {
+    return contour != open_ground && !contours[static_cast<std::size_t>(contour)].plane;
+}
+
+/// Returns pairs of level contours that share a node and differ in height by less than a gap, lower one
+/// first.
 std::vector<std::pair<std::size_t, std::size_t>> steps_between(const NodeStars& stars, std::size_t nodes,
                                                                const std::vector<PartitionContour>& contours,
                                                                std::int64_t gap) {
@@ -197,7 +205,7 @@ std::vector<std::pair<std::size_t, std::size_t>> steps_between(const NodeStars& 
     for (std::uint32_t node = 0; node < nodes; ++node)
         for (const IncidentEdge& low : stars.around(node))
             for (const IncidentEdge& high : stars.around(node))
-                if (low.left != open_ground && high.left != open_ground &&
+                if (is_level(low.left, contours) && is_level(high.left, contours) &&
                     is_step(contours[static_cast<std::size_t>(low.left)].top,
                             contours[static_cast<std::size_t>(high.left)].top, gap))
                     steps.emplace_back(low.left, high.left);

@@ -13,6 +13,10 @@ namespace d2b::surface {
 /// common. Related to iterated snap rounding (Halperin and Packer 2002).
 void snap_round(std::vector<PartitionContour>& contours);
 
+/// Routes every edge once through all vertices within a step of it, so that outlines that meet share
+/// vertices.
+void route_through_vertices(std::vector<PartitionContour>& contours);
+
 /// Merges nodes closer than a gap, if nothing lies between them, because programs that read solids merge them
 /// and then find broken faces. The plan stays planar; exact.
 void merge_near_nodes(PlanarPartition& plan, const LatticeDistance& gap);

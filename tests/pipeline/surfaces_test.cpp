@@ -53,6 +53,42 @@ TEST(Surfaces, bothFormsAreClosed) {
     }
 }
 
+/// The gabled house of the made town has two slopes of 33.7 degrees to the north and the south, which share
+/// the ends of their ridge.
+TEST(Surfaces, ofRoofsAreClosedAndSlanted) {
+    Options options;
+    options.write.surface_of = SurfaceOf::roofs;
+    const SurfaceRun town(options);
+    EXPECT_EQ(town.solids.meta.lod, "2.2");
+    EXPECT_EQ(town.report.counted(Reason::surface_roof_tiers), 0);
+    EXPECT_EQ(surface::fault_of(town.shell.parts, true), "");
+    ASSERT_EQ(town.solids.parts.size(), 3U);
+    std::vector<SurfaceRoofPlane> slanted;
+    for (const SurfacePart& solid : town.solids.parts) {
+        EXPECT_EQ(surface::fault_of({&solid, 1}, true), "");
+        const SurfaceBuilding& building = solid.buildings.front();
+        for (const SurfaceFace& face : building.faces)
+            EXPECT_EQ(face.roof >= 0, face.kind == FaceKind::roof);
+        if (std::isnan(building.roofs.front().azimuth))
+            continue;
+        slanted = building.roofs;
+        EXPECT_EQ(solid.points.size(), 12U);  // of the gabled house
+        std::vector<std::uint32_t> corners;   // of both slopes
+        for (const SurfaceFace& face : building.faces)
+            if (face.kind == FaceKind::roof)
+                corners.insert(corners.end(), face.exterior.begin(), face.exterior.end());
+        std::ranges::sort(corners);
+        EXPECT_EQ(corners.size(), 8U);
+        EXPECT_EQ(corners.end() - std::unique(corners.begin(), corners.end()), 2);
+    }
+    ASSERT_EQ(slanted.size(), 2U);
+    std::ranges::sort(slanted, {}, [](const SurfaceRoofPlane& plane) { return std::cos(plane.azimuth); });
+    for (const SurfaceRoofPlane& plane : slanted)
+        EXPECT_NEAR(plane.slope, 33.7, 1);
+    EXPECT_NEAR(std::abs(slanted[0].azimuth - slanted[1].azimuth), 180, 2);
+    EXPECT_NEAR(std::fmod(slanted[0].azimuth + 90, 180), 90, 2);
+}
+
 /// A building has the values of its fields, and stands where its record says.
 TEST(Surfaces, haveTheFieldsOfTheLayer) {
     const SurfaceRun town{Options()};

@@ -6,6 +6,7 @@ import pathlib
 import sys
 
 import jsonschema
+import numpy
 
 import snapped_solid
 from snapped_solid import dot, normal
@@ -13,12 +14,28 @@ from snapped_solid import dot, normal
 RULES = json.loads((pathlib.Path(__file__).parent / "cityjson_rules.json").read_text())
 
 
-def face_faults(rings, kind, vertices):
+PLANE = 0.001  # m
+
+
+def off_plane(rings, vertices, step):
+    """Largest distance of a corner from the plane that fits all corners best, in m."""
+    corners = numpy.array([vertices[i] for ring in rings for i in ring]) * step
+    corners -= corners.mean(axis=0)
+    return numpy.abs(corners @ numpy.linalg.svd(corners)[2][2]).max()
+
+
+def face_faults(rings, surface, vertices, step=None):
+    """Without a step, all roofs are level."""
+    kind = surface["type"]
     n = normal(rings, vertices)
     first = vertices[rings[0][0]]
-    if any(dot(n, [a - b for a, b in zip(vertices[i], first)]) for ring in rings for i in ring):
+    slanted = step and "slope" in surface
+    if slanted:
+        if (off := off_plane(rings, vertices, step)) > PLANE:
+            yield f"a roof is {1000 * off:.2f} mm from a plane"
+    elif any(dot(n, [a - b for a, b in zip(vertices[i], first)]) for ring in rings for i in ring):
         yield "a face is not plane"
-    right = {"RoofSurface": n[0] == n[1] == 0 < n[2], "GroundSurface": n[0] == n[1] == 0 > n[2],
+    right = {"RoofSurface": n[2] > 0 and (slanted or n[0] == n[1] == 0), "GroundSurface": n[0] == n[1] == 0 > n[2],
              "WallSurface": n[2] == 0 and n != [0, 0, 0]}
     if not right[kind]:
         yield f"a {kind} looks to {n}"
@@ -44,7 +61,7 @@ def solid_faults(solid, vertices, step):
     if len(kinds) != len(faces):
         yield "not every face has a kind"
     for rings, kind in zip(faces, kinds):
-        yield from face_faults(rings, solid["semantics"]["surfaces"][kind]["type"], vertices)
+        yield from face_faults(rings, solid["semantics"]["surfaces"][kind], vertices, step)
         volume += dot(normal(rings, vertices), vertices[rings[0][0]])
         for ring in rings:
             ways.update((tuple(vertices[a]), tuple(vertices[b])) for a, b in zip(ring, ring[1:] + ring[:1]))
@@ -65,7 +82,7 @@ def surface_faults(geometry, vertices):
     if len(kinds) != len(geometry["boundaries"]):
         yield "not every face has a kind"
     for face, kind in zip(geometry["boundaries"], kinds):
-        yield from face_faults(face, geometry["semantics"]["surfaces"][kind]["type"], vertices)
+        yield from face_faults(face, geometry["semantics"]["surfaces"][kind], vertices)
 
 
 def shell_faults(triangles, vertices, has_border):

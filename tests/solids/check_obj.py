@@ -1,5 +1,5 @@
 """Checks a shell in an OBJ: VTK looks for edges that are open or have more than two faces, and exact arithmetic for edges
-that cross faces and for corners that others take for one. Prints a line for each, or ends with status 1."""
+that cross faces and for corners that others take for one; with `slanted` as second argument roofs need not be level. Prints a line for each, or ends with status 1."""
 
 import sys
 
@@ -32,7 +32,7 @@ def seen_by_vtk(path):
     return merged.GetOutput()
 
 
-def main(path):
+def main(path, slanted=False):
     surface = seen_by_vtk(path)
     open_edges, more_faces = edges_of(surface, True), edges_of(surface, False)
     mass = vtk.vtkMassProperties()
@@ -41,7 +41,7 @@ def main(path):
           f"{more_faces} of more than two faces, {mass.GetVolume():.0f} m3")
     corners, triangles, groups = read(path)
     count = crossings(corners, triangles)
-    wrong = inverted(corners, triangles, groups)
+    wrong = inverted(corners, triangles, groups, slanted)
     near = near_corners(corners)
     print(f"exact: {count} edges cross a face, {wrong} triangles look the wrong way, {near} corners are within a millimetre of "
           "another")
@@ -52,4 +52,4 @@ def main(path):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1]))
+    sys.exit(main(sys.argv[1], "slanted" in sys.argv[2:]))

@@ -78,14 +78,14 @@ def parts_of(triangles):
     return parts.values()
 
 
-def inverted(corners, triangles, groups):
-    """Roofs that do not look up, grounds that do not look down, walls that are not upright, and the triangles of a part
+def inverted(corners, triangles, groups, slanted=False):
+    """Roofs that do not look straight up, or up where they may be slanted, grounds that do not look down, walls that are not upright, and the triangles of a part
     that encloses nothing: edges are passed once each way, so that in any other part all look outwards."""
     count = 0
     for triangle, group in zip(triangles, groups):
         n = normal(corners, triangle)
         level = n[0] == n[1] == 0
-        count += not {"roof": level and n[2] > 0, "ground": level and n[2] < 0, "wall": n[2] == 0 and not level}[group]
+        count += not {"roof": (level or slanted) and n[2] > 0, "ground": level and n[2] < 0, "wall": n[2] == 0 and not level}[group]
     for part in parts_of(triangles):
         if sum(dot(normal(corners, t), corners[t[0]]) for t in part) <= 0:
             count += len(part)

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Surfaces of random scenes, buildings and contours of each.
+"""Surfaces of random scenes: buildings, contours and roofs of each.
 
     random_scenes.py <dem2buildings> [<how many> [<first seed>]]
 
-A scene is a few blocks of any direction with steps, courtyards and corners that touch, on a slope with bumps, as a raster
+A scene is a few blocks of any direction with steps, gables, hips, courtyards and corners that touch, on a slope with bumps, as a raster
 of some thousand cells; its cell, its rotation and the options come from its seed. Of each shell is asked, in exact
 arithmetic, what exact_shell.py asks, and of each solid what check_cityjson.py asks. Prints the sums; the status is 1 where
 any is not 0. Needs python3-gdal, python3-numpy and python3-jsonschema.
@@ -34,7 +34,16 @@ def box(x, y, middle, half, angle):
     return (abs(along) <= half[0]) & (abs(across) <= half[1])
 
 
-def elevations(random):
+def roof(random, x, y, middle, half, angle):
+    """Of a block, above its eaves: level, a slope, a gable or a hip, in cells."""
+    along = (x - middle[0]) * math.cos(angle) + (y - middle[1]) * math.sin(angle)
+    across = (y - middle[1]) * math.cos(angle) - (x - middle[0]) * math.sin(angle)
+    slope = random.uniform(0.2, 1.2)
+    return [0 * x, 0 * x, slope * (half[1] + across), slope * (half[1] - abs(across)),
+            slope * np.minimum(half[1] - abs(across), half[0] - abs(along))][random.integers(5)]
+
+
+def elevations(random, cell):
     """Metres; the lengths of what stands are cells."""
     y, x = np.mgrid[0:SIZE, 0:SIZE]
     z = 50 + random.uniform(-0.1, 0.1) * x + random.uniform(-0.1, 0.1) * y + random.normal(0, 0.02, x.shape)
@@ -46,7 +55,7 @@ def elevations(random):
         inside = box(x, y, middle, half, angle)
         if random.random() < 0.3:  # a courtyard
             inside &= ~box(x, y, middle + random.uniform(-2, 2, 2), half * random.uniform(0.2, 0.6), angle)
-        z[inside] = 50 + height
+        z[inside] = 50 + height + cell * roof(random, x, y, middle, half, angle)[inside]
         if random.random() < 0.5:  # a tower, or a block that touches it in a corner
             corner = middle + half * random.choice([-1, 0.5, 1, 1.9], 2)
             z[box(x, y, corner, half * 0.5, angle)] = 50 + height + random.choice([-3, 0, 3, 9])
@@ -65,7 +74,7 @@ def write_scene(path, random):
     crs.ImportFromEPSG(25833)
     raster.SetProjection(crs.ExportToWkt())
     raster.GetRasterBand(1).SetNoDataValue(-9999)
-    raster.GetRasterBand(1).WriteArray(elevations(random))
+    raster.GetRasterBand(1).WriteArray(elevations(random, cell))
 
 
 def options(random, surface_of):
@@ -75,7 +84,8 @@ def options(random, surface_of):
     given += ["-split_height", "2"] if not thesis and random.random() < 0.5 else []
     given += [[], [], ["-regularize", "off"], ["-simplify", "1"]][random.integers(4)]
     given += [[], [], ["-t_srs", "EPSG:3035"]][random.integers(3)]
-    return given + [[], [], ["-flow_ready", "1"]][random.integers(3)]
+    flow = [[], [], ["-flow_ready", "1"]][random.integers(3)]
+    return given + (flow if surface_of != "roofs" else ["-detail", str(random.choice([0.2, 0.5, 1]))])
 
 
 FAULTS = ("open edges", "edges of more than two faces", "triangles that look the wrong way", "edges that cross a face",
@@ -97,7 +107,7 @@ def look_at(tool, folder, given):
     single = (np.array(corners, dtype=float).reshape(-1, 3) / 10 ** exact_shell.DECIMALS).astype(np.float32)
     with open(names["city.json"], encoding="utf-8") as file:
         city = json.load(file)
-    wrong = (*exact_shell.edge_faults(corners, triangles), exact_shell.inverted(corners, triangles, groups),
+    wrong = (*exact_shell.edge_faults(corners, triangles), exact_shell.inverted(corners, triangles, groups, "roofs" in given),
              exact_shell.crossings(corners, triangles), len(corners) - len(np.unique(single, axis=0)),
              exact_shell.near_corners(corners), len(list(faults(city))))
     return collections.Counter({"with a surface": int(bool(triangles)), "solids": sum("geometry" in thing for thing in city["CityObjects"].values()),
@@ -121,7 +131,7 @@ def look_at_seeds(tool, surface_of, seeds):
 def main(tool, count=1000, first=0):
     status = 0
     with concurrent.futures.ProcessPoolExecutor() as pool:
-        for surface_of in ("buildings", "contours"):
+        for surface_of in ("buildings", "contours", "roofs"):
             pieces = [range(begin, min(begin + 20, first + count)) for begin in range(first, first + count, 20)]
             found = sum(pool.map(look_at_seeds, [tool] * len(pieces), [surface_of] * len(pieces), pieces),
                         collections.Counter())

@@ -47,11 +47,11 @@ Normal normal_of(const std::vector<Ring>& rings, const SurfacePart& part) {
     return sum;
 }
 
-bool looks_right(FaceKind kind, const Normal& normal) {
+bool looks_right(FaceKind kind, const Normal& normal, bool slanted) {
     const bool upright = normal.x == 0 && normal.y == 0;
     switch (kind) {
         case FaceKind::roof:
-            return upright && normal.z > 0;
+            return (slanted || upright) && normal.z > 0;
         case FaceKind::ground:
             return upright && normal.z < 0;
         case FaceKind::wall:
@@ -76,10 +76,12 @@ bool is_one_circle(const std::multimap<SurfacePoint, SurfacePoint>& steps) {
 
 class Checker {
   public:
+    explicit Checker(bool slanted) : slanted_(slanted) {}
+
     void add(const SurfacePart& part) {
         std::set<std::uint32_t> used;
         for_each_face(part, [&](FaceKind kind, const std::vector<Ring>& rings) {
-            if (!looks_right(kind, normal_of(rings, part)))
+            if (!looks_right(kind, normal_of(rings, part), slanted_))
                 fault_ = "a face is flat or looks the wrong way";
             for (const Ring& ring : rings)
                 add_ring(ring, part, used);
@@ -145,6 +147,7 @@ class Checker {
         return std::atan2(static_cast<double>(to.y - from.y), static_cast<double>(to.x - from.x));
     }
 
+    bool slanted_;
     std::string fault_;
     std::map<std::pair<SurfacePoint, SurfacePoint>, int> ways_;
     std::map<SurfacePoint, std::multimap<SurfacePoint, SurfacePoint>> circles_;
@@ -152,8 +155,8 @@ class Checker {
 
 }  // namespace
 
-std::string fault_of(std::span<const SurfacePart> parts) {
-    Checker checker;
+std::string fault_of(std::span<const SurfacePart> parts, bool slanted) {
+    Checker checker(slanted);
     for (const SurfacePart& part : parts)
         checker.add(part);
     return checker.fault();

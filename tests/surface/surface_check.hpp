@@ -15,7 +15,8 @@ namespace d2b::surface {
 /// - every directed edge is passed once, and once the other way;
 /// - around each corner faces follow each other in one circle;
 /// - no triangle is flat, roofs look up, grounds look down, walls are upright.
-[[nodiscard]] std::string fault_of(std::span<const SurfacePart> parts);
+/// @param slanted true if roofs need not be level
+[[nodiscard]] std::string fault_of(std::span<const SurfacePart> parts, bool slanted = false);
 
 /// Six times the volume that faces or triangles enclose, in steps; positive where they look outwards.
 [[nodiscard]] Int128 six_volumes(std::span<const SurfacePart> parts);

@@ -142,6 +142,11 @@ CityBuilding building_of(const CityJson& file, const std::string& name, const Js
     const Json& geometries = file.array(object, "geometry", name);
     if (geometries.size() != 1)
         file.refuse("does not have exactly one geometry in " + name + "; give a file that -surface wrote");
+    city.lod = file.text(geometries[0], "lod", name);
+    if (city.lod == "2.2")
+        file.refuse(
+            "has slanted roofs, and a mesh is made of level ones; make the file with -surface_of "
+            "buildings or contours");
     const std::vector<SolidFace> faces = SolidReader(file, vertices, name).read(geometries[0]);
     if (const auto fault = fault_of(faces))
         file.refuse("has a solid, " + name + ", that " + *fault + "; the file is damaged");
@@ -149,7 +154,6 @@ CityBuilding building_of(const CityJson& file, const std::string& name, const Js
     building.name = name;
     if (type == "BuildingPart")
         building.whole = parent_of(file, name, object);
-    city.lod = file.text(geometries[0], "lod", name);
     if (object.contains("attributes"))
         building.attributes =
             file.object(object, "attributes", name).dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -116,8 +116,8 @@ struct RoofOptions {
 enum class Layers { both, buildings, contours };
 enum class LayerRole { buildings, contours, roofs, doubtful, rejected, problems };
 
-/// Model of a surface: one block per building, or the tiers of its stack.
-enum class SurfaceOf { buildings, contours };
+/// Model of a surface: one block per building, the tiers of its stack, or the planes of its roof.
+enum class SurfaceOf { buildings, contours, roofs };
 
 /// Height of a block: a percentile, the maximum or the mean of its points.
 enum class SurfaceRoof { p50, p70, p90, p95, max, mean };

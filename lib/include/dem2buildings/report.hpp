@@ -48,12 +48,14 @@ enum class Reason {
     surface_notch_filled,         ///< a building of the surface touched itself in an edge
     surface_corner_cut,           ///< buildings of the surface touched in an edge
     surface_lost,                 ///< no closed surface was found for the building
+    surface_face_level,           ///< a face of a roof in the surface would reach below the ground
+    surface_roof_tiers,           ///< the surface has tiers of the building instead of the planes of its roof
     flow_changed,                 ///< a wall, gap or corner unsuitable for flow solvers was repaired
     flow_unchanged,               ///< a wall, gap or corner unsuitable for flow solvers was left
     roof_face_doubtful,           ///< no plane suits a face of a roof, or it is too narrow for a slope
     part_merged,  ///< cut off by parcels, but too small or narrow, so merged with its neighbour
 };
-inline constexpr std::array<std::string_view, 30> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 32> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -79,6 +81,8 @@ inline constexpr std::array<std::string_view, 30> reason_names{"threshold_not_ab
                                                                "surface_notch_filled",
                                                                "surface_corner_cut",
                                                                "surface_lost",
+                                                               "surface_face_level",
+                                                               "surface_roof_tiers",
                                                                "flow_changed",
                                                                "flow_unchanged",
                                                                "roof_face_doubtful",

@@ -28,6 +28,14 @@ struct SurfaceFace {
     FaceKind kind = FaceKind::roof;
     std::vector<std::uint32_t> exterior;
     std::vector<std::vector<std::uint32_t>> interiors;
+    std::int32_t roof = -1;  ///< index into SurfaceBuilding::roofs; -1: not a plane of a roof
+};
+
+/// Plane of a roof.
+struct SurfaceRoofPlane {
+    double slope = 0;    ///< degrees
+    double azimuth = 0;  ///< direction in which water runs, degrees clockwise from the north of the CRS; NaN
+                         ///< if it is nearly level
 };
 
 /// Counter-clockwise seen from outside, never degenerate.
@@ -49,9 +57,10 @@ struct SurfaceTier {
 /// Building in a closed surface.
 struct SurfaceBuilding {
     std::int64_t id = 0;
-    std::int64_t whole = 0;          ///< lowest id among the parts of a divided building; 0: not divided
-    std::vector<FieldValue> values;  ///< one per field of SurfaceMeta::fields
-    std::vector<SurfaceFace> faces;  ///< only SurfaceForm::solids
+    std::int64_t whole = 0;               ///< lowest id among the parts of a divided building; 0: not divided
+    std::vector<FieldValue> values;       ///< one per field of SurfaceMeta::fields
+    std::vector<SurfaceFace> faces;       ///< only SurfaceForm::solids
+    std::vector<SurfaceRoofPlane> roofs;  ///< only SurfaceForm::solids of SurfaceOf::roofs
     std::vector<SurfaceTriangle> triangles;  ///< only SurfaceForm::shell
     std::int64_t base = 0;                   ///< only SurfaceForm::tiers: z of the bottom
     std::int64_t roof = 0;                   ///< only SurfaceForm::tiers: z of the flat roof as one block
@@ -98,7 +107,8 @@ struct SurfaceFrame {
 /// Metadata of a surface.
 struct SurfaceMeta {
     SurfaceFrame frame;
-    std::string lod;                ///< level of detail after Biljecki et al. (2016): "1.2" or "1.3"
+    std::string lod;                ///< level of detail after Biljecki et al. (2016): "1.2", "1.3" or
+                                    ///< "2.2"
     std::vector<FieldSpec> fields;  ///< fields of a building; the first is its number
     std::string vertical_unit;      ///< name; "" if unknown
     Provenance provenance;          ///< includes the CRS of the coordinates; "" for none

@@ -25,6 +25,8 @@ using Json = nlohmann::ordered_json;
 
 /// Indexed by FaceKind.
 constexpr std::array surface_types{"RoofSurface", "WallSurface", "GroundSurface"};
+/// The planes of a roof come after these.
+constexpr int kind_count = surface_types.size();
 
 /// Bounding box of vertices, in steps of the frame.
 class Extent {
@@ -139,11 +141,18 @@ Json CityJsonSink::solid(const SurfaceBuilding& building, const std::vector<std:
         for (const std::vector<std::uint32_t>& ring : face.interiors)
             rings.push_back(numbered(ring));
         shell.push_back(std::move(rings));
-        kinds.push_back(static_cast<int>(face.kind));
+        kinds.push_back(face.roof < 0 ? static_cast<int>(face.kind) : kind_count + face.roof);
     }
     Json surfaces = Json::array();
     for (const char* type : surface_types)
         surfaces.push_back({{"type", type}});
+    for (const SurfaceRoofPlane& roof : building.roofs) {
+        Json surface{{"type", surface_types[static_cast<std::size_t>(FaceKind::roof)]},
+                     {"slope", std::round(roof.slope * 100) / 100}};
+        if (!std::isnan(roof.azimuth))
+            surface["azimuth"] = std::round(roof.azimuth * 100) / 100;
+        surfaces.push_back(std::move(surface));
+    }
     return {{"type", "Solid"},
             {"lod", meta_.lod},
             {"boundaries", Json::array({std::move(shell)})},

@@ -1,0 +1,210 @@
+#include "surface/roof_heights.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <utility>
+
+#include "surface/partition_editor.hpp"
+
+namespace d2b::surface {
+namespace {
+
+/// Range in steps of height of roofs that meet at a node.
+constexpr double meeting_range = 1.2;
+/// Least distance of other roofs, because programs that read solids merge corners within a millimetre.
+constexpr std::int64_t least_distance = 2;
+/// Largest difference at the end of an edge that is removed because roofs cross next to it.
+constexpr std::int64_t most_joined = 2;
+constexpr int joining_rounds = 4;
+
+bool has_plane(std::int32_t contour, std::span<const PartitionContour> contours) {
+    return contour != open_ground && contours[static_cast<std::size_t>(contour)].plane.has_value();
+}
+
+/// Roof at a node before rounding.
+struct Reached {
+    double height = 0;
+    std::int32_t contour = 0;
+    double cosine = 1;  ///< of its slope; 0: level, where other corners have the same height
+
+    friend auto operator<=>(const Reached&, const Reached&) = default;
+};
+
+Reached reached(std::int32_t contour, FinePoint node, std::span<const PartitionContour> contours) {
+    const PartitionContour& of = contours[static_cast<std::size_t>(contour)];
+    if (!of.plane)
+        return {static_cast<double>(of.top), contour, 0};
+    return {of.plane->height_at(node), contour, of.plane->cosine};
+}
+
+/// Height of roofs that meet: that of a level one, or a mean that leaves planes at equal distances.
+std::int64_t common_height(std::span<const Reached> meeting) {
+    double sum = 0;
+    double weights = 0;
+    for (const Reached& one : meeting) {
+        if (one.cosine == 0)
+            return std::llround(one.height);
+        sum += one.height * one.cosine;
+        weights += one.cosine;
+    }
+    return std::llround(sum / weights);
+}
+
+/// Differences of the roofs on both sides of an edge at its ends, left minus right.
+struct Differences {
+    std::int64_t from = 0;
+    std::int64_t to = 0;
+
+    [[nodiscard]] bool cross() const { return (from < 0 && to > 0) || (from > 0 && to < 0); }
+};
+
+Differences differences(const PartitionEdge& edge, const PlanarPartition& plan, const RoofHeights& heights) {
+    if (edge.left == open_ground || edge.right == open_ground)
+        return {};
+    const auto at = [&](std::uint32_t node) {
+        const FinePoint p = plan.nodes[node];
+        return heights.at(edge.left, p) - heights.at(edge.right, p);
+    };
+    return {at(edge.from), at(edge.to)};
+}
+
+}  // namespace
+
+std::vector<std::int64_t> heights_at(FinePoint node, std::span<const std::int32_t> around,
+                                     std::span<const PartitionContour> contours) {
+    std::vector<std::int64_t> heights;
+    heights.reserve(around.size());
+    for (const std::int32_t contour : around)
+        heights.push_back(contour == open_ground ? no_height
+                                                 : contours[static_cast<std::size_t>(contour)].top);
+    if (std::ranges::none_of(around, [&](std::int32_t contour) { return has_plane(contour, contours); }))
+        return heights;
+    std::vector<Reached> roofs;
+    for (const std::int32_t contour : around)
+        if (contour != open_ground)
+            roofs.push_back(reached(contour, node, contours));
+    std::ranges::sort(roofs);
+    roofs.erase(std::unique(roofs.begin(), roofs.end()), roofs.end());
+    std::int64_t lowest = no_height;
+    for (std::size_t begin = 0; begin < roofs.size();) {
+        std::size_t end = begin + 1;
+        while (end < roofs.size() && roofs[end].height - roofs[begin].height < meeting_range)
+            ++end;
+        const std::span<const Reached> meeting = std::span(roofs).subspan(begin, end - begin);
+        const std::int64_t height = std::max(lowest, common_height(meeting));
+        lowest = height + least_distance;
+        for (std::size_t i = 0; i < around.size(); ++i)
+            if (std::ranges::find(meeting, around[i], &Reached::contour) != meeting.end())
+                heights[i] = height;
+        begin = end;
+    }
+    return heights;
+}
+
+std::vector<FinePoint> split_crossings(PlanarPartition& plan, std::span<const PartitionContour> contours) {
+    const RoofHeights heights(plan, contours);
+    std::vector<std::pair<std::uint32_t, FinePoint>> crossings;
+    for (std::uint32_t e = 0; e < plan.edges.size(); ++e) {
+        const PartitionEdge& edge = plan.edges[e];
+        const Differences difference = differences(edge, plan, heights);
+        if (!difference.cross())
+            continue;
+        const auto before = static_cast<double>(std::abs(difference.from));
+        const double share = before / (before + static_cast<double>(std::abs(difference.to)));
+        const FinePoint a = plan.nodes[edge.from];
+        const FinePoint b = plan.nodes[edge.to];
+        crossings.push_back({e,
+                             {a.row + std::llround(share * static_cast<double>(b.row - a.row)),
+                              a.col + std::llround(share * static_cast<double>(b.col - a.col))}});
+    }
+    if (crossings.empty())
+        return {};
+    std::vector<FinePoint> places;
+    PartitionEditor editor(std::move(plan));
+    for (const auto& [edge, place] : crossings)
+        if (editor.split(edge, place))
+            places.push_back(place);
+    plan = editor.plan();
+    std::ranges::sort(places);
+    return places;
+}
+
+RoofHeights::RoofHeights(const PlanarPartition& plan, std::span<const PartitionContour> contours) {
+    for (const PartitionContour& contour : contours)
+        tops_.push_back(contour.top);
+    std::vector<std::pair<std::uint32_t, std::int32_t>> around;  // nodes and contours
+    std::vector<bool> is_slanted(plan.nodes.size());
+    for (const PartitionEdge& edge : plan.edges)
+        for (const std::uint32_t node : {edge.from, edge.to})
+            for (const std::int32_t contour : {edge.left, edge.right})
+                if (contour != open_ground) {
+                    around.emplace_back(node, contour);
+                    is_slanted[node] = is_slanted[node] || has_plane(contour, contours);
+                }
+    std::erase_if(around, [&](const auto& one) { return !is_slanted[one.first]; });
+    std::ranges::sort(around);
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    std::vector<std::int32_t> here;
+    for (std::size_t begin = 0; begin < around.size();) {
+        const std::uint32_t node = around[begin].first;
+        here.clear();
+        std::size_t end = begin;
+        for (; end < around.size() && around[end].first == node; ++end)
+            here.push_back(around[end].second);
+        const std::vector<std::int64_t> heights = heights_at(plan.nodes[node], here, contours);
+        for (std::size_t i = 0; i < here.size(); ++i)
+            entries_.push_back({plan.nodes[node], here[i], heights[i]});
+        begin = end;
+    }
+    std::ranges::sort(entries_);
+}
+
+std::int64_t RoofHeights::at(std::int32_t contour, FinePoint node) const {
+    if (!entries_.empty())
+        if (const auto found = std::ranges::lower_bound(entries_, Entry{node, contour, no_height});
+            found != entries_.end() && found->node == node && found->contour == contour)
+            return found->height;
+    return tops_[static_cast<std::size_t>(contour)];
+}
+
+std::span<RoofHeights::Entry> RoofHeights::entries_at(FinePoint node) {
+    const auto [first, last] = std::ranges::equal_range(entries_, node, {}, &Entry::node);
+    return {first, last};
+}
+
+/// Gives all roofs at the heights of two contours their mean height.
+void RoofHeights::join(FinePoint node, std::int32_t a, std::int32_t b) {
+    const std::int64_t low = at(a, node);
+    const std::int64_t high = at(b, node);
+    for (Entry& entry : entries_at(node))
+        if (entry.height == low || entry.height == high)
+            entry.height = (low + high) / 2;
+}
+
+std::vector<std::int32_t> RoofHeights::join_near_crossings(const PlanarPartition& plan) {
+    if (entries_.empty())
+        return {};
+    std::vector<std::int32_t> left;
+    for (int round = 0; round < joining_rounds; ++round) {
+        left.clear();
+        for (const PartitionEdge& edge : plan.edges) {
+            const Differences difference = differences(edge, plan, *this);
+            if (!difference.cross())
+                continue;
+            left.push_back(edge.left);
+            left.push_back(edge.right);
+            const bool at_start = std::abs(difference.from) < std::abs(difference.to);
+            if (std::min(std::abs(difference.from), std::abs(difference.to)) <= most_joined)
+                join(plan.nodes[at_start ? edge.from : edge.to], edge.left, edge.right);
+        }
+        if (left.empty())
+            return {};
+    }
+    std::ranges::sort(left);
+    left.erase(std::unique(left.begin(), left.end()), left.end());
+    return left;
+}
+
+}  // namespace d2b::surface

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "surface/planar_partition.hpp"
+
+namespace d2b::surface {
+
+/// Height of open ground: below all roofs.
+inline constexpr std::int64_t no_height = std::numeric_limits<std::int64_t>::min();
+
+/// Returns the height of each contour's roof at a node. Planes that nearly meet there get one height,
+/// because rounding has moved the corners in which they meet; others are at least two millimetres apart.
+/// @param around contours and open_ground, all that touch the node
+[[nodiscard]] std::vector<std::int64_t> heights_at(FinePoint node, std::span<const std::int32_t> around,
+                                                   std::span<const PartitionContour> contours);
+
+/// Adds nodes where the roofs on both sides of an edge cross each other. @return their positions, sorted
+[[nodiscard]] std::vector<FinePoint> split_crossings(PlanarPartition& plan,
+                                                     std::span<const PartitionContour> contours);
+
+/// Heights of roofs at the nodes of a plan.
+class RoofHeights {
+  public:
+    RoofHeights() = default;
+    RoofHeights(const PlanarPartition& plan, std::span<const PartitionContour> contours);
+
+    /// @param contour next to the node; not open_ground
+    [[nodiscard]] std::int64_t at(std::int32_t contour, FinePoint node) const;
+    [[nodiscard]] bool are_slanted() const { return !entries_.empty(); }
+    /// Makes roofs equal at the ends of edges next to which they cross. @return contours on both sides of
+    /// edges on which they still cross, ascending
+    [[nodiscard]] std::vector<std::int32_t> join_near_crossings(const PlanarPartition& plan);
+
+  private:
+    /// Height of a slanted roof or of one that meets it.
+    struct Entry {
+        FinePoint node;
+        std::int32_t contour = 0;
+        std::int64_t height = 0;
+
+        friend auto operator<=>(const Entry&, const Entry&) = default;
+    };
+    [[nodiscard]] std::span<Entry> entries_at(FinePoint node);
+    void join(FinePoint node, std::int32_t a, std::int32_t b);
+
+    std::vector<std::int64_t> tops_;  // by contour
+    std::vector<Entry> entries_;      // sorted; only of nodes with a plane
+};
+
+}  // namespace d2b::surface
