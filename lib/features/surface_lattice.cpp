@@ -9,6 +9,7 @@
 #include "core/georeference.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
+#include "surface/roof_heights.hpp"
 
 namespace d2b::features {
 namespace {
@@ -174,46 +175,6 @@ std::optional<FinePolygon> SurfaceLattice::place(const FinePolygon& outline,
     return placed;
 }
 
-namespace {
-
-/// Corner of a face: row and column in steps, height.
-using FaceCorner = std::array<double, 3>;
-
-/// Least squares, because projected corners are not exactly on a plane.
-surface::RoofPlane fit_plane(std::span<const FaceCorner> corners) {
-    FaceCorner mean{};
-    for (const FaceCorner& c : corners)
-        for (std::size_t i = 0; i < c.size(); ++i)
-            mean[i] += c[i] / static_cast<double>(corners.size());
-    const FinePoint at{std::llround(mean[0]), std::llround(mean[1])};
-    double rr = 0;
-    double rc = 0;
-    double cc = 0;
-    double rz = 0;
-    double cz = 0;
-    for (const FaceCorner& corner : corners) {
-        const double r = corner[0] - mean[0];
-        const double c = corner[1] - mean[1];
-        const double z = corner[2] - mean[2];
-        rr += r * r;
-        rc += r * c;
-        cc += c * c;
-        rz += r * z;
-        cz += c * z;
-    }
-    const double determinant = rr * cc - rc * rc;
-    surface::RoofPlane plane{at, mean[2], 0, 0};
-    if (determinant > 0) {
-        plane.per_row = (rz * cc - cz * rc) / determinant;
-        plane.per_col = (cz * rr - rz * rc) / determinant;
-    }
-    plane.height += (static_cast<double>(at.row) - mean[0]) * plane.per_row +
-                    (static_cast<double>(at.col) - mean[1]) * plane.per_col;
-    return plane;
-}
-
-}  // namespace
-
 std::optional<surface::RoofPlane> SurfaceLattice::place_plane(const FinePolygon& outline,
                                                               std::span<const double> elevations,
                                                               std::int64_t divisor,
@@ -226,12 +187,12 @@ std::optional<surface::RoofPlane> SurfaceLattice::place_plane(const FinePolygon&
             places.push_back(terms_.georeference.position(point, divisor));
     if (transform && !transform->apply_to_positions(places))
         return std::nullopt;
-    std::vector<FaceCorner> corners;
+    std::vector<std::array<double, 3>> corners;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const auto [row, col] = steps_to(places[i]);
         corners.push_back({row, col, elevations[i] / millimetre});
     }
-    surface::RoofPlane plane = fit_plane(corners);
+    surface::RoofPlane plane = surface::fit_plane(corners);
     plane.cosine =
         1 / std::hypot(1, plane.per_row * millimetre / (frame_.scale[1] * frame_.horizontal_metres),
                        plane.per_col * millimetre / (frame_.scale[0] * frame_.horizontal_metres));

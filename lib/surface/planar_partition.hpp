@@ -23,9 +23,9 @@ struct RoofPlane {
     double per_col = 0;  ///< rise per step eastwards
     double cosine = 1;   ///< of its slope on the ground
 
-    [[nodiscard]] double height_at(FinePoint p) const {
-        return height + static_cast<double>(p.row - at.row) * per_row +
-               static_cast<double>(p.col - at.col) * per_col;
+    [[nodiscard]] double height_at(double row, double col) const {
+        return height + (row - static_cast<double>(at.row)) * per_row +
+               (col - static_cast<double>(at.col)) * per_col;
     }
 };
 

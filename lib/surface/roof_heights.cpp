@@ -32,11 +32,11 @@ struct Reached {
     friend auto operator<=>(const Reached&, const Reached&) = default;
 };
 
-Reached reached(std::int32_t contour, FinePoint node, std::span<const PartitionContour> contours) {
+Reached reached(std::int32_t contour, double row, double col, std::span<const PartitionContour> contours) {
     const PartitionContour& of = contours[static_cast<std::size_t>(contour)];
     if (!of.plane)
         return {static_cast<double>(of.top), contour, 0};
-    return {of.plane->height_at(node), contour, of.plane->cosine};
+    return {of.plane->height_at(row, col), contour, of.plane->cosine};
 }
 
 /// Height of roofs that meet: that of a level one, or a mean that leaves planes at equal distances.
@@ -72,7 +72,39 @@ Differences differences(const PartitionEdge& edge, const PlanarPartition& plan, 
 
 }  // namespace
 
-std::vector<std::int64_t> heights_at(FinePoint node, std::span<const std::int32_t> around,
+/// Least squares, because corners are not exactly on a plane.
+RoofPlane fit_plane(std::span<const std::array<double, 3>> points) {
+    std::array<double, 3> mean{};
+    for (const auto& point : points)
+        for (std::size_t i = 0; i < point.size(); ++i)
+            mean[i] += point[i] / static_cast<double>(points.size());
+    const FinePoint at{std::llround(mean[0]), std::llround(mean[1])};
+    double rr = 0;
+    double rc = 0;
+    double cc = 0;
+    double rz = 0;
+    double cz = 0;
+    for (const auto& point : points) {
+        const double r = point[0] - mean[0];
+        const double c = point[1] - mean[1];
+        const double z = point[2] - mean[2];
+        rr += r * r;
+        rc += r * c;
+        cc += c * c;
+        rz += r * z;
+        cz += c * z;
+    }
+    RoofPlane plane{at, mean[2], 0, 0, 1};
+    if (const double determinant = rr * cc - rc * rc; determinant > 0) {
+        plane.per_row = (rz * cc - cz * rc) / determinant;
+        plane.per_col = (cz * rr - rz * rc) / determinant;
+    }
+    plane.height += (static_cast<double>(at.row) - mean[0]) * plane.per_row +
+                    (static_cast<double>(at.col) - mean[1]) * plane.per_col;
+    return plane;
+}
+
+std::vector<std::int64_t> heights_at(double row, double col, std::span<const std::int32_t> around,
                                      std::span<const PartitionContour> contours) {
     std::vector<std::int64_t> heights;
     heights.reserve(around.size());
@@ -84,7 +116,7 @@ std::vector<std::int64_t> heights_at(FinePoint node, std::span<const std::int32_
     std::vector<Reached> roofs;
     for (const std::int32_t contour : around)
         if (contour != open_ground)
-            roofs.push_back(reached(contour, node, contours));
+            roofs.push_back(reached(contour, row, col, contours));
     std::ranges::sort(roofs);
     roofs.erase(std::unique(roofs.begin(), roofs.end()), roofs.end());
     std::int64_t lowest = no_height;

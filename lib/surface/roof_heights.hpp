@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <limits>
@@ -13,11 +14,20 @@ namespace d2b::surface {
 /// Height of open ground: below all roofs.
 inline constexpr std::int64_t no_height = std::numeric_limits<std::int64_t>::min();
 
+/// Returns the plane that fits points best. @param points rows, columns and heights, at least three
+[[nodiscard]] RoofPlane fit_plane(std::span<const std::array<double, 3>> points);
+
 /// Returns the height of each contour's roof at a node. Planes that nearly meet there get one height,
 /// because rounding has moved the corners in which they meet; others are at least two millimetres apart.
 /// @param around contours and open_ground, all that touch the node
-[[nodiscard]] std::vector<std::int64_t> heights_at(FinePoint node, std::span<const std::int32_t> around,
+[[nodiscard]] std::vector<std::int64_t> heights_at(double row, double col,
+                                                   std::span<const std::int32_t> around,
                                                    std::span<const PartitionContour> contours);
+[[nodiscard]] inline std::vector<std::int64_t> heights_at(FinePoint node,
+                                                          std::span<const std::int32_t> around,
+                                                          std::span<const PartitionContour> contours) {
+    return heights_at(static_cast<double>(node.row), static_cast<double>(node.col), around, contours);
+}
 
 /// Adds nodes where the roofs on both sides of an edge cross each other. @return their positions, sorted
 [[nodiscard]] std::vector<FinePoint> split_crossings(PlanarPartition& plan,

@@ -57,6 +57,30 @@ TEST_F(MeshTown, ofDelft) {
     expect_good(dem);
 }
 
+/// A mesh encloses as much as the solids that it is made of, and keeps their ridges, whatever points are
+/// added.
+TEST_F(MeshTown, ofSlantedRoofs) {
+    make({"-q", "-te", "391100", "5820100", "391400", "5820400", "-layers", "buildings", "-write_ground",
+          "g.tif", "-surface_of", "roofs", "-surface", "in.city.json", "-surface", "in.obj",
+          sample("town.tif"), "out.gpkg"});
+    const double volume = read("in.obj").volume();
+    for (const Arguments& more : {Arguments{}, Arguments{"-max_edge", "5"}, Arguments{"-ground", "g.tif"}}) {
+        Arguments arguments{"-overwrite", "in.city.json", "out.obj", "-json"};
+        arguments.insert(arguments.begin(), more.begin(), more.end());
+        const ToolResult result = mesh(arguments);
+        ASSERT_EQ(result.status, 0) << result.err;
+        const nlohmann::json report = nlohmann::json::parse(result.out);
+        EXPECT_EQ(report["separated_points"].size(), 0U);
+        EXPECT_TRUE(read("out.obj").is_closed());
+        if (more.empty() || more.front() == "-max_edge") {
+            EXPECT_NEAR(read("out.obj").volume(), volume, 1e-4 * volume);
+        }
+        if (!more.empty() && more.front() == "-max_edge") {
+            EXPECT_LE(report["longest_edge_m"].get<double>(), 5);
+        }
+    }
+}
+
 TEST_F(MeshTown, asStl) {
     make({"-q", "-surface", "in.city.json", sample("town.tif"), "out.gpkg"});
     mesh_well({"in.city.json", "out.stl"});

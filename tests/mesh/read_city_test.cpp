@@ -164,9 +164,12 @@ INSTANTIATE_TEST_SUITE_P(
                        }
                    },
                    "has a solid, building_1, that is not closed" + damaged},
-            Damage{"roofs", [](json& c) { solid(c)["lod"] = "2.2"; },
-                   "has slanted roofs, and a mesh is made of level ones; make the file with -surface_of buildings "
-                   "or contours."},
+            Damage{"warped",
+                   [](json& c) {
+                       solid(c)["lod"] = "2.2";
+                       c["vertices"][1][2] = 9500;
+                   },
+                   "has a solid, building_1, that has a roof that is not plane" + damaged},
             Damage{"pitched", [](json& c) { c["vertices"][1][2] = 9500; },
                    "has a solid, building_1, that has a roof that is not level" + damaged},
             Damage{"slope", [](json& c) { c["vertices"][0][2] = 900; },

@@ -24,13 +24,10 @@ def off_plane(rings, vertices, step):
     return numpy.abs(corners @ numpy.linalg.svd(corners)[2][2]).max()
 
 
-def face_faults(rings, surface, vertices, step=None):
-    """Without a step, all roofs are level."""
-    kind = surface["type"]
+def face_faults(rings, kind, vertices, step, slanted=False):
     n = normal(rings, vertices)
     first = vertices[rings[0][0]]
-    slanted = step and "slope" in surface
-    if slanted:
+    if slanted and kind == "RoofSurface":
         if (off := off_plane(rings, vertices, step)) > PLANE:
             yield f"a roof is {1000 * off:.2f} mm from a plane"
     elif any(dot(n, [a - b for a, b in zip(vertices[i], first)]) for ring in rings for i in ring):
@@ -61,7 +58,8 @@ def solid_faults(solid, vertices, step):
     if len(kinds) != len(faces):
         yield "not every face has a kind"
     for rings, kind in zip(faces, kinds):
-        yield from face_faults(rings, solid["semantics"]["surfaces"][kind], vertices, step)
+        surface = solid["semantics"]["surfaces"][kind]
+        yield from face_faults(rings, surface["type"], vertices, step, "slope" in surface)
         volume += dot(normal(rings, vertices), vertices[rings[0][0]])
         for ring in rings:
             ways.update((tuple(vertices[a]), tuple(vertices[b])) for a, b in zip(ring, ring[1:] + ring[:1]))
@@ -72,7 +70,7 @@ def solid_faults(solid, vertices, step):
     yield from (f"with corners within a millimetre as one {fault}" for fault in snapped_solid.faults(faces, vertices, step))
 
 
-def surface_faults(geometry, vertices):
+def surface_faults(geometry, vertices, step):
     """Of a building's triangles, or of a relief, which looks up."""
     if geometry["type"] == "CompositeSurface":
         if any(normal(face, vertices)[2] <= 0 for face in geometry["boundaries"]):
@@ -82,7 +80,7 @@ def surface_faults(geometry, vertices):
     if len(kinds) != len(geometry["boundaries"]):
         yield "not every face has a kind"
     for face, kind in zip(geometry["boundaries"], kinds):
-        yield from face_faults(face, geometry["semantics"]["surfaces"][kind], vertices)
+        yield from face_faults(face, geometry["semantics"]["surfaces"][kind]["type"], vertices, step, geometry["lod"] == "2.2")
 
 
 def shell_faults(triangles, vertices, has_border):
@@ -139,7 +137,7 @@ def faults(city):
             yield from (f"{name}: {fault}" for fault in solid_faults(geometry, vertices, step))
         else:
             shell += [face[0] for face in faces]
-            yield from (f"{name}: {fault}" for fault in surface_faults(geometry, vertices))
+            yield from (f"{name}: {fault}" for fault in surface_faults(geometry, vertices, step))
     yield from shell_faults(shell, vertices, any(t["type"] == "TINRelief" for t in city["CityObjects"].values()))
     if len(used) != len(vertices):
         yield f"{len(vertices) - len(used)} vertices are not used"

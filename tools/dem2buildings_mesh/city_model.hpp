@@ -3,17 +3,20 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/lattice.hpp"
+#include "surface/planar_partition.hpp"
 
 namespace d2b::mesh {
 
-/// A level roof. Its outline is on the whole steps of the file: columns to the east, rows to the south.
+/// A roof. Its outline is on the whole steps of the file: columns to the east, rows to the south.
 struct CityRoof {
     FinePolygon outline;
-    std::int64_t z = 0;
+    std::int64_t z = 0;                            ///< of its lowest corner
+    std::optional<surface::RoofPlane> plane = {};  ///< if it is slanted
 };
 
 /// A building as one closed solid with vertical walls.

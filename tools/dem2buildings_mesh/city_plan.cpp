@@ -10,6 +10,7 @@
 #include "dem2buildings/error.hpp"
 #include "surface/partition.hpp"
 #include "surface/resolve_nonmanifold.hpp"
+#include "surface/roof_heights.hpp"
 
 namespace d2b::mesh {
 namespace {
@@ -18,7 +19,7 @@ std::vector<surface::PartitionContour> contours_of(const CityModel& city) {
     std::vector<surface::PartitionContour> contours;
     for (std::size_t i = 0; i < city.buildings.size(); ++i)
         for (const CityRoof& roof : city.buildings[i].roofs)
-            contours.push_back({roof.outline, -1, static_cast<std::int32_t>(i), roof.z});
+            contours.push_back({roof.outline, -1, static_cast<std::int32_t>(i), roof.z, roof.plane});
     return contours;
 }
 
@@ -77,8 +78,9 @@ CityPlan make_city_plan(const CityModel& city, const surface::GapTolerances& gap
     }
     CityPlan result{std::move(partition.plan), {}, {}};
     take_apart(city, contours, gaps, result);
+    static_cast<void>(surface::split_crossings(result.plan, contours));
     for (const surface::PartitionContour& contour : contours)
-        result.regions.push_back({contour.building, contour.top, 0});
+        result.regions.push_back({contour.building, contour.top, 0, contour.plane});
     level_bases(city, result);
     for (const Region& region : result.regions)
         require_height(city, region);

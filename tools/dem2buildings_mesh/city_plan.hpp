@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "dem2buildings_mesh/city_model.hpp"
@@ -14,6 +15,7 @@ struct Region {
     std::int32_t building = 0;  ///< place in CityModel::buildings
     std::int64_t top = 0;       ///< steps of the file
     std::int64_t base = 0;      ///< lowest ground of all buildings that hang together with this one
+    std::optional<surface::RoofPlane> plane = {};  ///< if it is slanted; `top` is its lowest corner then
 };
 
 /// The roofs of a city as a partition of the plane, exactly on the steps of its file. Sides of an edge are

@@ -65,7 +65,7 @@ class PanelMaker {
     /// Of one side of an edge at a node. @param other what lies on the other side
     [[nodiscard]] std::int64_t height(std::int32_t region, std::int32_t other, std::uint32_t node) const {
         if (region >= 0)
-            return heights_.regions[static_cast<std::size_t>(region)].top;
+            return heights_.top(region, node);
         if (heights_.terrain.empty())
             return heights_.regions[static_cast<std::size_t>(other)].base;
         return region == beyond ? heights_.plate : heights_.terrain[node];
@@ -97,11 +97,15 @@ std::vector<WallPanel> wall_panels(const PlanMesh& mesh, const PlanHeights& heig
     const PanelMaker maker(heights);
     std::vector<WallPanel> panels;
     for (const Border& border : borders_of(mesh)) {
-        const std::int64_t left = maker.height(border.left, border.right, border.low);
-        const std::int64_t right = maker.height(border.right, border.left, border.low);
-        if (left > right)
+        const auto differ = [&](std::uint32_t node) {
+            return maker.height(border.left, border.right, node) <=>
+                   maker.height(border.right, border.left, node);
+        };
+        // Slanted roofs may meet at one end.
+        const auto higher = differ(border.low) != 0 ? differ(border.low) : differ(border.high);
+        if (higher > 0)
             panels.push_back(maker.panel(border.low, border.high, border.left, border.right));
-        else if (left < right)
+        else if (higher < 0)
             panels.push_back(maker.panel(border.high, border.low, border.right, border.left));
     }
     return panels;

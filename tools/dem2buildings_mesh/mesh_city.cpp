@@ -109,9 +109,20 @@ void require_few_points(const PlanDrawing& drawing, const MeshRequest& request, 
             " would take more than 20 million points; give a larger one, or a smaller part of the city.");
 }
 
-PlanMesh divide(PlanDrawing& drawing, const MeshRequest& request, const std::optional<GroundGrid>& ground,
-                const CityModel& city, const PlanFrame& frame) {
-    RefineRules rules{request.min_angle, request.max_edge / frame.metres()};
+/// Cosine of the steepest roof: edges along its slope are longer than they are seen from above.
+double least_cosine(const CityPlan& plan, const PlanFrame& frame) {
+    const double height = frame.metres_of_height() / frame.metres();
+    double least = 1;
+    for (const Region& region : plan.regions)
+        if (region.plane)
+            least = std::min(least, 1 / std::hypot(1, region.plane->per_col * height,
+                                                   region.plane->per_row * height / frame.ratio));
+    return least;
+}
+
+PlanMesh divide(PlanDrawing& drawing, const CityPlan& plan, const MeshRequest& request,
+                const std::optional<GroundGrid>& ground, const CityModel& city, const PlanFrame& frame) {
+    RefineRules rules{request.min_angle, request.max_edge / frame.metres() * least_cosine(plan, frame)};
     if (request.max_edge > 0)
         split_long_edges(drawing, rules.max_edge / std::numbers::sqrt2);
     if (ground)
@@ -166,9 +177,10 @@ MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks,
         add_ground(request, city, frame, *ground, drawing, callbacks);
     }
     require_few_points(drawing, request, frame);
-    const PlanMesh mesh = divide(drawing, request, ground, city, frame);
+    const PlanMesh mesh = divide(drawing, plan, request, ground, city, frame);
     report.plan_points = static_cast<std::int64_t>(mesh.nodes.size());
     PlanHeights heights{plan.regions, {}, 0};
+    heights.raise_roofs(mesh, frame);
     if (ground) {
         heights = heights_over(mesh, plan.regions, *ground, request, frame, city, report);
         measure_terrain(mesh, heights, *ground, request, frame, report);

@@ -30,6 +30,10 @@ struct PlanFrame {
         return {static_cast<double>(point.col - corner.col),
                 static_cast<double>(corner.row - point.row) * ratio};
     }
+    /// Column and row of the file, as x and y.
+    [[nodiscard]] Position lattice(const Position& at) const {
+        return {static_cast<double>(corner.col) + at.x, static_cast<double>(corner.row) - at.y / ratio};
+    }
     /// Rounded to parts of a step. @param z in steps
     [[nodiscard]] SurfacePoint steps(const Position& at, std::int64_t z) const {
         return {corner.col * parts_a_step + std::llround(at.x * static_cast<double>(parts_a_step)),

@@ -143,12 +143,8 @@ CityBuilding building_of(const CityJson& file, const std::string& name, const Js
     if (geometries.size() != 1)
         file.refuse("does not have exactly one geometry in " + name + "; give a file that -surface wrote");
     city.lod = file.text(geometries[0], "lod", name);
-    if (city.lod == "2.2")
-        file.refuse(
-            "has slanted roofs, and a mesh is made of level ones; make the file with -surface_of "
-            "buildings or contours");
     const std::vector<SolidFace> faces = SolidReader(file, vertices, name).read(geometries[0]);
-    if (const auto fault = fault_of(faces))
+    if (const auto fault = fault_of(faces, city.lod == "2.2"))
         file.refuse("has a solid, " + name + ", that " + *fault + "; the file is damaged");
     CityBuilding building = mesh::building_of(faces);
     building.name = name;

@@ -2,10 +2,13 @@
 #include "dem2buildings_mesh/solid.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
 #include "core/int128.hpp"
+#include "surface/roof_heights.hpp"
 
 namespace d2b::mesh {
 namespace {
@@ -68,11 +71,34 @@ bool closed(const std::vector<SolidFace>& faces) {
     return std::ranges::adjacent_find(there) == there.end() && there == back;
 }
 
-std::optional<std::string> fault_of(const SolidFace& face) {
+surface::RoofPlane plane_of(const SolidFace& face) {
+    std::vector<std::array<double, 3>> corners;
+    for (const Ring& ring : face.rings)
+        for (const SurfacePoint& p : ring)
+            corners.push_back(
+                {static_cast<double>(-p.y), static_cast<double>(p.x), static_cast<double>(p.z)});
+    return surface::fit_plane(corners);
+}
+
+bool is_plane(const SolidFace& face) {
+    constexpr double most = 2;
+    const surface::RoofPlane plane = plane_of(face);
+    return std::ranges::all_of(face.rings, [&](const Ring& ring) {
+        return std::ranges::all_of(ring, [&](const SurfacePoint& p) {
+            return std::abs(plane.height_at(static_cast<double>(-p.y), static_cast<double>(p.x)) -
+                            static_cast<double>(p.z)) <= most;
+        });
+    });
+}
+
+std::optional<std::string> fault_of(const SolidFace& face, bool slanted) {
     if (face.kind == FaceKind::wall)
         return upright(face) ? std::nullopt : std::optional("has a wall that is not upright");
     const char* const name = face.kind == FaceKind::roof ? "a roof" : "a ground";
-    if (!level(face))
+    if (slanted && face.kind == FaceKind::roof) {
+        if (!is_plane(face))
+            return "has a roof that is not plane";
+    } else if (!level(face))
         return "has " + std::string(name) + " that is not level";
     const Int128 area = twice_area(face);
     if (face.kind == FaceKind::roof ? area <= 0 : area >= 0)
@@ -90,12 +116,12 @@ FineRing plan_of(const Ring& ring) {
 
 }  // namespace
 
-std::optional<std::string> fault_of(const std::vector<SolidFace>& faces) {
+std::optional<std::string> fault_of(const std::vector<SolidFace>& faces, bool slanted) {
     Int128 covered = 0;
     for (const SolidFace& face : faces) {
         if (std::ranges::any_of(face.rings, [](const Ring& ring) { return ring.size() < 3; }))
             return "has a face of fewer than three corners";
-        if (auto fault = fault_of(face))
+        if (auto fault = fault_of(face, slanted))
             return fault;
         covered += face.kind == FaceKind::wall ? 0 : twice_area(face);
     }
@@ -117,6 +143,12 @@ CityBuilding building_of(const std::vector<SolidFace>& faces) {
             continue;
         CityRoof& roof = building.roofs.emplace_back();
         roof.z = z;
+        if (!level(face)) {
+            roof.plane = plane_of(face);
+            for (const Ring& ring : face.rings)
+                for (const SurfacePoint& point : ring)
+                    roof.z = std::min(roof.z, point.z);
+        }
         roof.outline.exterior = plan_of(face.rings.front());
         for (std::size_t i = 1; i < face.rings.size(); ++i)
             roof.outline.interiors.push_back(plan_of(face.rings[i]));

@@ -19,8 +19,9 @@ struct SolidFace {
 
 /// What is wrong with a solid: ends a sentence that begins with its name. Nothing where every edge is passed
 /// once each way, roofs and grounds are level and face up and down, walls stand upright, and the roofs cover
-/// as much as the grounds. All of it is decided on integers.
-[[nodiscard]] std::optional<std::string> fault_of(const std::vector<SolidFace>& faces);
+/// as much as the grounds. All of it is decided on integers. @param slanted true if roofs need only be plane,
+/// within two steps of height
+[[nodiscard]] std::optional<std::string> fault_of(const std::vector<SolidFace>& faces, bool slanted = false);
 
 /// The roofs of a solid without fault, and its lowest ground.
 [[nodiscard]] CityBuilding building_of(const std::vector<SolidFace>& faces);

@@ -12,6 +12,7 @@
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings_mesh/columns.hpp"
+#include "surface/roof_heights.hpp"
 
 namespace d2b::mesh {
 namespace {
@@ -88,9 +89,8 @@ void Builder::add_level(const PlanTriangle& triangle) {
     }
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t node = triangle.nodes[i];
-        top.corners[i] = {node, triangle.region < 0
-                                    ? heights_.terrain[node]
-                                    : heights_.regions[static_cast<std::size_t>(triangle.region)].top};
+        top.corners[i] = {node,
+                          triangle.region < 0 ? heights_.terrain[node] : heights_.top(triangle.region, node)};
         below.corners[2 - i] = {node, level};
     }
     triangles_.push_back(top);
@@ -187,6 +187,36 @@ Shell Builder::join() {
 }
 
 }  // namespace
+
+std::int64_t PlanHeights::top(std::int32_t region, std::uint32_t node) const {
+    if (!slanted.empty())
+        for (const auto& [at_node, height] : slanted[node])
+            if (at_node == region)
+                return height;
+    return regions[static_cast<std::size_t>(region)].top;
+}
+
+void PlanHeights::raise_roofs(const PlanMesh& mesh, const PlanFrame& frame) {
+    slanted.clear();
+    if (std::ranges::none_of(regions, [](const Region& region) { return region.plane.has_value(); }))
+        return;
+    std::vector<surface::PartitionContour> contours;
+    for (const Region& region : regions)
+        contours.push_back({{}, -1, region.building, region.top, region.plane});
+    std::vector<std::vector<std::int32_t>> around(mesh.nodes.size());
+    for (const PlanTriangle& triangle : mesh.triangles)
+        for (const std::uint32_t node : triangle.nodes)
+            if (triangle.region >= 0 &&
+                std::ranges::find(around[node], triangle.region) == around[node].end())
+                around[node].push_back(triangle.region);
+    slanted.resize(mesh.nodes.size());
+    for (std::size_t node = 0; node < slanted.size(); ++node) {
+        const Position at = frame.lattice(mesh.nodes[node]);
+        const std::vector<std::int64_t> heights = surface::heights_at(at.y, at.x, around[node], contours);
+        for (std::size_t i = 0; i < heights.size(); ++i)
+            slanted[node].emplace_back(around[node][i], heights[i]);
+    }
+}
 
 Shell stand_up(const PlanMesh& mesh, const PlanHeights& heights, const PlanFrame& frame, double max_edge) {
     return Builder(mesh, heights, frame, max_edge).build();

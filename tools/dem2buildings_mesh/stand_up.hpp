@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dem2buildings_mesh/city_plan.hpp"
@@ -18,6 +19,13 @@ struct PlanHeights {
     std::vector<Region> regions;
     std::vector<std::int64_t> terrain;  ///< of each node; empty: no terrain, buildings stand on their bases
     std::int64_t plate = 0;             ///< below the terrain
+    /// Regions and their heights at each node; empty if all roofs are level.
+    std::vector<std::vector<std::pair<std::int32_t, std::int64_t>>> slanted = {};
+
+    /// @param region next to the node
+    [[nodiscard]] std::int64_t top(std::int32_t region, std::uint32_t node) const;
+    /// Fills `slanted` from the planes of regions.
+    void raise_roofs(const PlanMesh& mesh, const PlanFrame& frame);
 };
 
 /// Roofs, walls, and grounds, or terrain with sides and a plate, as one surface: where heights of neighbours

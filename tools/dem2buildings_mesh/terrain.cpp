@@ -36,6 +36,19 @@ std::vector<std::array<Position, 2>> outlines(const PlanDrawing& drawing) {
     return edges;
 }
 
+/// Lifts a roof. Slanted ones of a building are lifted together, because otherwise they would cross.
+void lift_with_slopes(std::vector<Region>& regions, std::size_t which, std::int64_t lift) {
+    const bool together = regions[which].plane.has_value();
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        Region& region = regions[i];
+        if (i != which && !(together && region.plane && region.building == regions[which].building))
+            continue;
+        region.top += lift;
+        if (region.plane)
+            region.plane->height += static_cast<double>(lift);
+    }
+}
+
 }  // namespace
 
 std::size_t lay_ground(PlanDrawing& drawing, GroundGrid& grid, double margin_metres, const PlanFrame& frame) {
@@ -118,25 +131,30 @@ PlanHeights heights_over(const PlanMesh& mesh, std::vector<Region> regions, cons
             }
     heights.plate = lowest - std::max<std::int64_t>(1, steps(request.base, frame));
     const std::int64_t wall = std::max<std::int64_t>(1, steps(request.min_wall, frame));
-    std::vector<std::int64_t> needed(heights.regions.size(), std::numeric_limits<std::int64_t>::min());
+    heights.raise_roofs(mesh, frame);
+    std::vector<std::int64_t> lift(heights.regions.size(), 0);
     std::vector<std::uint32_t> place(heights.regions.size());
     for (const PlanTriangle& triangle : mesh.triangles)
         for (const std::uint32_t node : triangle.nodes) {
-            const auto region = static_cast<std::size_t>(std::max(triangle.region, 0));
-            if (triangle.region < 0 || !beside[node] || heights.terrain[node] + wall <= needed[region])
+            if (triangle.region < 0 || !beside[node])
                 continue;
-            needed[region] = heights.terrain[node] + wall;
-            place[region] = node;
+            const auto region = static_cast<std::size_t>(triangle.region);
+            const std::int64_t missing = heights.terrain[node] + wall - heights.top(triangle.region, node);
+            if (missing > lift[region]) {
+                lift[region] = missing;
+                place[region] = node;
+            }
         }
     for (std::size_t i = 0; i < heights.regions.size(); ++i) {
-        Region& region = heights.regions[i];
-        if (region.top >= needed[i])
+        if (lift[i] == 0)
             continue;
+        Region& region = heights.regions[i];
         report.lifted.push_back({frame.world(mesh.nodes[place[i]]),
-                                 static_cast<double>(needed[i] - region.top) * frame.metres_of_height(),
+                                 static_cast<double>(lift[i]) * frame.metres_of_height(),
                                  city.buildings[static_cast<std::size_t>(region.building)].name});
-        region.top = needed[i];
+        lift_with_slopes(heights.regions, i, lift[i]);
     }
+    heights.raise_roofs(mesh, frame);
     return heights;
 }
 
