@@ -242,6 +242,19 @@ void FeatureWriter::measure_building(DrawnContour& drawn) {
         record.parcel = input_.parcels->name(record.parcel_number);
 }
 
+namespace {
+
+/// Counts buildings that an option could improve, for the advice after the run.
+void count_advisable(const BuildingRecord& record, RunReport& report) {
+    constexpr double certain = 0.9;
+    constexpr double one_roof_m = 5;
+    const auto& heights = record.heights_m;
+    report.uncertain += record.confidence < certain ? 1 : 0;
+    report.uneven += heights[p90_share] - heights[0] > one_roof_m ? 1 : 0;
+}
+
+}  // namespace
+
 void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     FeaturePolygon& made = *drawn.building;
     const bool doubtful = drawn.is_low_confidence;
@@ -266,8 +279,10 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     if (!indices().contours)
         context_.report.vertices += vertices_of(made.parts);
     BuildingRecord& record = drawn.building_record;
-    if (!doubtful)
+    if (!doubtful) {
+        count_advisable(record, context_.report);
         implausible_heights_.note(record, drawn.record);
+    }
     write(*indices().building_layer(doubtful), building_attributes(input_.setup.plan.asked), record,
           std::move(made), drawn.record.threshold);
 }

@@ -34,6 +34,7 @@ enum class Python { none, extract_file, everywhere };
 struct RowProperties {
     std::string title{};
     DialogSection section = DialogSection::advanced;
+    bool everyday = false;
     std::string help{};
     std::string details{};
     std::string unit{};

@@ -1,4 +1,5 @@
 #include "options/option_rows.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b::rows {
 namespace {
@@ -23,6 +24,7 @@ OptionRow ground() {
         "ground", OptionKind::terrain, joined(words_of(modes), "|") + "|<terrain model>",
         {.title = "How the ground is found",
          .section = DialogSection::ground,
+         .everyday = true,
          .help = "The ground below the buildings.",
          .details = "auto: estimated from the input. none: the input holds heights above ground. A terrain "
                     "model can be in any CRS and unit. A file called auto or none needs its path: ./auto.",
@@ -48,6 +50,7 @@ std::vector<OptionRow> parcels() {
                             [](auto& r) -> auto& { return r.options.detect.split_by; },
                             {.title = "Parcels that cut blocks into houses",
                              .section = DialogSection::detail,
+                             .everyday = true,
                              .help = "Cut buildings by parcels: polygons, or lines that cross them.",
                              .details = "In any CRS. Each part is a building, parts share their walls "
                                         "exactly, and the field parcel identifies the polygon.",
@@ -83,6 +86,7 @@ std::vector<OptionRow> evidence() {
                    [](auto& r) -> auto& { return r.options.detect.min_confidence; },
                    {.title = "Minimum confidence",
                     .section = DialogSection::trees,
+                    .everyday = true,
                     .help = "Minimum confidence of a building; less certain objects are left out.",
                     .details = "Confidence separates buildings from trees by smoothness, edges and shape.",
                     .scope = detection_scope(),
@@ -113,6 +117,7 @@ std::vector<OptionRow> evidence() {
         "split_height", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.split_height; },
         {.title = "Height step that divides a building",
          .section = DialogSection::detail,
+         .everyday = true,
          .help = "Divide buildings at height steps larger than this; 0 divides none.",
          .details = "The parts share their walls exactly; parts smaller than -min_area stay with their "
                     "neighbour. Houses of equal height stay one block; -split_by divides them.",
@@ -154,12 +159,23 @@ std::vector<OptionRow> buildings() {
                               [](auto& r) -> auto& { return r.options.detect.min_building_height; },
                               {.title = "Lowest building to keep",
                                .section = DialogSection::basic,
+                               .everyday = true,
                                .help = "Lowest building to keep, by its p90; 0 keeps all.",
                                .details = "p90 is the height above ground that 90 % of its points do not "
                                           "exceed. Buildings are kept whole.",
                                .unit = "m",
                                .scope = detection_scope("0"),
                                .item = "MIN_BUILDING_HEIGHT_M"}));
+    rows.push_back(number_row(
+        "min_area", "<m2>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.filter.min_area_m2; },
+        {.title = "Smallest building to keep",
+         .section = DialogSection::basic,
+         .everyday = true,
+         .help = "Smallest area of a building; by default " + number_text(default_min_building_m2) + " m2.",
+         .details =
+             "With -preset thesis, which has no default, it drops smaller contours and fills smaller holes.",
+         .unit = "m2",
+         .item = "MIN_AREA_M2"}));
     for (OptionRow& row : evidence())
         rows.push_back(std::move(row));
     return rows;

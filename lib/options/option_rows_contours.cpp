@@ -34,27 +34,16 @@ OptionRow fixed_levels() {
     return row;
 }
 
-std::vector<OptionRow> noise() {
-    std::vector<OptionRow> rows;
-    rows.push_back(
-        integer_row("nf", "<points>", {.lowest = 0, .highest = 1000000000},
-                    [](auto& r) -> auto& { return r.options.filter.noise_factor; },
-                    {.title = "Shortest outline of a part",
-                     .help = "Noise factor: drop contours whose outline passes fewer grid points.",
-                     .details = "Contours on top of them are dropped too. Holes are filled by the same rule, "
-                                "unless a kept contour stands in them. 0 keeps everything.",
-                     .unit = "grid points",
-                     .item = "NOISE_FACTOR"}));
-    rows.push_back(number_row(
-        "min_area", "<m2>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.filter.min_area_m2; },
-        {.title = "Smallest building to keep",
-         .section = DialogSection::basic,
-         .help = "Smallest area of a building; by default " + number_text(default_min_building_m2) + " m2.",
-         .details =
-             "With -preset thesis, which has no default, it drops smaller contours and fills smaller holes.",
-         .unit = "m2",
-         .item = "MIN_AREA_M2"}));
-    return rows;
+OptionRow noise_factor() {
+    return integer_row(
+        "nf", "<points>", {.lowest = 0, .highest = 1000000000},
+        [](auto& r) -> auto& { return r.options.filter.noise_factor; },
+        {.title = "Shortest outline of a part",
+         .help = "Noise factor: drop contours whose outline passes fewer grid points.",
+         .details = "Contours on top of them are dropped too. Holes are filled by the same rule, "
+                    "unless a kept contour stands in them. 0 keeps everything.",
+         .unit = "grid points",
+         .item = "NOISE_FACTOR"});
 }
 
 /// Options for flow solvers.
@@ -165,8 +154,7 @@ std::vector<OptionRow> contours() {
                     "cell on each side. cells: along the borders of the cells of these points; areas are "
                     "unbiased. By default cells, with -preset thesis points.",
          .item = "TRACE"}));
-    for (OptionRow& row : noise())
-        rows.push_back(std::move(row));
+    rows.push_back(noise_factor());
     rows.push_back(walls());
     rows.push_back(switch_row("arcs", [](auto& r) -> auto& { return r.options.outline.arcs; },
                               {.title = "Round walls as arcs",

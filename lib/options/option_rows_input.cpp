@@ -92,6 +92,7 @@ std::vector<OptionRow> windows() {
         [](auto& r) -> auto& { return r.options.read.extent; },
         {.title = "Extent to use",
          .section = DialogSection::basic,
+         .everyday = true,
          .help = "Part of the input to use: the points within this rectangle.",
          .unit = "units of the input's CRS"}));
     rows.push_back(text_row("cutline", OptionKind::polygons, "<polygons>",

@@ -34,6 +34,7 @@ std::vector<OptionRow> dataset() {
          .python = Python::extract_file}));
     rows.push_back(switch_row("overwrite", [](auto& r) -> auto& { return r.options.write.overwrite; },
                               {.title = "Replace layers of the same names",
+                               .everyday = true,
                                .help = "Replace layers of the same names in an existing output.",
                                .details = "Other layers of a GeoPackage or SQLite file stay. Files of other "
                                           "formats are refused if they hold other layers.",
@@ -62,6 +63,7 @@ std::vector<OptionRow> surface() {
         "surface", "<file>", "", [](auto& r) -> auto& { return r.options.write.surfaces; },
         {.title = "Surface of the buildings",
          .section = DialogSection::output,
+         .everyday = true,
          .help = "Also write the buildings as closed surfaces.",
          .details =
              "The extension is .city.json, .obj, .stl or .glb. CityJSON has one solid per building, in the "
@@ -186,6 +188,7 @@ std::vector<OptionRow> also_written() {
                             [](auto& r) -> auto& { return r.options.write.page; },
                             {.title = "Page of the buildings in 3D",
                              .section = DialogSection::output,
+                             .everyday = true,
                              .help = "Also write a page that shows the buildings in 3D in a browser.",
                              .details = "One file that works without a network, with a slider through the "
                                         "levels and a flat map to print.",
@@ -195,6 +198,7 @@ std::vector<OptionRow> also_written() {
         "preview", OptionKind::picture, "<file>", [](auto& r) -> auto& { return r.options.write.preview; },
         {.title = "Picture of the result",
          .section = DialogSection::output,
+         .everyday = true,
          .help = "Also write a picture of the result over the shaded relief.",
          .details = "The name ends in .png, .svg or .pdf. It helps to judge -lod and -nf.",
          .python = Python::extract_file,
@@ -239,6 +243,7 @@ std::vector<OptionRow> output() {
         "t_srs", OptionKind::crs, "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
         {.title = "Coordinate system of the result",
          .section = DialogSection::output,
+         .everyday = true,
          .help = "CRS of the output; by default the input's.",
          .details = "Given as for -a_srs. Features that it splits (across 180 degrees, over a pole) are left "
                     "out with a warning; if it splits the whole area, the run is refused."}));
@@ -295,7 +300,15 @@ std::vector<OptionRow> report() {
                     .details = "It holds counts, the reasons for everything that was dropped, warnings, and "
                                "seconds (of all threads together) and peak memory per stage."}));
     rows.push_back(switch_row("help", [](auto& r) -> auto& { return r.tool.help; },
-                              {.title = "Help", .help = "Print this help and exit.", .aliases = {"h"}}));
+                              {.title = "Help",
+                               .everyday = true,
+                               .help = "Print the everyday options and exit.",
+                               .aliases = {"h"}}));
+    rows.push_back(switch_row("help_all", [](auto& r) -> auto& { return r.tool.help_all; },
+                              {.title = "All options",
+                               .everyday = true,
+                               .help = "Print all options and exit.",
+                               .aliases = {"help-all"}}));
     rows.push_back(switch_row("version", [](auto& r) -> auto& { return r.tool.version; },
                               {.title = "Version", .help = "Print the version and exit."}));
     rows.push_back(switch_row("man", [](auto& r) -> auto& { return r.tool.man_page; },

@@ -53,6 +53,7 @@ OptionRow make_row(std::string name, OptionKind kind, std::string values, RowPro
     row.count = row.values.empty() ? 0 : 1;
     row.title = std::move(columns.title);
     row.section = columns.section;
+    row.everyday = columns.everyday;
     row.help = std::move(columns.help);
     row.details = std::move(columns.details);
     row.unit = std::move(columns.unit);

@@ -20,7 +20,8 @@ struct ToolOptions {
     bool json = false;       ///< print the report as JSON; implies quiet
     std::string sweep{};     ///< verbatim; "" for a single run
     SweepPlan sweep_plan{};  ///< parsed sweep
-    bool help = false;
+    bool help = false;       ///< print the everyday options
+    bool help_all = false;   ///< print all options
     bool version = false;
     bool man_page = false;          ///< print the man page
     bool options_markdown = false;  ///< print the reference of the options
@@ -31,7 +32,7 @@ struct ToolOptions {
 
     /// Returns true if a text was requested instead of a run.
     [[nodiscard]] bool prints_text() const {
-        return help || version || man_page || options_markdown || options_json || bash_completion;
+        return help || help_all || version || man_page || options_markdown || options_json || bash_completion;
     }
 };
 
@@ -122,6 +123,7 @@ struct OptionRow {
     std::string standard{};  ///< default as text, from a default-constructed Request; "" if there is none
     std::string title{};     ///< label in a dialog
     DialogSection section = DialogSection::advanced;
+    bool everyday = false;  ///< one of the few in the short help
     std::string help{};     ///< one line
     std::string details{};  ///< more sentences, or ""
     PresetScope scope{};

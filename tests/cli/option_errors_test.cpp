@@ -30,7 +30,7 @@ TEST_F(OptionErrors, printsTheUsageWhereThereAreNoArguments) {
 
 TEST_F(OptionErrors, refusesUnknownOptionsWithAdvice) {
     refused({"-lad", "4"}, "There is no option -lad; did you mean -lod?");
-    refused({"-nonsense"}, "There is no option -nonsense; dem2buildings --help lists all.");
+    refused({"-nonsense"}, "There is no option -nonsense; dem2buildings --help_all lists all.");
     refused({"-config", "A", "B"}, "There is no option -config; did you mean --config?");
 }
 

@@ -122,8 +122,14 @@ TEST_F(OptionEffect, help) {
     for (const char* name : {"--help", "-help", "-h"}) {
         const std::string text = run_well({name});
         expect_has(text, "Usage: dem2buildings [options] <src_raster> <dst_vector>");
-        expect_has(text, "-lod <n>");
+        expect_has(text, "-min_area <m2>");
+        EXPECT_EQ(text.find("-lod <n>"), std::string::npos);
     }
+}
+
+TEST_F(OptionEffect, help_all) {
+    for (const char* name : {"--help_all", "--help-all", "-help_all"})
+        expect_has(run_well({name}), "-lod <n>");
 }
 
 TEST_F(OptionEffect, version) {

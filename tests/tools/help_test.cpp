@@ -46,8 +46,21 @@ TEST(Help, holdsEveryOptionThatIsNotHidden) {
         EXPECT_TRUE(holds(help, std::string(gdal.synopsis))) << gdal.synopsis;
 }
 
+TEST(Help, holdsTheEverydayOptionsAlone) {
+    const std::string help = everyday_help();
+    std::ptrdiff_t everyday = 0;
+    for (const OptionRow& row : option_table()) {
+        EXPECT_EQ(holds(help, "  " + option_heading(row) + row.help), row.everyday) << row.name;
+        everyday += row.everyday ? 1 : 0;
+    }
+    EXPECT_GE(everyday, 12);
+    EXPECT_LE(everyday, 18);
+    EXPECT_LE(std::ranges::count(help, '\n'), 60);  // about a screen
+    EXPECT_TRUE(holds(help, "--help_all lists all options"));
+}
+
 TEST(Help, hasLinesOfAtMost80AsciiCharacters) {
-    std::istringstream lines(full_help() + short_usage());
+    std::istringstream lines(everyday_help() + full_help() + short_usage());
     for (std::string line; std::getline(lines, line);) {
         EXPECT_LE(line.size(), 80U) << line;
         EXPECT_TRUE(std::ranges::all_of(line, [](char letter) { return letter >= ' ' && letter <= '~'; }))

@@ -266,7 +266,7 @@ void expect_refusals(const std::vector<Case>& cases) {
 TEST(OptionErrors, anOptionWithoutAName) {
     for (const char* option : {"-=", "--=", "-=rcwin", "--=x"})
         EXPECT_EQ(refusal({option, "a.tif", "b.gpkg"}),
-                  "An option has no name before its =; dem2buildings --help lists all.");
+                  "An option has no name before its =; dem2buildings --help_all lists all.");
 }
 
 TEST(OptionErrors, numbers) {
@@ -404,9 +404,9 @@ TEST(OptionErrors, unknownOptions) {
                      {{"-min-area", "4"}, "There is no option -min-area; did you mean -min_area?"},
                      {{"-over"}, "There is no option -over; did you mean -overwrite?"},
                      {{"-config", "A=B"}, "There is no option -config; did you mean --config?"},
-                     {{"-frobnicate"}, "There is no option -frobnicate; dem2buildings --help lists all."},
-                     {{"--x="}, "There is no option --x; dem2buildings --help lists all."},
-                     {{"-5"}, "There is no option -5; dem2buildings --help lists all."}});
+                     {{"-frobnicate"}, "There is no option -frobnicate; dem2buildings --help_all lists all."},
+                     {{"--x="}, "There is no option --x; dem2buildings --help_all lists all."},
+                     {{"-5"}, "There is no option -5; dem2buildings --help_all lists all."}});
 }
 
 TEST(OptionErrors, fileNames) {

@@ -134,6 +134,48 @@ TEST(Summary, countsWhatTheReportCounts) {
               "traced; treated as no data: 12 cells outside -zrange, 2 cells far above all cells around)\n");
 }
 
+TEST(Advice, namesTheOptionThatWouldImproveMostBuildings) {
+    const Options options;
+    RunReport report;
+    report.buildings = 96;
+    EXPECT_EQ(advice(report, options), "");
+    report.uncertain = 23;
+    report.uneven = 3;
+    EXPECT_EQ(
+        advice(report, options),
+        "23 of 96 buildings have a confidence below 0.9: -min_confidence 0.9 -write_doubtful writes them "
+        "to a separate layer.\n");
+    report.uneven = 23;
+    EXPECT_EQ(advice(report, options),
+              "23 of 96 buildings differ by more than 5 m inside: -split_height 3 divides them.\n");
+}
+
+TEST(Advice, isNotGivenForLessThanOneInTwenty) {
+    RunReport report;
+    report.buildings = 1020;
+    report.uncertain = 50;
+    EXPECT_EQ(advice(report, {}), "");
+    report.uncertain = 51;
+    EXPECT_EQ(advice(report, {}),
+              "51 of 1,020 buildings have a confidence below 0.9: -min_confidence 0.9 -write_doubtful writes "
+              "them to a separate layer.\n");
+    EXPECT_EQ(advice({}, {}), "");
+    RunReport one;
+    one.buildings = one.uneven = 1;
+    EXPECT_EQ(advice(one, {}),
+              "1 of 1 building differs by more than 5 m inside: -split_height 3 divides it.\n");
+}
+
+TEST(Advice, namesNoOptionThatIsGivenOrRefused) {
+    RunReport report;
+    report.buildings = report.uneven = report.uncertain = 10;
+    Options options;
+    options.detect.split_height = 4;
+    EXPECT_TRUE(advice(report, options).starts_with("10 of 10 buildings have a confidence"));
+    options.preset = Preset::thesis;
+    EXPECT_EQ(advice(report, options), "");
+}
+
 TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {
     std::signal(SIGINT, SIG_DFL);
     catch_interrupts();

@@ -44,35 +44,53 @@ std::string short_usage() {
            "Try dem2buildings --help for the options.\n";
 }
 
-std::string full_help() {
-    std::string text =
-        "Usage: dem2buildings [options] <src_raster> <dst_vector>\n\n" +
-        wrap(
-            "Finds the buildings of a city in an elevation raster (a surface model, DSM). Writes one polygon "
-            "per building, and the contours of its parts from low to high.",
-            0) +
-        "\n" +
-        wrap(
-            "Options may stand anywhere and begin with one dash or two; values follow after a blank "
-            "or an equals sign.",
-            0);
+namespace {
+
+/// Lists options by group. @param all false for the everyday options alone
+std::string option_list(bool all) {
+    std::string text;
     for (std::size_t group = 0; group < option_group_names.size(); ++group) {
-        text += "\n" + std::string(option_group_names[group]) + ":\n";
+        std::string entries;
         for (const OptionRow& row : option_table()) {
-            if (row.hidden || row.group != static_cast<OptionGroup>(group))
+            if (row.hidden || row.group != static_cast<OptionGroup>(group) || !(all || row.everyday))
                 continue;
             const std::string facts = option_facts(row, true);
-            text += help_entry(option_heading(row), row.help + (facts.empty() ? "" : " ") + facts);
+            entries += help_entry(option_heading(row), row.help + (facts.empty() ? "" : " ") + facts);
         }
+        if (!entries.empty())
+            text += "\n" + std::string(option_group_names[group]) + ":\n" + entries;
     }
-    text += "\nGDAL:\n";
-    for (const auto& [synopsis, help] : gdal_switches())
-        text += help_entry(std::string(synopsis), std::string(help));
-    return text +
-           "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n"
+    return text;
+}
+
+std::string introduction() {
+    return "Usage: dem2buildings [options] <src_raster> <dst_vector>\n\n" +
+           wrap(
+               "Finds the buildings of a city in an elevation raster (a surface model, DSM). Writes one "
+               "polygon per building, and the contours of its parts from low to high.",
+               0);
+}
+
+}  // namespace
+
+std::string everyday_help() {
+    return introduction() + option_list(false) +
            "\nExamples:\n"
            "  dem2buildings city.tif buildings.gpkg\n"
-           "  dem2buildings -ground terrain.tif -preview map.png city.tif buildings.gpkg\n";
+           "  dem2buildings -ground terrain.tif -preview map.png city.tif buildings.gpkg\n\n" +
+           wrap("--help_all lists all options, and \"man dem2buildings\" has them in full.", 0);
+}
+
+std::string full_help() {
+    std::string text = introduction() + "\n" +
+                       wrap(
+                           "Options may stand anywhere and begin with one dash or two; values follow after a "
+                           "blank or an equals sign.",
+                           0) +
+                       option_list(true) + "\nGDAL:\n";
+    for (const auto& [synopsis, help] : gdal_switches())
+        text += help_entry(std::string(synopsis), std::string(help));
+    return text + "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n";
 }
 
 }  // namespace d2b

@@ -12,7 +12,10 @@ namespace d2b {
 /// Two lines, for a command line without arguments.
 [[nodiscard]] std::string short_usage();
 
-/// What --help prints, in lines of at most 80 characters.
+/// Returns the everyday options for --help, in lines of at most 80 characters.
+[[nodiscard]] std::string everyday_help();
+
+/// Returns all options for --help_all, in lines of at most 80 characters.
 [[nodiscard]] std::string full_help();
 
 /// The man page, as roff.

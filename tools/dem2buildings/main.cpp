@@ -57,7 +57,7 @@ void process(const Request& request) {
         request.tool.json ? own_stdout.reader<RunReport>(json_report) : ReportReader<RunReport>());
     if (!quiet) {
         progress.update(1);
-        std::cout << summary(report, report.layers, report.output);
+        std::cout << summary(report, report.layers, report.output) << advice(report, options);
     }
     own_stdout.finish_aside();
 }
@@ -65,6 +65,8 @@ void process(const Request& request) {
 int run_tool(const std::vector<std::string>& words) {
     const Request request = parse_command_line(words);
     if (request.tool.help)
+        std::cout << everyday_help();
+    else if (request.tool.help_all)
         std::cout << full_help();
     else if (request.tool.version)
         std::cout << "dem2buildings " << version << ", " << library_versions() << '\n';

@@ -154,4 +154,20 @@ std::string summary(const RunReport& report, Layers layers, const std::string& d
     return text + " in " + destination + counts(report) + "\n";
 }
 
+std::string advice(const RunReport& report, const Options& options) {
+    constexpr std::int64_t one_in = 20;
+    const bool detects = options.preset == Preset::buildings;
+    const std::int64_t uneven = detects && options.detect.split_height == 0 ? report.uneven : 0;
+    const std::int64_t uncertain = detects ? report.uncertain : 0;
+    const std::int64_t most = std::max(uneven, uncertain);
+    if (most == 0 || most * one_in < report.buildings)
+        return "";
+    const std::string of_all = grouped(most) + " of " + counted(report.buildings, "building");
+    if (uneven == most)
+        return of_all + (most == 1 ? " differs" : " differ") +
+               " by more than 5 m inside: -split_height 3 divides " + (most == 1 ? "it.\n" : "them.\n");
+    return of_all + (most == 1 ? " has" : " have") + " a confidence below 0.9: -min_confidence 0.9 " +
+           "-write_doubtful writes " + (most == 1 ? "it" : "them") + " to a separate layer.\n";
+}
+
 }  // namespace d2b

@@ -86,7 +86,7 @@ std::vector<po::option> parse(const Strings& arguments) {
     // Boost takes "-=x" for the beginning of every name there is.
     for (const std::string& argument : arguments)
         if (argument.starts_with("-=") || argument.starts_with("--="))
-            throw OptionError("An option has no name before its =; dem2buildings --help lists all.");
+            throw OptionError("An option has no name before its =; dem2buildings --help_all lists all.");
     namespace style = po::command_line_style;
     const po::options_description description = describe_options();
     po::command_line_parser parser(arguments);
@@ -142,8 +142,9 @@ void refuse_unknown_option(const std::string& token) {
         candidates.insert(candidates.end(), row.aliases.begin(), row.aliases.end());
     }
     const std::string near = nearest_name(name, candidates);
-    throw OptionError("There is no option " + token.substr(0, token.find('=')) +
-                      (near.empty() ? "; dem2buildings --help lists all." : "; did you mean -" + near + "?"));
+    throw OptionError(
+        "There is no option " + token.substr(0, token.find('=')) +
+        (near.empty() ? "; dem2buildings --help_all lists all." : "; did you mean -" + near + "?"));
 }
 
 }  // namespace d2b

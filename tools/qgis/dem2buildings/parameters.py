@@ -13,7 +13,7 @@ from qgis.core import (QgsProcessingException, QgsProcessingFeedback, QgsProcess
 
 # What the dialog does itself: it shows progress, its file dialog has asked whether to replace a file, and a layer that
 # is chosen has its name.
-LEFT_OUT = {"q", "json", "sweep", "help", "version", "overwrite", "f", "srcwin", "projwin", "if", "cutline_layer",
+LEFT_OUT = {"q", "json", "sweep", "help", "help_all", "version", "overwrite", "f", "srcwin", "projwin", "if", "cutline_layer",
             "mask_layer", "split_layer"}
 # The option that names the layer of another one, where that is not its name with _layer.
 LAYER_OF = {"split_by": "split_layer"}
