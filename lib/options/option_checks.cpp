@@ -32,9 +32,6 @@ constexpr OptionCondition is(std::string_view name, std::string_view value) {
 constexpr OptionCondition is_not(std::string_view name, std::string_view value) {
     return {name, Match::other, value};
 }
-constexpr OptionCondition names(std::string_view name, std::string_view part) {
-    return {name, Match::names, part};
-}
 
 constexpr OptionRule exclude(OptionCondition one, OptionCondition other, std::string_view advice) {
     return {RuleKind::exclude, one, other, advice};
@@ -55,6 +52,7 @@ constexpr std::array rules{
     exclude(given("projwin"), given("te"), one_window),
     exclude(given("snodata"), given("inodata"), "set a NoData value or ignore it"),
     exclude(given("overwrite"), given("append"), "replace the layers or add to them"),
+    exclude(given("preview_size"), given("preview_paper"), "the size of a PNG follows from its paper"),
     exclude(given("roofs"), is("detail", "0"),
             "borders between faces would cost nothing, so give a larger -detail"),
     exclude(is("surface_of", "roofs"), is("detail", "0"),
@@ -68,9 +66,6 @@ constexpr std::array rules{
     // Levels.
     no_effect(given("levels"), given("fl"), "the listed levels are the same for all buildings"),
     no_effect(given("levels"), given("i"), "the levels of an interval are the same for all buildings"),
-    no_effect(given("lod"), names("sweep", "lod"), own_values),
-    no_effect(given("nf"), names("sweep", "nf"), own_values),
-    no_effect(given("detail"), names("sweep", "detail"), own_values),
 
     // Outlines and layers.
     no_effect(given("arcs"), is_not("simplify", "0"), "simplified outlines have no straight walls"),
@@ -108,7 +103,6 @@ constexpr std::array rules{
               given("surface_of")),
 
     // -sweep.
-    no_effect(names("sweep", "detail"), is("preset", "thesis"), "it detects no buildings"),
     no_effect(given("layers"), given("sweep"), no_layers),
     no_effect(given("3d"), given("sweep"), no_layers),
     no_effect(given("f"), given("sweep"), no_layers),
@@ -128,6 +122,7 @@ constexpr std::array rules{
     no_effect(given("write_canopy"), given("sweep"), no_layers),
     no_effect(given("surface"), given("sweep"), no_layers),
     no_effect(given("page"), given("sweep"), no_layers),
+    no_effect(given("preview_paper"), given("sweep"), "its contact sheet has the size of -preview_size"),
     no_effect(given("overwrite"), given("sweep"), "it writes a picture at most, with -preview",
               given("preview")),
 };
@@ -136,6 +131,11 @@ constexpr std::array needs{
     OptionDependency{"off", "i", "it is the elevation that the intervals count from"},
     OptionDependency{"cutline_layer", "cutline", "it names the layer of its polygons"},
     OptionDependency{"preview_size", "preview", "it is the size of its picture"},
+    OptionDependency{"preview_paper", "preview", "it is the paper of its picture"},
+    OptionDependency{"preview_scale", "preview_paper", "it is the scale of a map on paper"},
+    OptionDependency{"landscape", "preview_paper", "it turns the paper"},
+    OptionDependency{"title", "preview", "it is the title of a picture or a page", {"page"}},
+    OptionDependency{"credit", "preview", "it is written on a picture or a page", {"page"}},
     OptionDependency{"surface_of", "surface", "it is the model of the surface"},
     OptionDependency{"surface_roof", "surface", "it is the height of its flat roofs"},
     OptionDependency{"surface_solids", "surface", "it says how many objects an OBJ has, or solids an STL"},
@@ -189,8 +189,6 @@ bool matches(const OptionCondition& use, const std::string& value) {
             return value == use.value;
         case Match::other:
             return value != use.value;
-        case Match::names:
-            return value.find(std::string(use.value) + "=") != std::string::npos;
     }
     return true;
 }
@@ -204,8 +202,6 @@ std::string written(const OptionCondition& use, const Request& request) {
         case Match::equal:
         case Match::other:
             return option + " " + find_option(use.name)->show(request);
-        case Match::names:
-            return option + " " + std::string(use.value) + "=...";
     }
     return option;
 }
@@ -292,6 +288,24 @@ void check_roofs(const Request& request) {
         throw OptionError("-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces.");
 }
 
+/// Checks each trial as a run of its own.
+void check_sweep(const Request& request) {
+    const SweepPlan& plan = request.tool.sweep_plan;
+    for (const SweptOption& option : plan.options)
+        if (find_option(option.name)->is_given(request))
+            throw OptionError("-" + option.name + " has no effect with -sweep " + option.name + "=...; " +
+                              std::string(own_values) + ".");
+    for (const std::vector<std::string>& values : sweep_values(plan)) {
+        Request trial{request.options, {}};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            apply_option(*find_option(plan.options[i].name), trial, std::span(&values[i], 1));
+        check_options(trial);
+    }
+    const WriteOptions& write = request.options.write;
+    if (!write.preview.empty() && find_option("preview_size")->is_given(request))
+        require_legible(plan.trials(), write.preview_size);
+}
+
 }  // namespace
 
 void check_options(const Request& request) {
@@ -303,8 +317,8 @@ void check_options(const Request& request) {
     check_offset(request.options.levels);
     check_solids(request);
     check_roofs(request);
-    if (!request.tool.sweep.empty() && !request.options.write.preview.empty())
-        require_legible(request.tool.sweep_plan.trials(), request.options.write.preview_size);
+    if (!request.tool.sweep.empty())
+        check_sweep(request);
 }
 
 bool has_effect(const OptionRow& row, const Request& request) {

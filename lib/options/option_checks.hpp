@@ -12,8 +12,7 @@ namespace d2b {
 enum class Match {
     any,    ///< any value
     equal,  ///< this value
-    other,  ///< any value except this one
-    names   ///< a value that names this: "lod" in "lod=1..6,nf=5"
+    other   ///< any value except this one
 };
 
 /// Condition on a given option. Values are texts as returned by OptionRow::show.

@@ -39,6 +39,7 @@ struct RowProperties {
     std::string details{};
     std::string unit{};
     std::vector<std::string> aliases{};
+    Texts choice_titles{};  ///< one per word of a choice; the words if empty
     PresetScope scope{};
     Python python = Python::everywhere;
     std::string python_name{};  ///< if Python cannot spell the name, or has a better one

@@ -14,6 +14,7 @@ OptionRow preset() {
                        .details = "buildings finds the ground and the buildings, draws straight walls, and "
                                   "divides each building by height. thesis follows Chittineni (2003): "
                                   "everything above the lowest threshold is a building, trees too.",
+                       .choice_titles = {"Find buildings", "All above thresholds (thesis)"},
                        .item = "PRESET"});
 }
 
@@ -23,11 +24,12 @@ OptionRow ground() {
     OptionRow row = make_row(
         "ground", OptionKind::terrain, joined(words_of(modes), "|") + "|<terrain model>",
         {.title = "How the ground is found",
-         .section = DialogSection::ground,
+         .section = DialogSection::basic,
          .everyday = true,
          .help = "The ground below the buildings.",
          .details = "auto: estimated from the input. none: the input holds heights above ground. A terrain "
                     "model can be in any CRS and unit. A file called auto or none needs its path: ./auto.",
+         .choice_titles = {"Estimate it from the raster", "The raster holds heights above ground"},
          .scope = detection_scope("none"),
          .item = "GROUND"});
     row.choices = words_of(modes);
@@ -84,8 +86,8 @@ std::vector<OptionRow> evidence() {
     rows.push_back(
         number_row("min_confidence", "<0 to 1>", {.lowest = 0, .highest = 1},
                    [](auto& r) -> auto& { return r.options.detect.min_confidence; },
-                   {.title = "Minimum confidence",
-                    .section = DialogSection::trees,
+                   {.title = "Minimum confidence of a building, 0 to 1",
+                    .section = DialogSection::basic,
                     .everyday = true,
                     .help = "Minimum confidence of a building; less certain objects are left out.",
                     .details = "Confidence separates buildings from trees by smoothness, edges and shape.",
@@ -115,8 +117,8 @@ std::vector<OptionRow> evidence() {
                              .item = "NDVI"}));
     rows.push_back(number_row(
         "split_height", "<m>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.detect.split_height; },
-        {.title = "Height step that divides a building",
-         .section = DialogSection::detail,
+        {.title = "Divide buildings at height steps above (0: never)",
+         .section = DialogSection::basic,
          .everyday = true,
          .help = "Divide buildings at height steps larger than this; 0 divides none.",
          .details = "The parts share their walls exactly; parts smaller than -min_area stay with their "
@@ -157,7 +159,7 @@ std::vector<OptionRow> buildings() {
          .item = "MIN_HEIGHT_M"}));
     rows.push_back(number_row("min_building_height", "<m>", {.lowest = 0},
                               [](auto& r) -> auto& { return r.options.detect.min_building_height; },
-                              {.title = "Lowest building to keep",
+                              {.title = "Minimum height of a building",
                                .section = DialogSection::basic,
                                .everyday = true,
                                .help = "Lowest building to keep, by its p90; 0 keeps all.",
@@ -168,7 +170,7 @@ std::vector<OptionRow> buildings() {
                                .item = "MIN_BUILDING_HEIGHT_M"}));
     rows.push_back(number_row(
         "min_area", "<m2>", {.lowest = 0}, [](auto& r) -> auto& { return r.options.filter.min_area_m2; },
-        {.title = "Smallest building to keep",
+        {.title = "Minimum area of a building",
          .section = DialogSection::basic,
          .everyday = true,
          .help = "Smallest area of a building; by default " + number_text(default_min_building_m2) + " m2.",

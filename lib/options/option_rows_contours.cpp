@@ -89,6 +89,7 @@ OptionRow walls() {
              "right "
              "angles. free: any direction. off: outlines as traced. By default auto; off with -simplify or "
              "-preset thesis.",
+         .choice_titles = {"Best fit", "Off: as traced", "Right angles", "Any direction"},
          .item = "REGULARIZE"});
 }
 
@@ -107,6 +108,8 @@ std::vector<OptionRow> levels() {
                                "as many as are worth their borders. building: per building, in equal slices. "
                                "In both, thresholds are at least half a metre apart. global: one set for the "
                                "whole input. By default natural, with -preset thesis global.",
+                    .choice_titles = {"Equal slices of each building", "Between the roofs of each building",
+                                      "One set for the whole raster"},
                     .scope = detection_scope("global"),
                     .item = "LEVELS"}));
     rows.push_back(integer_row(
@@ -153,6 +156,7 @@ std::vector<OptionRow> contours() {
          .details = "points: through the outermost grid points above the threshold; a building loses half a "
                     "cell on each side. cells: along the borders of the cells of these points; areas are "
                     "unbiased. By default cells, with -preset thesis points.",
+         .choice_titles = {"Through grid points", "Along the borders of cells"},
          .item = "TRACE"}));
     rows.push_back(noise_factor());
     rows.push_back(walls());

@@ -98,7 +98,6 @@ std::vector<OptionRow> windows() {
     rows.push_back(text_row("cutline", OptionKind::polygons, "<polygons>",
                             [](auto& r) -> auto& { return r.options.read.cutline; },
                             {.title = "Area of interest (polygons)",
-                             .section = DialogSection::basic,
                              .help = "Polygons that bound the area of interest.",
                              .details = "Points outside are not used."}));
     rows.push_back(text_row("cutline_layer", OptionKind::text, "<layer>",

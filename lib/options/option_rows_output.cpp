@@ -80,6 +80,7 @@ std::vector<OptionRow> surface() {
                     .details = "buildings: one block with a flat roof per building. contours: the tiers of "
                                "each building's stack. roofs: the planes of each roof, LoD2.2. By default "
                                "buildings, with -preset thesis contours.",
+                    .choice_titles = {"Blocks with flat roofs", "Tiers of each building", "Slanted roofs"},
                     .python = Python::extract_file,
                     .repeats = false}));
     rows.push_back(choice_row(
@@ -88,6 +89,8 @@ std::vector<OptionRow> surface() {
          .section = DialogSection::output,
          .help = "Height of the flat roofs of -surface_of buildings.",
          .details = "mean is the mean height of a building's points, so that its block encloses volume_m3.",
+         .choice_titles = {"Mean height", "Median height", "70th percentile", "90th percentile",
+                           "95th percentile", "Highest point"},
          .python = Python::extract_file,
          .repeats = false}));
     const Choices<SurfaceSolids> solids{{"one", SurfaceSolids::one}, {"each", SurfaceSolids::each}};
@@ -97,6 +100,7 @@ std::vector<OptionRow> surface() {
          .section = DialogSection::output,
          .help = "Objects of an OBJ and solids of an STL: one in all, or one per building.",
          .details = "one suits programs that read only the first solid, or slow down with many objects.",
+         .choice_titles = {"One for all", "One per building"},
          .python = Python::extract_file,
          .repeats = false}));
     rows.push_back(
@@ -123,7 +127,8 @@ std::vector<OptionRow> also_written() {
                                .section = DialogSection::output,
                                .help = "Names of the fields of buildings, as another program expects them.",
                                .details = "urock and city4cfd are wind models, osm is OpenStreetMap. Names "
-                                          "that are too long for a Shapefile are refused."}));
+                                          "that are too long for a Shapefile are refused.",
+                               .choice_titles = {"dem2buildings", "URock", "City4CFD", "OpenStreetMap"}}));
     rows.push_back(switch_row(
         "roofs", [](auto& r) -> auto& { return r.options.write.roofs; },
         {.title = "Also write the planes of roofs",
@@ -215,6 +220,51 @@ std::vector<OptionRow> also_written() {
     return rows;
 }
 
+/// Options of maps on paper, and of texts on maps and pages.
+std::vector<OptionRow> on_paper() {
+    const Choices<Paper> papers{{"A0", Paper::a0}, {"A1", Paper::a1}, {"A2", Paper::a2},
+                                {"A3", Paper::a3}, {"A4", Paper::a4}, {"A5", Paper::a5}};
+    std::vector<OptionRow> rows;
+    rows.push_back(choice_row("preview_paper", papers,
+                              [](auto& r) -> auto& { return r.options.write.preview_paper; },
+                              {.title = "Paper of the picture",
+                               .section = DialogSection::output,
+                               .help = "Draw the picture of -preview as a page of this size.",
+                               .details = "A PNG has 150 pixels per inch.",
+                               .python = Python::extract_file,
+                               .repeats = false}));
+    rows.push_back(number_row("preview_scale", "<denominator>", {.lowest = 1, .highest = 1e8},
+                              [](auto& r) -> auto& { return r.options.write.preview_scale; },
+                              {.title = "Scale of the map on paper, 1 to",
+                               .section = DialogSection::output,
+                               .help = "Scale of the map on -preview_paper: 1000 for 1:1000.",
+                               .details = "By default the largest round scale at which the area fits.",
+                               .python = Python::extract_file,
+                               .repeats = false}));
+    rows.push_back(switch_row("landscape", [](auto& r) -> auto& { return r.options.write.landscape; },
+                              {.title = "Paper in landscape format",
+                               .section = DialogSection::output,
+                               .help = "Turn -preview_paper so that it is wider than high.",
+                               .python = Python::extract_file,
+                               .repeats = false}));
+    rows.push_back(text_row("title", OptionKind::text, "<text>",
+                            [](auto& r) -> auto& { return r.options.write.title; },
+                            {.title = "Title",
+                             .section = DialogSection::output,
+                             .help = "Title of the page and the picture.",
+                             .details = "By default a page has the name of its file.",
+                             .python = Python::extract_file,
+                             .repeats = false}));
+    rows.push_back(text_row("credit", OptionKind::text, "<text>",
+                            [](auto& r) -> auto& { return r.options.write.credit; },
+                            {.title = "Source and licence of the data",
+                             .section = DialogSection::output,
+                             .help = "Source and licence of the data, for the page and the picture.",
+                             .python = Python::extract_file,
+                             .repeats = false}));
+    return rows;
+}
+
 /// Accepts gdal_contour's switch for polygons, so that its command lines work here.
 OptionRow polygons() {
     OptionRow row = make_row(
@@ -238,7 +288,8 @@ std::vector<OptionRow> output() {
          .section = DialogSection::output,
          .help = "Layers to write.",
          .details = "buildings: one polygon per building. contours: the stacked polygons of all levels. By "
-                    "default both, or only buildings if the format holds one layer per file."}));
+                    "default both, or only buildings if the format holds one layer per file.",
+         .choice_titles = {"Buildings", "Contours (parts of buildings)", "Both"}}));
     rows.push_back(text_row(
         "t_srs", OptionKind::crs, "<crs>", [](auto& r) -> auto& { return r.options.outline.target_crs; },
         {.title = "Coordinate system of the result",
@@ -255,6 +306,8 @@ std::vector<OptionRow> output() {
         rows.push_back(std::move(row));
     for (OptionRow& row : also_written())
         rows.push_back(std::move(row));
+    for (OptionRow& row : on_paper())
+        rows.push_back(std::move(row));
     rows.push_back(polygons());
     return rows;
 }
@@ -263,13 +316,15 @@ namespace {
 
 OptionRow sweep() {
     OptionRow row = make_row(
-        "sweep", OptionKind::text, "lod=<from>..<to>,nf=<from>..<to>,detail=<from>..<to>",
+        "sweep", OptionKind::text, "<option>=<from>..<to>[,<option>=<from>..<to>...]",
         {.title = "Trials",
          .help = "Try every combination of these values, and print a table; nothing else is written.",
-         .details = "Leave the destination out. The table has buildings, contours, points, the distance of "
-                    "the stack to the input (root mean square) and seconds. With -preview the program also "
-                    "draws a contact sheet. Of more than six values it tries six; a third number is the "
-                    "step: nf=5..60..5."});
+         .details = "Leave the destination out. Any option that takes one number and changes buildings or "
+                    "contours can vary, such as lod=1..6,min_area=10..60. The table has buildings, contours, "
+                    "points, the distance of the stack to the input (root mean square) and seconds. Below it "
+                    "are options whose larger values change nothing. With -preview the program also draws a "
+                    "contact sheet, on which differences from the first trial are blue. Of more than six "
+                    "values it tries six; a third number is the step: nf=5..60..5."});
     row.apply = [](Request& request, OptionValues texts) {
         request.tool.sweep_plan = parse_sweep(texts[0]);
         request.tool.sweep = texts[0];

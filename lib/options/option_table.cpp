@@ -58,6 +58,7 @@ OptionRow make_row(std::string name, OptionKind kind, std::string values, RowPro
     row.details = std::move(columns.details);
     row.unit = std::move(columns.unit);
     row.aliases = std::move(columns.aliases);
+    row.choice_titles = std::move(columns.choice_titles);
     row.scope = std::move(columns.scope);
     if (columns.python != Python::none)
         row.python = {columns.python_name.empty() ? row.name : std::move(columns.python_name),

@@ -111,8 +111,9 @@ struct OptionRow {
     std::string name{};                  ///< without dash
     std::vector<std::string> aliases{};  ///< without dash
     OptionKind kind = OptionKind::text;
-    std::string values{};                ///< "<xmin> <ymin> <xmax> <ymax>"; "" for a switch
-    std::vector<std::string> choices{};  ///< words that it accepts
+    std::string values{};                      ///< "<xmin> <ymin> <xmax> <ymax>"; "" for a switch
+    std::vector<std::string> choices{};        ///< words that it accepts
+    std::vector<std::string> choice_titles{};  ///< labels of these words in a dialog; the words if empty
     Arity arity = Arity::none;
     std::size_t count = 0;                 ///< number of values; the minimum for a list
     bool repeatable = false;               ///< may be repeated, which adds values

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <system_error>
+#include <utility>
 
 #include "core/number_from_chars.hpp"
 #include "core/text.hpp"
@@ -179,39 +180,81 @@ std::vector<double> reals_of(const std::string& text, const NumberRange& range) 
     return values;
 }
 
+/// Returns an option that changes buildings or contours and takes one number.
+const OptionRow& variable_option(const std::string& name, const std::string& text) {
+    if (name.empty())
+        refuse(text);
+    const OptionRow* const row = find_option(name);
+    const bool shapes =
+        row != nullptr && (row->group == OptionGroup::buildings || row->group == OptionGroup::levels ||
+                           row->group == OptionGroup::contours);
+    if (!shapes || !row->numbers)
+        throw OptionError("-sweep cannot vary '" + name +
+                          "'; it varies options that take one number, such as min_area or lod.");
+    return *row;
+}
+
+SweptOption parse_swept(const std::string& part, const std::string& text) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos)
+        refuse(text);
+    const OptionRow& row = variable_option(part.substr(0, equals), text);
+    SweptOption option{row.name, {}};
+    const std::string values = part.substr(equals + 1);
+    if (row.kind == OptionKind::whole)
+        for (const int value : values_of(values, *row.numbers))
+            option.values.push_back(std::to_string(value));
+    else
+        for (const double value : reals_of(values, *row.numbers))
+            option.values.push_back(number_text(value));
+    return option;
+}
+
 }  // namespace
 
 SweepPlan parse_sweep(const std::string& text) {
     SweepPlan plan;
     for (const std::string& part : parts_of(text, ",")) {
-        if (part.starts_with("detail=") && plan.details.empty()) {
-            plan.details = reals_of(part.substr(part.find('=') + 1), *find_option("detail")->numbers);
-            continue;
-        }
-        const bool lod = part.starts_with("lod=");
-        std::vector<int>& values = lod ? plan.lods : plan.noise_factors;
-        if (!values.empty() || (!lod && !part.starts_with("nf=")))
+        SweptOption option = parse_swept(part, text);
+        if (std::ranges::find(plan.options, option.name, &SweptOption::name) != plan.options.end())
             refuse(text);
-        values = values_of(part.substr(part.find('=') + 1), *find_option(lod ? "lod" : "nf")->numbers);
+        plan.options.push_back(std::move(option));
+        if (plan.trials() > max_trials)
+            throw OptionError("-sweep names " + std::to_string(plan.trials()) +
+                              " trials or more; name at most " + std::to_string(max_trials) + ".");
     }
-    const std::size_t trials = plan.trials();
-    if (trials > max_trials)
-        throw OptionError("-sweep names " + std::to_string(trials) + " trials or more; name at most " +
-                          std::to_string(max_trials) + ".");
     return plan;
+}
+
+std::vector<std::vector<std::string>> sweep_values(const SweepPlan& plan) {
+    std::vector<std::vector<std::string>> trials{{}};
+    for (const SweptOption& option : plan.options) {
+        std::vector<std::vector<std::string>> longer;
+        for (const std::vector<std::string>& trial : trials)
+            for (const std::string& value : option.values) {
+                longer.push_back(trial);
+                longer.back().push_back(value);
+            }
+        trials = std::move(longer);
+    }
+    return trials;
+}
+
+int legible_side(std::size_t trials) {
+    std::size_t side = 1;
+    while (side * side < trials)
+        ++side;
+    return static_cast<int>(side) * min_trial_px;
 }
 
 void require_legible(std::size_t trials, int longest) {
     const auto side = static_cast<std::size_t>(std::max(longest / min_trial_px, 1));
     if (trials <= side * side)
         return;
-    std::size_t needed = side;
-    while (needed * needed < trials)
-        ++needed;
     throw OptionError("-sweep names " + std::to_string(trials) + " trials, and a picture of " +
                       std::to_string(longest) + " pixels has room for " + std::to_string(side * side) +
                       " that can be read; name fewer values, or give -preview_size " +
-                      std::to_string(needed * min_trial_px) + ".");
+                      std::to_string(legible_side(trials)) + ".");
 }
 
 }  // namespace d2b

@@ -45,21 +45,30 @@ struct NumberRange {
 /// Joins the words with a separator.
 [[nodiscard]] std::string joined(std::span<const std::string> words, std::string_view separator);
 
-/// Grid of trials: every lod with every noise factor and every detail. An empty list keeps the option's
-/// value.
+/// Option that a sweep varies, and its values as texts, from low to high.
+struct SweptOption {
+    std::string name;
+    std::vector<std::string> values;
+
+    friend bool operator==(const SweptOption&, const SweptOption&) = default;
+};
+
+/// Grid of trials: every value of each option with every value of the others.
 struct SweepPlan {
-    std::vector<int> lods;
-    std::vector<int> noise_factors;
-    std::vector<double> details;  ///< m
+    std::vector<SweptOption> options;
 
     friend bool operator==(const SweepPlan&, const SweepPlan&) = default;
 
     [[nodiscard]] std::size_t trials() const {
-        return std::max<std::size_t>(lods.size(), 1) * std::max<std::size_t>(noise_factors.size(), 1) *
-               std::max<std::size_t>(details.size(), 1);
+        std::size_t trials = 1;
+        for (const SweptOption& option : options)
+            trials *= option.values.size();
+        return trials;
     }
-    [[nodiscard]] bool empty() const { return lods.empty() && noise_factors.empty() && details.empty(); }
 };
+
+/// Returns the value of each option of the plan in each trial; the last option varies fastest.
+[[nodiscard]] std::vector<std::vector<std::string>> sweep_values(const SweepPlan& plan);
 
 /// Smallest side of a trial on a contact sheet whose caption is legible.
 inline constexpr int min_trial_px = 400;
@@ -67,10 +76,13 @@ inline constexpr int min_trial_px = 400;
 /// @param longest side of the sheet, in pixels @throws OptionError if it has no room for that many trials
 void require_legible(std::size_t trials, int longest);
 
-/// Parses "lod=1..6,nf=5..60": integers from the first to the last, all if they are six or fewer, otherwise
-/// six spread evenly. A third number is the step ("nf=5..60..5"); a single number is one value.
-/// "detail=0..2..0.5" also takes fractions; between two that are not integers six are spread. @throws
-/// OptionError if the text is anything else, or names more than 400 trials
+/// Returns the side of a sheet on which that many trials are legible, in pixels.
+[[nodiscard]] int legible_side(std::size_t trials);
+
+/// Parses "lod=1..6,min_area=10..60": numbers from the first to the last. Whole numbers are all taken if they
+/// are six or fewer, otherwise six are spread evenly, as are fractions. A third number is the step
+/// ("nf=5..60..5"); a single number is one value. @throws OptionError if the text is anything else, if an
+/// option cannot vary, or if there are more than 400 trials
 [[nodiscard]] SweepPlan parse_sweep(const std::string& text);
 
 }  // namespace d2b

@@ -1,13 +1,15 @@
 #include "pipeline/trials.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
+#include <variant>
 
-#include "options/run_plan.hpp"
+#include "options/option_table.hpp"
 
 namespace d2b::pipeline {
 namespace {
@@ -47,11 +49,47 @@ class CachedSource final : public DemSource {
     std::vector<double> values_;
 };
 
-class NullFeatureSink final : public FeatureSink {
+/// Keeps a hash of the features (FNV-1a) instead of the features.
+class DigestSink final : public FeatureSink {
   public:
     void begin(std::span<const LayerSpec> /*layers*/, const Provenance& /*provenance*/) override {}
-    void add(std::size_t /*layer*/, const Feature& /*feature*/) override {}
+    void add(std::size_t layer, const Feature& feature) override {
+        mix(layer);
+        for (const FieldValue& value : feature.values)
+            std::visit([this](const auto& held) { mix_value(held); }, value);
+        for (const WorldPolygon& part : feature.parts) {
+            mix_ring(part.exterior);
+            for (const WorldRing& ring : part.interiors)
+                mix_ring(ring);
+        }
+    }
     void finish() override {}
+
+    [[nodiscard]] std::uint64_t digest() const { return hash_; }
+
+  private:
+    void mix(std::uint64_t number) {
+        for (unsigned shift = 0; shift < 64; shift += 8) {
+            hash_ ^= number >> shift & 0xFFU;
+            hash_ *= 0x100000001b3U;
+        }
+    }
+    void mix_value(std::monostate /*none*/) { mix(0); }
+    void mix_value(std::int64_t number) { mix(static_cast<std::uint64_t>(number)); }
+    void mix_value(double number) { mix(std::bit_cast<std::uint64_t>(number)); }
+    void mix_value(const std::string& text) {
+        for (const char letter : text)
+            mix(static_cast<unsigned char>(letter));
+    }
+    void mix_ring(const WorldRing& ring) {
+        mix(ring.size());
+        for (const Position& position : ring) {
+            mix_value(position.x);
+            mix_value(position.y);
+        }
+    }
+
+    std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
 using OptionalSource = std::optional<CachedSource>;
@@ -63,18 +101,25 @@ DemSource* get(OptionalSource& cached) {
     return cached ? &*cached : nullptr;
 }
 
-template <typename T>
-std::vector<T> values_or(const std::vector<T>& values, T standard) {
-    return values.empty() ? std::vector{standard} : values;
+Options trial_options(const Options& options, const SweepPlan& plan, const std::vector<std::string>& values) {
+    Request trial{options, {}};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        apply_option(*find_option(plan.options[i].name), trial, std::span(&values[i], 1));
+    return std::move(trial.options);
 }
 
-std::vector<TrialValues> combinations(const SweepPlan& plan, const Options& options) {
-    std::vector<TrialValues> all;
-    for (const int lod : values_or(plan.lods, options.levels.lod))
-        for (const double detail : values_or(plan.details, detail_of(options)))
-            for (const int noise_factor : values_or(plan.noise_factors, options.filter.noise_factor))
-                all.push_back({lod, noise_factor, detail});
-    return all;
+/// Returns the index of the first value from which on the option's values give the same features, whatever
+/// the values of the other options. @param stride distance between trials of successive values
+/// @param count number of values
+std::size_t first_saturated(const std::vector<Trial>& trials, std::size_t stride, std::size_t count) {
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const std::size_t value = i / stride % count;
+        const std::size_t last = i + (count - 1 - value) * stride;
+        if (trials[i].digest != trials[last].digest)
+            first = std::max(first, value + 1);
+    }
+    return first;
 }
 
 }  // namespace
@@ -88,15 +133,12 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
     cache(sources.terrain, terrain);
     cache(sources.mask, mask);
     cache(sources.ndvi, ndvi);
-    const std::vector<TrialValues> all = combinations(plan, options);
+    const std::vector<std::vector<std::string>> all = sweep_values(plan);
     std::vector<Trial> trials;
     std::set<std::string> warned;
-    for (const TrialValues& values : all) {
+    for (const std::vector<std::string>& values : all) {
         const auto start = std::chrono::steady_clock::now();
-        Options tried = options;
-        tried.levels.lod = values.lod;
-        tried.levels.detail = values.detail;
-        tried.filter.noise_factor = values.noise_factor;
+        const Options tried = trial_options(options, plan, values);
         Callbacks of_trial = callbacks;
         of_trial.on_warning = [&](const std::string& text) {
             if (warned.insert(text).second && callbacks.on_warning)
@@ -106,16 +148,28 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
             return !callbacks.on_progress || callbacks.on_progress((static_cast<double>(done) + share) /
                                                                    static_cast<double>(all.size()));
         };
-        NullFeatureSink nothing;
-        const std::unique_ptr<TrialView> view = make_view ? make_view(nothing, values) : nullptr;
-        Sinks sinks{view ? view->features() : nothing};
+        DigestSink discarded;
+        const std::unique_ptr<TrialView> view = make_view ? make_view(discarded, values) : nullptr;
+        Sinks sinks{view ? view->features() : discarded};
         sinks.elevations = view ? &view->elevations() : nullptr;
         RunReport report =
             run(tried, {dem, get(terrain), get(mask), get(ndvi), sources.parcels}, sinks, of_trial);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-        trials.push_back({values, std::move(report), took.count()});
+        trials.push_back({values, std::move(report), took.count(), discarded.digest()});
     }
     return trials;
+}
+
+std::vector<Saturation> saturations(const SweepPlan& plan, const std::vector<Trial>& trials) {
+    std::vector<Saturation> found;
+    std::size_t stride = trials.size();
+    for (const SweptOption& option : plan.options) {
+        stride /= option.values.size();
+        const std::size_t first = first_saturated(trials, stride, option.values.size());
+        if (first + 1 < option.values.size())
+            found.push_back({option.name, option.values[first]});
+    }
+    return found;
 }
 
 }  // namespace d2b::pipeline

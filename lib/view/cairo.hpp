@@ -57,6 +57,7 @@ D2B_LAZY_SYMBOL(cairo_rectangle);
 D2B_LAZY_SYMBOL(cairo_restore);
 D2B_LAZY_SYMBOL(cairo_save);
 D2B_LAZY_SYMBOL(cairo_scale);
+D2B_LAZY_SYMBOL(cairo_set_dash);
 D2B_LAZY_SYMBOL(cairo_set_fill_rule);
 D2B_LAZY_SYMBOL(cairo_set_line_join);
 D2B_LAZY_SYMBOL(cairo_set_line_width);

@@ -30,6 +30,8 @@ inline constexpr Colour ink{35, 35, 35};
 inline constexpr Colour faint_ink{95, 95, 95};
 /// Colour of outlines and frames.
 inline constexpr Colour outline_colour{70, 45, 35};
+/// Colour of differences between maps; not one of the height classes.
+inline constexpr Colour difference_colour{0, 70, 200};
 /// Colour of level ground in the relief.
 inline constexpr Colour level_ground{222, 222, 222};
 /// Opacity of footprints over the relief.

@@ -1,6 +1,7 @@
 #include "view/map_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -75,6 +76,17 @@ void FootprintDrawing::stroke(Rings rings) {
     set_colour(pen, outline_colour, faint);
     cairo_set_line_width(pen, impl_->line_width * 0.7);
     cairo_stroke(pen);
+}
+
+void FootprintDrawing::mark(Rings rings, bool missing) {
+    constexpr std::array<double, 2> dash{4, 3};
+    cairo_t* pen = impl_->pen.get();
+    draw_rings(pen, rings);
+    set_colour(pen, difference_colour);
+    cairo_set_line_width(pen, std::max(1.5, impl_->line_width * 1.5));
+    cairo_set_dash(pen, dash.data(), missing ? 2 : 0, 0);
+    cairo_stroke(pen);
+    cairo_set_dash(pen, dash.data(), 0, 0);
 }
 
 void paint(const FootprintDrawing& footprints, cairo_t* pen) {
@@ -228,11 +240,15 @@ std::string source_line(const MapArea& area) {
            (crs.empty() ? "CRS not known" : crs);
 }
 
-std::string count_noun(std::int64_t number, const std::string& one) {
+std::string grouped(std::int64_t number) {
     std::string digits = std::to_string(number);
     for (std::ptrdiff_t at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
         digits.insert(static_cast<std::size_t>(at), ",");
-    return digits + " " + one + (number == 1 ? "" : "s");
+    return digits;
+}
+
+std::string count_noun(std::int64_t number, const std::string& one) {
+    return grouped(number) + " " + one + (number == 1 ? "" : "s");
 }
 
 std::string count_text(const PictureCounts& counts) {

@@ -26,6 +26,8 @@ class FootprintDrawing {
     void fill(Rings rings, Colour colour);
     /// Draws the rings only, in a fainter colour.
     void stroke(Rings rings);
+    /// Draws the rings in the colour of differences. @param missing true for dashed lines
+    void mark(Rings rings, bool missing);
 
     struct Impl;
     [[nodiscard]] const Impl& impl() const { return *impl_; }
@@ -58,10 +60,12 @@ class Relief final : public RasterSink {
 struct PictureCounts {
     std::int64_t number = 0;  ///< number of buildings written, or of contours if there are only contours
     bool contours_only = false;
-    std::int64_t points = 0;  ///< number of outline vertices
-    bool stacked = false;     ///< true if contours were written
-    double rmse_m = 0;        ///< RMS error of the stack
-    bool paler = false;       ///< true if some colours are lightened for uncertain features
+    std::int64_t points = 0;   ///< number of outline vertices
+    bool stacked = false;      ///< true if contours were written
+    double rmse_m = 0;         ///< RMS error of the stack
+    bool paler = false;        ///< true if some colours are lightened for uncertain features
+    std::int64_t added = 0;    ///< outlines that the first of several maps does not have
+    std::int64_t missing = 0;  ///< outlines that only the first of several maps has
 };
 
 /// Finished map before the page layout.
@@ -75,7 +79,11 @@ struct MapPicture {
 
 /// Explanation of paler colours, appended to a line.
 inline constexpr const char* uncertain_note = " · paler: less certain";
+/// Explanation of marked outlines.
+inline constexpr const char* difference_note = "Blue: not in the first picture; dashed: only there";
 
+/// Returns text such as "12,345".
+[[nodiscard]] std::string grouped(std::int64_t number);
 /// Returns text such as "1,234 buildings".
 [[nodiscard]] std::string count_text(const PictureCounts& counts);
 /// Returns text such as "Source: town.tif" without folders, and the name of the CRS.

@@ -203,12 +203,11 @@ constexpr double scale_room = 13;
 constexpr double arrow_room = 3.2;
 constexpr double arrow_height = 3.2;
 
-/// True if lengths on the ground are known in metres.
+}  // namespace
+
 bool in_metres(const Crs& crs) {
     return crs.horizontal_unit().has_value() || crs.on_ellipsoid();
 }
-
-}  // namespace
 
 Footer::Footer(double width, double font, int line_count) : width_(width), font_(font), lines_(line_count) {}
 

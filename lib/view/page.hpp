@@ -81,6 +81,9 @@ struct ScaleBarLength {
 /// Returns text such as "200 m" or "5 km", or "200 units" if the metres are unknown.
 [[nodiscard]] std::string length_text(double length, bool metres);
 
+/// Returns true if lengths on the ground are known in metres.
+[[nodiscard]] bool in_metres(const Crs& crs);
+
 /// @param place upper left corner @param max_width of the bar including half of the last label
 /// @param metres true if the units of the frame are metres
 void draw_scale_bar(cairo_t* pen, PixelPoint place, double max_width, double font, double metres_per_pixel,

@@ -32,6 +32,13 @@ std::string parameters_text(const Options& options) {
     return text + ", nf " + std::to_string(options.filter.noise_factor);
 }
 
+PageLayout layout_of(const WriteOptions& write, const MapArea& area, writing::PictureFormat format,
+                     const PageWords& words) {
+    if (!write.preview_paper)
+        return plan_page(area, write.preview_size, words);
+    return plan_paper(area, {*write.preview_paper, write.landscape, write.preview_scale}, format, words);
+}
+
 }  // namespace
 
 MapArea map_area_of(const Options& options, const DemInfo& dem) {
@@ -56,12 +63,13 @@ Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& d
     if (options.write.preview.empty())
         return;
     file_ = writing::open_picture(picture_target(options));
-    const int longest = options.write.preview_size;
     const MapArea ground = map_area_of(options, dem);
     const writing::PictureFormat format = file_->format();
-    sink_.emplace(features, MapFrame(ground, map_size_on_page(ground, longest)), format,
-                  [this, format, longest, text = parameters_text(options)](const MapPicture& map) {
-                      file_->write(draw_map_page(map, text, format, longest));
+    const PageWords words = page_words(options);
+    const PageLayout layout = layout_of(options.write, ground, format, words);
+    sink_.emplace(features, MapFrame(ground, layout.map), format,
+                  [this, format, layout, words, text = parameters_text(options)](const MapPicture& map) {
+                      file_->write(draw_map_page(map, text, format, layout, words));
                   });
 }
 

@@ -1,6 +1,8 @@
 #include "view/preview_sink.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <utility>
 
 #include "core/height_classes.hpp"
@@ -19,12 +21,52 @@ const double* number_in(const Feature& feature, std::size_t field) {
     return field < feature.values.size() ? std::get_if<double>(&feature.values[field]) : nullptr;
 }
 
+/// Returns a key that equals that of the same outline on another map of the same frame.
+std::string key_of(std::size_t layer, const FirstOutlines::Rings& rings) {
+    std::string key = std::to_string(layer);
+    const auto append = [&key](double number) {
+        std::array<char, sizeof number> bytes{};
+        std::memcpy(bytes.data(), &number, sizeof number);
+        key.append(bytes.data(), bytes.size());
+    };
+    for (const auto& ring : rings) {
+        append(static_cast<double>(ring.size()));
+        for (const PixelPoint& pixel : ring) {
+            append(pixel.x);
+            append(pixel.y);
+        }
+    }
+    return key;
+}
+
 }  // namespace
 
+void FirstOutlines::add(std::size_t layer, Rings rings) {
+    std::string key = key_of(layer, rings);
+    outlines_.emplace(std::move(key), Outline{std::move(rings)});
+}
+
+bool FirstOutlines::find(std::size_t layer, const Rings& rings) {
+    const auto found = outlines_.find(key_of(layer, rings));
+    if (found == outlines_.end())
+        return false;
+    found->second.seen = true;
+    return true;
+}
+
+std::vector<FirstOutlines::Rings> FirstOutlines::take_missing() {
+    std::vector<Rings> missing;
+    for (auto& [key, outline] : outlines_)
+        if (!std::exchange(outline.seen, false))
+            missing.push_back(outline.rings);
+    return missing;
+}
+
 PreviewSink::PreviewSink(FeatureSink& features, const MapFrame& frame, writing::PictureFormat format,
-                         OnMap on_map)
+                         OnMap on_map, std::shared_ptr<FirstOutlines> first)
     : features_(features),
       on_map_(std::move(on_map)),
+      first_(std::move(first)),
       relief_(std::make_shared<Relief>(frame)),
       map_{frame, relief_, FootprintDrawing(frame, format), "", {}} {}
 
@@ -77,6 +119,31 @@ void PreviewSink::draw(const WorldPolygon& polygon, const DrawnLayer& drawn, Col
         map_.footprints.stroke(rings);
     else
         map_.footprints.fill(rings, colour);
+    if (first_)
+        compare(drawn.layer, rings);
+}
+
+void PreviewSink::compare(std::size_t layer, const FirstOutlines::Rings& rings) {
+    if (!first_->is_complete())
+        first_->add(layer, rings);
+    else if (!first_->find(layer, rings))
+        added_.push_back(rings);
+}
+
+void PreviewSink::mark_differences() {
+    if (!first_)
+        return;
+    if (!first_->is_complete()) {
+        first_->complete();
+        return;
+    }
+    const std::vector<FirstOutlines::Rings> missing = first_->take_missing();
+    for (const FirstOutlines::Rings& rings : missing)
+        map_.footprints.mark(rings, true);
+    for (const FirstOutlines::Rings& rings : added_)
+        map_.footprints.mark(rings, false);
+    map_.counts.added = static_cast<std::int64_t>(added_.size());
+    map_.counts.missing = static_cast<std::int64_t>(missing.size());
 }
 
 void PreviewSink::add(std::size_t layer, const Feature& feature) {
@@ -99,11 +166,13 @@ void PreviewSink::take_report(const RunReport& report) {
 }
 
 void PreviewSink::prepare(CommitList& commit) {
+    mark_differences();
     on_map_(std::move(map_));
     features_.prepare(commit);
 }
 
 void PreviewSink::finish() {
+    mark_differences();
     on_map_(std::move(map_));
     features_.finish();
 }

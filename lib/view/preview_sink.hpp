@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,29 @@
 #include "view/map_picture.hpp"
 
 namespace d2b::view {
+
+/// Outlines of the first of several maps, so that differences from it can be marked on the others.
+class FirstOutlines {
+  public:
+    using Rings = std::vector<std::vector<PixelPoint>>;
+
+    /// Returns true once the first map is complete.
+    [[nodiscard]] bool is_complete() const { return complete_; }
+    void complete() { complete_ = true; }
+    void add(std::size_t layer, Rings rings);
+    /// Marks an outline as seen on the present map. Returns false if the first map does not have it.
+    [[nodiscard]] bool find(std::size_t layer, const Rings& rings);
+    /// Returns the outlines that were not seen, and forgets which were.
+    [[nodiscard]] std::vector<Rings> take_missing();
+
+  private:
+    struct Outline {
+        Rings rings;
+        bool seen = false;
+    };
+    std::map<std::string, Outline> outlines_;  ///< by layer and coordinates
+    bool complete_ = false;
+};
 
 /// Passes features on to another sink and draws them over the relief: buildings coloured by height, and their
 /// contours as lines. If no buildings are written, contours are coloured instead, from low to high.
@@ -23,8 +47,9 @@ class PreviewSink final : public FeatureSink {
     using OnMap = std::function<void(MapPicture map)>;
 
     /// @param features must outlive this @param on_map called in finish() or prepare(), before those of
-    /// `features`
-    PreviewSink(FeatureSink& features, const MapFrame& frame, writing::PictureFormat format, OnMap on_map);
+    /// `features` @param first outlines of the first of several maps in the same frame; nullptr for one map
+    PreviewSink(FeatureSink& features, const MapFrame& frame, writing::PictureFormat format, OnMap on_map,
+                std::shared_ptr<FirstOutlines> first = nullptr);
 
     /// Returns the sink for the elevations, which must be complete before finish().
     [[nodiscard]] RasterSink& relief() { return *relief_; }
@@ -62,9 +87,14 @@ class PreviewSink final : public FeatureSink {
     /// Returns the colour of a feature; nullopt if it has no height.
     [[nodiscard]] std::optional<Colour> colour_of(const Feature& feature, const DrawnLayer& drawn);
     void draw(const WorldPolygon& polygon, const DrawnLayer& drawn, Colour colour);
+    void compare(std::size_t layer, const FirstOutlines::Rings& rings);
+    /// Marks differences from the first map, above everything else.
+    void mark_differences();
 
     FeatureSink& features_;
     OnMap on_map_;
+    std::shared_ptr<FirstOutlines> first_;
+    std::vector<FirstOutlines::Rings> added_;  ///< outlines that the first map does not have
     std::shared_ptr<Relief> relief_;
     MapPicture map_;
     std::optional<CoordinateTransform> to_dem_;  ///< set if the features are in another CRS

@@ -66,19 +66,44 @@ TEST_F(OptionEffect, sweep) {
         EXPECT_EQ(trial["stack_rmse_m"], output["stack_rmse_m"]);
     }
     EXPECT_LT(trials[0]["contours"], trials[4]["contours"]);  // more levels
-    EXPECT_GT(trials[0]["points"], trials[2]["points"]);      // cleaner tiers
-    EXPECT_GT(trials[0]["contours"], trials[1]["contours"]);  // less noise
+    EXPECT_GT(trials[0]["points"], trials[1]["points"]);      // cleaner tiers
+    EXPECT_GT(trials[0]["contours"], trials[2]["contours"]);  // less noise
+    EXPECT_TRUE(trials[0]["same_as_first"]);
+    EXPECT_FALSE(trials[1]["same_as_first"]);
     const OpenDataset sheet(GDALOpen(path("sheet.png").c_str(), GA_ReadOnly));
     ASSERT_NE(sheet, nullptr);
     EXPECT_EQ(std::max(GDALGetRasterXSize(sheet.get()), GDALGetRasterYSize(sheet.get())), 1600);
     const std::string table =
         run_well({"-q", "-sweep", "lod=3", "-te", "391250", "5820250", "391350", "5820350", town});
     EXPECT_EQ(std::ranges::count(table, '\n'), 2);
-    expect_has(table,
-               "        lod         nf     detail  buildings   contours     points   rmse [m]    seconds\n   "
-               "       3   "
-               "      10        0.5 ");
+    expect_has(table, "        lod  buildings   contours     points   rmse [m]    seconds\n          3 ");
     expect_error(2, "-sweep takes one file name", {"-sweep", "lod=1..2", town, "out.gpkg"});
+}
+
+/// The largest block has 48 m2, so a smallest area of 60 m2 drops all, and a larger one nothing more.
+TEST_F(OptionEffect, sweep__saysWhereLargerValuesChangeNothing) {
+    preset_ = "thesis";
+    const std::string table = run_well({"-q", "-sweep", "lod=2,min_area=0..100..20", "blocks.tif"});
+    const json report = json::parse(run_well({"-json", "-sweep", "lod=2,min_area=0..100..20", "blocks.tif"}));
+    const auto& trials = report["trials"];
+    ASSERT_EQ(trials.size(), 6U);
+    std::size_t last_change = 0;
+    for (std::size_t i = 1; i < 6; ++i)
+        if (trials[i]["contours"] != trials[i - 1]["contours"])
+            last_change = i;
+    EXPECT_EQ(last_change, 3U);
+    EXPECT_EQ(report["no_change_above"], (json{{"min_area", 60}}));
+    expect_has(table, "-min_area above 60 changes nothing here.\n");
+    expect_error(2, "-sweep cannot vary 'threads'", {"-sweep", "threads=1..2", "blocks.tif"});
+}
+
+TEST_F(OptionEffect, sweep__overwritesItsSheet) {
+    const Arguments sweep{"-q", "-sweep", "nf=5..10..5", "-preview", "sheet.png", "blocks.tif"};
+    run_well(sweep);
+    expect_error(1, "sheet.png", sweep);
+    Arguments again = sweep;
+    again.insert(again.begin(), "-overwrite");
+    run_well(again);
 }
 
 TEST_F(OptionEffect, threads) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 #include "cli/option_effect.hpp"
 #include "cli/town_files.hpp"
@@ -84,6 +85,63 @@ TEST_F(OptionEffect, preview) {
                  {"-preview", "map.png", "town.tif", "again.gpkg"});
     expect_error(2, "a name that ends in .png, .svg or .pdf.",
                  {"-preview", "map.jpg", "town.tif", "again.gpkg"});
+}
+
+TEST_F(OptionEffect, preview_paper) {
+    find({"-preview", "map.pdf", "-preview_paper", "A3"});
+    // 297 x 420 mm are 842 x 1191 points.
+    std::smatch box;
+    const std::string pdf = read_bytes(path("map.pdf"));
+    ASSERT_TRUE(std::regex_search(pdf, box, std::regex("/MediaBox \\[ 0 0 ([0-9.]+) ([0-9.]+) \\]")));
+    EXPECT_NEAR(std::stod(box[1]), 841.9, 0.5);
+    EXPECT_NEAR(std::stod(box[2]), 1190.6, 0.5);
+}
+
+TEST_F(OptionEffect, preview_scale) {
+    find({"-preview", "map.svg", "-preview_paper", "A5", "-preview_scale", "2000"});
+    const std::string half = read_bytes(path("map.svg"));
+    find({"-overwrite", "-preview", "map.svg", "-preview_paper", "A5", "-preview_scale", "1000"});
+    EXPECT_NE(read_bytes(path("map.svg")), half);
+    expect_error(
+        2, "The area does not fit on A5 at 1:10; use -preview_scale ",
+        {"-preview", "large.pdf", "-preview_paper", "A5", "-preview_scale", "10", "town.tif", "large.gpkg"});
+}
+
+TEST_F(OptionEffect, landscape) {
+    find({"-preview", "map.png", "-preview_paper", "A5", "-landscape"});
+    const OpenDataset picture(GDALOpen(path("map.png").c_str(), GA_ReadOnly));
+    ASSERT_NE(picture, nullptr);
+    EXPECT_EQ(GDALGetRasterXSize(picture.get()), 1240);  // 210 mm at 150 pixels per inch
+    EXPECT_EQ(GDALGetRasterYSize(picture.get()), 874);
+}
+
+TEST_F(OptionEffect, title) {
+    find({"-preview", "map.png"});
+    find({"-overwrite", "-preview", "titled.png", "-title", "Old town"});
+    const OpenDataset plain(GDALOpen(path("map.png").c_str(), GA_ReadOnly));
+    const OpenDataset titled(GDALOpen(path("titled.png").c_str(), GA_ReadOnly));
+    // Letters in the row at which a map without a title begins.
+    const auto darkest = [](GDALDatasetH picture) {
+        std::vector<unsigned char> row(static_cast<std::size_t>(GDALGetRasterXSize(picture)));
+        EXPECT_EQ(GDALDatasetRasterIO(picture, GF_Read, 0, 40, GDALGetRasterXSize(picture), 1, row.data(),
+                                      GDALGetRasterXSize(picture), 1, GDT_Byte, 1, nullptr, 0, 0, 0),
+                  CE_None);
+        return std::pair{std::ranges::count(row, 255),
+                         std::ranges::count_if(row, [](int v) { return v < 60; })};
+    };
+    const auto [white, letters] = darkest(titled.get());
+    EXPECT_GT(white, 1000);
+    EXPECT_GT(letters, 10);
+    EXPECT_LT(darkest(plain.get()).first, 100);
+}
+
+TEST_F(OptionEffect, credit) {
+    find({"-preview", "map.png", "-preview_size", "700"});
+    find({"-overwrite", "-preview", "credited.png", "-preview_size", "700", "-credit", "City of Old Town"});
+    const OpenDataset plain(GDALOpen(path("map.png").c_str(), GA_ReadOnly));
+    const OpenDataset credited(GDALOpen(path("credited.png").c_str(), GA_ReadOnly));
+    EXPECT_LE(GDALGetRasterXSize(credited.get()), GDALGetRasterXSize(plain.get()));  // a line of text more
+    EXPECT_NE(read_bytes(path("map.png")), read_bytes(path("credited.png")));
 }
 
 TEST_F(OptionEffect, preview_size) {

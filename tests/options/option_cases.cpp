@@ -66,7 +66,10 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"page", {{"p.html"}}},
         {"preview", {{"p.png"}}},
         {"preview_size", {{"800"}}},
-        {"sweep", {{"lod=1..2"}, {"nf=5..10"}, {"detail=0..2"}}},
+        {"preview_scale", {{"5000"}}},
+        {"title", {{"Old town"}}},
+        {"credit", {{"City of Old Town, CC BY 4.0"}}},
+        {"sweep", {{"lod=1..2"}, {"nf=5..10"}, {"detail=0..2"}, {"min_area=10..50..40"}}},
         {"threads", {{"1"}}},
     };
     return all;
@@ -84,6 +87,11 @@ const std::map<std::string, Texts>& needs() {
         {"min_gap", {"-surface", "s.obj", "-write_problems"}},
         {"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
         {"preview_size", {"-preview", "p.png"}},
+        {"preview_paper", {"-preview", "p.png"}},
+        {"preview_scale", {"-preview", "p.png", "-preview_paper", "A4"}},
+        {"landscape", {"-preview", "p.png", "-preview_paper", "A4"}},
+        {"title", {"-preview", "p.png"}},
+        {"credit", {"-preview", "p.png"}},
         {"mask_layer", {"-mask", "/vsimem/scene/masks.gpkg"}},
         {"split_layer", {"-split_by", "/vsimem/scene/parcels.gpkg"}},
         {"split_field", {"-split_by", "/vsimem/scene/parcels.gpkg"}},
@@ -141,10 +149,11 @@ std::vector<OptionCase> option_cases() {
 }
 
 bool shapes_the_result(const std::string& name) {
-    static const std::set<std::string> others{"oo", "if", "f", "dsco", "lco", "nln", "q", "json", "overwrite",
-                                              "append", "sweep", "threads", "preview", "preview_size",
-                                              // The sinks of these tests take one part at a time.
-                                              "surface_solids"};
+    static const std::set<std::string> others{
+        "oo", "if", "f", "dsco", "lco", "nln", "q", "json", "overwrite", "append", "sweep", "threads",
+        "preview", "preview_size", "preview_paper", "preview_scale", "landscape", "title", "credit",
+        // The sinks of these tests take one part at a time.
+        "surface_solids"};
     return !others.contains(name);
 }
 

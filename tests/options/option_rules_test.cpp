@@ -31,8 +31,7 @@ std::vector<OptionCase> cases_of(const OptionCondition& use) {
             continue;
         const std::string value = option.values.empty() ? "yes" : option.values.front();
         if (use.match == Match::any || (use.match == Match::equal && value == use.value) ||
-            (use.match == Match::other && value != use.value) ||
-            (use.match == Match::names && value.starts_with(use.value)))
+            (use.match == Match::other && value != use.value))
             found.push_back(option);
     }
     return found;
@@ -116,6 +115,21 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
               "-lod has no effect with -sweep lod=...; the sweep names the values itself."},
              {{"-sweep", "detail=1", "-detail", "2"},
               "-detail has no effect with -sweep detail=...; the sweep names the values itself."},
+             {{"-sweep", "min_area=10..50", "-min_area", "20"},
+              "-min_area has no effect with -sweep min_area=...; the sweep names the values itself."},
+             {{"-sweep", "min_height=2..3", "-preset", "thesis"},
+              "-min_height has no effect with -preset thesis; it detects no buildings, so leave one of them "
+              "out."},
+             {{"-sweep", "split_width=1..2"},
+              "-split_width needs -split_by <polygons or lines>; it is the width of parts that parcels cut "
+              "off."},
+             {{"-preview", "p.png", "-preview_size", "900", "-preview_paper", "A4"},
+              "-preview_size cannot be used together with -preview_paper A4; the size of a PNG follows from "
+              "its paper."},
+             {{"-preview", "p.png", "-landscape"},
+              "-landscape needs -preview_paper A0|A1|A2|A3|A4|A5; it turns the paper."},
+             {{"-title", "Town"},
+              "-title needs -preview <file> or -page <file.html>; it is the title of a picture or a page."},
              {{"-roofs", "-detail", "0"},
               "-roofs cannot be used together with -detail 0; borders between faces would cost nothing, so "
               "give a larger -detail."},
@@ -168,20 +182,22 @@ TEST(OptionRules, refuseWhatHasNoMeaningInAPreset) {
 }
 
 TEST(OptionRules, leaveWhatMakesSense) {
-    for (const Texts& words : std::vector<Texts>{{"-arcs", "-regularize", "auto"},
-                                                 {"-arcs", "-preset", "thesis", "-regularize", "auto"},
-                                                 {"-arcs", "-simplify", "0"},
-                                                 {"-simplify", "1", "-regularize", "off"},
-                                                 {"-disjoint", "-layers", "both"},
-                                                 {"-fields", "own", "-layers", "contours"},
-                                                 {"-fields", "osm", "-layers", "contours", "-write_doubtful"},
-                                                 {"-preset", "thesis", "-ground", "none"},
-                                                 {"-preset", "thesis", "-split_height", "0"},
-                                                 {"-preset", "thesis", "-levels", "global"},
-                                                 {"-max_building_width", "40", "-ground", "auto"},
-                                                 {"-sweep", "lod=1..3", "-nf", "2"},
-                                                 {"-sweep", "lod=1..3", "-overwrite", "-preview", "p.png"},
-                                                 {"-cutline", "a.gpkg", "-cutline_layer", "town"}})
+    for (const Texts& words :
+         std::vector<Texts>{{"-arcs", "-regularize", "auto"},
+                            {"-arcs", "-preset", "thesis", "-regularize", "auto"},
+                            {"-arcs", "-simplify", "0"},
+                            {"-simplify", "1", "-regularize", "off"},
+                            {"-disjoint", "-layers", "both"},
+                            {"-fields", "own", "-layers", "contours"},
+                            {"-fields", "osm", "-layers", "contours", "-write_doubtful"},
+                            {"-preset", "thesis", "-ground", "none"},
+                            {"-preset", "thesis", "-split_height", "0"},
+                            {"-preset", "thesis", "-levels", "global"},
+                            {"-max_building_width", "40", "-ground", "auto"},
+                            {"-sweep", "lod=1..3", "-nf", "2"},
+                            {"-sweep", "lod=1..3", "-title", "Town", "-preview", "p.png"},
+                            {"-sweep", "lod=1..3", "-overwrite", "-preview", "p.png"},
+                            {"-cutline", "a.gpkg", "-cutline_layer", "town"}})
         EXPECT_EQ(refusal_of(words), "") << words.front();
 }
 

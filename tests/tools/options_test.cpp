@@ -51,6 +51,7 @@ TEST(OptionTable, namesEachWordOfAChoiceOnce) {
             continue;
         EXPECT_EQ(row.values, joined(row.choices, "|")) << row.name;
         EXPECT_EQ(row.range, alternatives(row.choices)) << row.name;
+        EXPECT_TRUE(row.choice_titles.empty() || row.choice_titles.size() == row.choices.size()) << row.name;
         for (const std::string& word : row.choices) {
             Request request;
             const Texts text{word};
@@ -156,18 +157,28 @@ TEST(Options, ofTheGround) {
 
 TEST(Options, aSweepIsEveryPairOfItsNumbers) {
     const auto sweep_of = [](const std::string& text) { return parse_sweep(text); };
-    EXPECT_EQ(sweep_of("lod=1..6,nf=5..60").lods, (std::vector<int>{1, 2, 3, 4, 5, 6}));
-    EXPECT_EQ(sweep_of("lod=1..6,nf=5..60").noise_factors, (std::vector<int>{5, 16, 27, 38, 49, 60}));
-    EXPECT_EQ(sweep_of("nf=5..21..5").noise_factors, (std::vector<int>{5, 10, 15, 20}));
-    EXPECT_TRUE(sweep_of("nf=5..21..5").lods.empty());
-    EXPECT_EQ(sweep_of("nf=7").noise_factors, std::vector<int>{7});
-    EXPECT_EQ(sweep_of("lod=3..3").lods, std::vector<int>{3});
-    EXPECT_EQ(sweep_of("nf=0..1000000000..1000000000").noise_factors, (std::vector<int>{0, 1000000000}));
-    EXPECT_EQ(sweep_of("detail=0..2..0.5,lod=4").details, (std::vector<double>{0, 0.5, 1, 1.5, 2}));
-    EXPECT_EQ(sweep_of("detail=0..1..0.1").details.size(), 11U);
-    EXPECT_EQ(sweep_of("detail=0..3").details, (std::vector<double>{0, 1, 2, 3}));
-    EXPECT_EQ(sweep_of("detail=0.5..3").details, (std::vector<double>{0.5, 1, 1.5, 2, 2.5, 3}));
-    EXPECT_EQ(sweep_of("detail=1.5").details, std::vector<double>{1.5});
+    using Values = std::vector<std::string>;
+    const auto values_of = [&](const std::string& text) {
+        const SweepPlan plan = sweep_of(text);
+        return plan.options.empty() ? Values{} : plan.options.front().values;
+    };
+    const SweepPlan both = sweep_of("lod=1..6,nf=5..60");
+    ASSERT_EQ(both.options.size(), 2U);
+    EXPECT_EQ(both.options[0], (SweptOption{"lod", {"1", "2", "3", "4", "5", "6"}}));
+    EXPECT_EQ(both.options[1], (SweptOption{"nf", {"5", "16", "27", "38", "49", "60"}}));
+    EXPECT_EQ(both.trials(), 36U);
+    EXPECT_EQ(values_of("nf=5..21..5"), (Values{"5", "10", "15", "20"}));
+    EXPECT_EQ(values_of("nf=7"), Values{"7"});
+    EXPECT_EQ(values_of("lod=3..3"), Values{"3"});
+    EXPECT_EQ(values_of("nf=0..1000000000..1000000000"), (Values{"0", "1000000000"}));
+    EXPECT_EQ(values_of("detail=0..2..0.5,lod=4"), (Values{"0", "0.5", "1", "1.5", "2"}));
+    EXPECT_EQ(values_of("detail=0..1..0.1").size(), 11U);
+    EXPECT_EQ(values_of("detail=0..3"), (Values{"0", "1", "2", "3"}));
+    EXPECT_EQ(values_of("detail=0.5..3"), (Values{"0.5", "1", "1.5", "2", "2.5", "3"}));
+    EXPECT_EQ(values_of("detail=1.5"), Values{"1.5"});
+    EXPECT_EQ(values_of("min_confidence=0.5..0.9..0.2"), (Values{"0.5", "0.7", "0.9"}));
+    EXPECT_EQ(sweep_values(sweep_of("lod=1..2,min_area=10..20..10")),
+              (std::vector<Values>{{"1", "10"}, {"1", "20"}, {"2", "10"}, {"2", "20"}}));
     for (const std::string wrong : {"detail=",
                                     "detail=-1..2",
                                     "detail=2..1",
@@ -183,6 +194,11 @@ TEST(Options, aSweepIsEveryPairOfItsNumbers) {
                                     "nf=1..2..0",
                                     "lod=1..2..3..4",
                                     "x=1",
+                                    "=1",
+                                    "threads=1..2",
+                                    "preview_size=400..800..400",
+                                    "regularize=1",
+                                    "min_confidence=0..2",
                                     "lod=1,lod=2",
                                     "lod=1..2,",
                                     "nf=1.5",
@@ -195,7 +211,11 @@ TEST(Sweep, aSheetHoldsWhatCanBeRead) {
     EXPECT_NO_THROW(require_legible(16, 1600));
     EXPECT_NO_THROW(require_legible(17, 2000));
     EXPECT_NO_THROW(require_legible(1, 200));
-    EXPECT_EQ(refusal_of_all({"-sweep", "lod=1..6,nf=5..60", "-preview", "p.png", "in.tif"}),
+    EXPECT_EQ(refusal_of_all({"-sweep", "lod=1..6,nf=5..60", "-preview", "p.png", "in.tif"}), "(no error)");
+    EXPECT_EQ(legible_side(36), 2400);
+    EXPECT_EQ(legible_side(37), 2800);
+    EXPECT_EQ(refusal_of_all(
+                  {"-sweep", "lod=1..6,nf=5..60", "-preview", "p.png", "-preview_size", "1600", "in.tif"}),
               "-sweep names 36 trials, and a picture of 1600 pixels has room for 16 that can be read; name "
               "fewer values, or give -preview_size 2400.");
     EXPECT_EQ(

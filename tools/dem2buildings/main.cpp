@@ -48,7 +48,8 @@ void process(const Request& request) {
             own_stdout.reader<std::vector<pipeline::Trial>>([&](const std::vector<pipeline::Trial>& trials) {
                 if (!quiet)
                     progress.update(1);
-                return request.tool.json ? sweep_json(trials) : sweep_table(trials);
+                const SweepPlan& plan = request.tool.sweep_plan;
+                return request.tool.json ? sweep_json(plan, trials) : sweep_table(plan, trials);
             }));
         return;
     }

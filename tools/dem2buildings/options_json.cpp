@@ -4,6 +4,7 @@
 
 #include "dem2buildings/help.hpp"
 #include "dem2buildings/version.hpp"
+#include "options/run_plan.hpp"
 
 namespace d2b {
 namespace {
@@ -24,15 +25,22 @@ Json python_of(const OptionRow& row) {
             {"extract_file", row.python.extract_file}};
 }
 
-Json json_of(const OptionRow& row) {
+/// Returns the request in which all options that were left open have their values of the default preset.
+Request usual_request() {
+    return {make_run_plan({}, Layers::both).resolved(), {}};
+}
+
+Json json_of(const OptionRow& row, const Request& usual) {
     Json option{{"name", row.name},
                 {"aliases", row.aliases},
                 {"group", option_group_names[static_cast<std::size_t>(row.group)]},
                 {"kind", option_kind_names[static_cast<std::size_t>(row.kind)]},
                 {"values", row.values},
                 {"choices", row.choices},
+                {"choice_titles", row.choice_titles.empty() ? row.choices : row.choice_titles},
                 {"unit", row.unit},
                 {"default", row.standard},
+                {"usual", row.arity == Arity::none ? "" : row.show(usual)},
                 {"repeatable", row.repeatable},
                 {"hidden", row.hidden},
                 {"presets", presets_of(row)},
@@ -52,9 +60,10 @@ Json json_of(const OptionRow& row) {
 
 std::string options_json() {
     constexpr int indent = 1;
+    const Request usual = usual_request();
     Json options = Json::array();
     for (const OptionRow& row : option_table())
-        options.push_back(json_of(row));
+        options.push_back(json_of(row, usual));
     return Json{{"version", version}, {"options", options}}.dump(indent) + "\n";
 }
 

@@ -14,18 +14,16 @@ namespace d2b {
 namespace {
 
 using Json = nlohmann::ordered_json;
-constexpr std::size_t width = 11;
-
-std::string aligned(const std::string& text) {
+std::string aligned(const std::string& text, std::size_t width) {
     return std::string(width - std::min(width, text.size()), ' ') + text;
 }
 
 /// Draws a trial.
 class TrialMap final : public pipeline::TrialView {
   public:
-    TrialMap(FeatureSink& nothing, const view::MapFrame& frame, writing::PictureFormat format,
-             view::PreviewSink::OnMap taken)
-        : sink_(nothing, frame, format, std::move(taken)) {}
+    TrialMap(FeatureSink& discarded, const view::MapFrame& frame, writing::PictureFormat format,
+             std::shared_ptr<view::FirstOutlines> first, view::PreviewSink::OnMap taken)
+        : sink_(discarded, frame, format, std::move(taken), std::move(first)) {}
     [[nodiscard]] FeatureSink& features() override { return sink_; }
     [[nodiscard]] RasterSink& elevations() override { return sink_.relief(); }
 
@@ -33,43 +31,66 @@ class TrialMap final : public pipeline::TrialView {
     view::PreviewSink sink_;
 };
 
-std::string caption_of(const pipeline::TrialValues& values, const SweepPlan& plan) {
-    std::string caption = "lod " + std::to_string(values.lod) + ", nf " + std::to_string(values.noise_factor);
-    if (!plan.details.empty())
-        caption += ", detail " + number_text(values.detail);
+std::string caption_of(const std::vector<std::string>& values, const SweepPlan& plan) {
+    std::string caption;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        caption += (i == 0 ? "" : ", ") + plan.options[i].name + " " + values[i];
     return caption;
+}
+
+std::vector<std::string> cells_of(const pipeline::Trial& trial) {
+    const RunReport& report = trial.report;
+    std::vector<std::string> cells = trial.values;
+    cells.insert(cells.end(), {std::to_string(report.buildings), std::to_string(report.contours),
+                               std::to_string(report.vertices), fixed_text(report.stack_rmse_m, 2),
+                               fixed_text(trial.seconds, 2)});
+    return cells;
+}
+
+Json number_json(const std::string& text) {
+    return Json::parse(text);
 }
 
 }  // namespace
 
-std::string sweep_table(const std::vector<pipeline::Trial>& trials) {
+std::string sweep_table(const SweepPlan& plan, const std::vector<pipeline::Trial>& trials) {
+    constexpr std::size_t least_width = 11;
+    std::vector<std::string> titles;
+    for (const SweptOption& option : plan.options)
+        titles.push_back(option.name);
+    titles.insert(titles.end(), {"buildings", "contours", "points", "rmse [m]", "seconds"});
     std::string text;
-    for (const char* title :
-         {"lod", "nf", "detail", "buildings", "contours", "points", "rmse [m]", "seconds"})
-        text += aligned(title);
-    for (const pipeline::Trial& trial : trials) {
-        const RunReport& report = trial.report;
-        text += "\n" + aligned(std::to_string(trial.values.lod)) +
-                aligned(std::to_string(trial.values.noise_factor)) +
-                aligned(number_text(trial.values.detail)) + aligned(std::to_string(report.buildings)) +
-                aligned(std::to_string(report.contours)) + aligned(std::to_string(report.vertices)) +
-                aligned(fixed_text(report.stack_rmse_m, 2)) + aligned(fixed_text(trial.seconds, 2));
-    }
-    return text + "\n";
+    const auto add_row = [&](const std::vector<std::string>& cells) {
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            text += aligned(cells[i], std::max(least_width, titles[i].size() + 2));
+        text += "\n";
+    };
+    add_row(titles);
+    for (const pipeline::Trial& trial : trials)
+        add_row(cells_of(trial));
+    for (const pipeline::Saturation& found : pipeline::saturations(plan, trials))
+        text += "-" + found.option + " above " + found.value + " changes nothing here.\n";
+    return text;
 }
 
-std::string sweep_json(const std::vector<pipeline::Trial>& trials) {
+std::string sweep_json(const SweepPlan& plan, const std::vector<pipeline::Trial>& trials) {
     Json rows = Json::array();
-    for (const pipeline::Trial& trial : trials)
-        rows.push_back(Json{{"lod", trial.values.lod},
-                            {"nf", trial.values.noise_factor},
-                            {"detail", trial.values.detail},
-                            {"buildings", trial.report.buildings},
-                            {"contours", trial.report.contours},
-                            {"points", trial.report.vertices},
-                            {"stack_rmse_m", trial.report.stack_rmse_m},
-                            {"seconds", trial.seconds}});
-    return Json{{"trials", rows}}.dump(2) + "\n";
+    for (const pipeline::Trial& trial : trials) {
+        Json row;
+        for (std::size_t i = 0; i < plan.options.size(); ++i)
+            row[plan.options[i].name] = number_json(trial.values[i]);
+        row.update(Json{{"buildings", trial.report.buildings},
+                        {"contours", trial.report.contours},
+                        {"points", trial.report.vertices},
+                        {"stack_rmse_m", trial.report.stack_rmse_m},
+                        {"same_as_first", trial.digest == trials.front().digest},
+                        {"seconds", trial.seconds}});
+        rows.push_back(std::move(row));
+    }
+    Json above = Json::object();
+    for (const pipeline::Saturation& found : pipeline::saturations(plan, trials))
+        above[found.option] = number_json(found.value);
+    return Json{{"trials", rows}, {"no_change_above", above}}.dump(2) + "\n";
 }
 
 void run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
@@ -83,16 +104,20 @@ void run_sweep(const Options& options, const Sources& sources, const SweepPlan& 
         return;
     }
     const std::unique_ptr<writing::PictureFile> file = writing::open_picture(view::picture_target(options));
+    const int side = options.given.contains("preview_size")
+                         ? options.write.preview_size
+                         : std::max(options.write.preview_size, legible_side(plan.trials()));
     const view::SheetPlan sheet =
-        view::plan_sheet(plan.trials(), plan.noise_factors.size(), options.write.preview_size);
+        view::plan_sheet(plan.trials(), plan.options.back().values.size(), side, view::page_words(options));
     const view::MapArea ground = view::map_area_of(options, sources.dem.info());
     const view::MapFrame frame(ground, view::map_size_on_sheet(ground, sheet));
+    const auto first = std::make_shared<view::FirstOutlines>();
     std::vector<view::TrialPicture> pictures;
     const std::vector<pipeline::Trial> trials = pipeline::run_trials(
         options, sources, plan,
-        [&](FeatureSink& nothing, const pipeline::TrialValues& values) {
+        [&](FeatureSink& discarded, const std::vector<std::string>& values) {
             return std::make_unique<TrialMap>(
-                nothing, frame, file->format(),
+                discarded, frame, file->format(), first,
                 [&pictures, caption = caption_of(values, plan)](view::MapPicture map) {
                     pictures.push_back({caption, std::move(map)});
                 });

@@ -8,12 +8,13 @@
 
 namespace d2b {
 
-/// The trials of a sweep, a line each.
-[[nodiscard]] std::string sweep_table(const std::vector<pipeline::Trial>& trials);
-/// The same as JSON.
-[[nodiscard]] std::string sweep_json(const std::vector<pipeline::Trial>& trials);
+/// Returns the trials of a sweep, a line each, and a line for each option whose larger values change nothing.
+[[nodiscard]] std::string sweep_table(const SweepPlan& plan, const std::vector<pipeline::Trial>& trials);
+/// Returns the same as JSON.
+[[nodiscard]] std::string sweep_json(const SweepPlan& plan, const std::vector<pipeline::Trial>& trials);
 
-/// Runs the trials of -sweep, with -preview a contact sheet of them. @throws Error
+/// Runs the trials of -sweep, with -preview a contact sheet of them on which differences from the first trial
+/// are marked. @throws Error
 void run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,
                const Callbacks& callbacks, const ReportReader<std::vector<pipeline::Trial>>& reader);
 

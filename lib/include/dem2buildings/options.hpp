@@ -125,6 +125,9 @@ enum class SurfaceRoof { p50, p70, p90, p95, max, mean };
 /// Number of objects in a surface of triangles: one per building, or one for all.
 enum class SurfaceSolids { one, each };
 
+/// ISO 216 paper of a map.
+enum class Paper { a0, a1, a2, a3, a4, a5 };
+
 /// Naming scheme of the fields of buildings.
 enum class FieldNames { own, urock, city4cfd, osm };
 
@@ -155,7 +158,12 @@ struct WriteOptions {
     std::optional<std::array<double, 3>> surface_origin;
     std::string page;     ///< HTML page of the buildings in 3D; "": none
     std::string preview;  ///< picture of the result over the shaded relief; PNG, SVG or PDF by its extension
-    int preview_size = 1600;  ///< pixels of its longer side
+    int preview_size = 1600;              ///< pixels of its longer side
+    std::optional<Paper> preview_paper;   ///< instead of preview_size
+    std::optional<double> preview_scale;  ///< denominator; by default a round one that fits the paper
+    bool landscape = false;               ///< the longer side of the paper is its width
+    std::string title;                    ///< of the page and the picture; "": none
+    std::string credit;                   ///< source and licence of the data, on the page and the picture
 };
 
 struct RunOptions {
