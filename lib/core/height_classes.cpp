@@ -1,6 +1,7 @@
 #include "core/height_classes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.hpp"
 
@@ -38,12 +39,31 @@ double overlay_opacity(double certainty, double certain) {
     return (veil.most + (veil.least - veil.most) * share) / 255;
 }
 
-std::string class_label(std::size_t index) {
+std::string class_label(std::span<const HeightClass> of, std::size_t index) {
     if (index == 0)
-        return "below " + number_text(classes[1].from) + " m";
-    if (index + 1 == classes.size())
-        return number_text(classes[index].from) + " m and more";
-    return number_text(classes[index].from) + " to " + number_text(classes[index + 1].from) + " m";
+        return "below " + number_text(of[1].from) + " m";
+    if (index + 1 == of.size())
+        return number_text(of[index].from) + " m and more";
+    return number_text(of[index].from) + " to " + number_text(of[index + 1].from) + " m";
+}
+
+std::string class_label(std::size_t index) {
+    return class_label(classes, index);
+}
+
+std::vector<HeightClass> quantile_classes(std::vector<double> heights_m) {
+    constexpr std::size_t count = 5;
+    constexpr std::size_t colours = 2;  // every other fixed class
+    if (heights_m.size() < 2 * count)
+        return {};
+    std::ranges::sort(heights_m);
+    std::vector<HeightClass> found{{0, classes[0].colour}};
+    for (std::size_t i = 1; i < count; ++i) {
+        const double bound = std::round(heights_m[heights_m.size() * i / count] * 10) / 10;
+        if (bound > found.back().from && bound > heights_m.front())
+            found.push_back({bound, classes[i * colours].colour});
+    }
+    return found.size() > 1 ? found : std::vector<HeightClass>{};
 }
 
 }  // namespace d2b

@@ -122,6 +122,11 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
             reason_style("Dropped, filled or kept as traced", "reason", contour_label_scale);
     if (indices.problems)
         layers[*indices.problems].style = reason_style("Unfit for a surface", "kind", contour_label_scale);
+    // Labels of two layers would lie on each other. Doubtful objects are never buildings.
+    if (indices.buildings)
+        for (const auto& other : {indices.contours, indices.roofs, indices.rejected})
+            if (other)
+                layers[*other].style.labels_on = false;
     for (LayerSpec& layer : layers) {
         layer.style.metre_scale = 1 / map_metres(input);
         layer.style.vertical_scale = vertical_metres / map_metres(input);

@@ -40,6 +40,7 @@ struct LayerStyle {
     /// Labels only features in which these two fields are equal; "" for all.
     std::array<std::string, 2> labelled{};
     double label_scale = 2500;
+    bool labels_on = true;    ///< false to offer labels, but not to show them
     std::string order{};      ///< field that determines the drawing order, low to high; "" for any order
     std::string certainty{};  ///< field from 0 to 1: features below `certain` are paler; "" for none
     double certain = 1;

@@ -85,7 +85,7 @@ void GeopackageTables::style() const {
         return;
     const char* doing = "writing the style";
     const std::string of_layer = " FROM layer_styles WHERE lower(f_table_name) = lower(" + table_ + ")";
-    for (const NamedStyle& style : qml_styles(layer_.spec, layer_.columns)) {
+    for (const NamedStyle& style : qml_styles(layer_)) {
         const std::string name = sql_literal(style.name);
         run_or_throw("DELETE" + of_layer + " AND styleName = " + name + " AND owner = " + our_name, doing);
         run_or_throw(

@@ -208,7 +208,7 @@ void PostgresqlTable::style() const {
     run_or_throw("DELETE" + of_layer + " AND position(" + sql_literal(std::string(style_signature)) +
                      " in styleqml::text) > 0",
                  doing);
-    for (const NamedStyle& style : qml_styles(layer_.spec, layer_.columns))
+    for (const NamedStyle& style : qml_styles(layer_))
         run_or_throw(
             "INSERT INTO public.layer_styles (f_table_catalog, f_table_schema, f_table_name, "
             "f_geometry_column, stylename, styleqml, useasdefault, description) SELECT current_database(), "

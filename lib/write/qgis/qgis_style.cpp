@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -34,6 +35,7 @@ struct Columns {
     std::string height;
     std::string min_height;
     bool by_sun = false;  ///< colours faces by their suitability for panels, not by their direction
+    std::span<const HeightClass> classes = height_classes();
 };
 
 /// Returns the 2D renderer: coloured by height, or by azimuth and slope, with a legend, or a single symbol.
@@ -45,22 +47,23 @@ struct Columns {
 [[nodiscard]] std::string renderer_3d(const LayerSpec& spec, const Columns& columns);
 
 /// Returns for example "255,237,160,255".
-[[nodiscard]] std::string colour_text(std::size_t height_class);
+[[nodiscard]] std::string colour_text(const HeightClass& height_class);
 /// Returns an expression, escaped for XML, that is true if a height is in a class.
-[[nodiscard]] std::string class_filter(std::size_t height_class, const std::string& height);
+[[nodiscard]] std::string class_filter(std::span<const HeightClass> classes, std::size_t height_class,
+                                       const std::string& height);
 /// Returns a data-defined property of a symbol.
 [[nodiscard]] std::string data_defined_property(const std::string& name, const std::string& expression);
 /// Wraps data-defined properties in their element.
 [[nodiscard]] std::string data_defined_property_set(const std::string& element,
                                                     const std::string& properties);
 
-std::string colour_text(std::size_t height_class) {
-    const auto& [red, green, blue] = height_classes()[height_class].colour;
+std::string colour_text(const HeightClass& height_class) {
+    const auto& [red, green, blue] = height_class.colour;
     return std::to_string(red) + "," + std::to_string(green) + "," + std::to_string(blue) + ",255";
 }
 
-std::string class_filter(std::size_t height_class, const std::string& height) {
-    const auto classes = height_classes();
+std::string class_filter(std::span<const HeightClass> classes, std::size_t height_class,
+                         const std::string& height) {
     std::string text = height_class == 0 ? height + " IS NOT NULL"
                                          : height + " &gt;= " + number_text(classes[height_class].from);
     if (height_class + 1 < classes.size())
@@ -105,15 +108,16 @@ std::string symbol_layer(const std::string& kind, const Properties& properties,
            "     </Option>\n" + props + defined + "    </layer>\n";
 }
 
-/// @param colour "" for no fill @param width of the outline in millimetres; "" for none
+/// @param colour "" for no fill @param width of the outline in millimetres; "" for none @param line style of
+/// the outline
 std::string area(const std::string& colour, const std::string& edge, const std::string& width,
-                 const std::string& defined = "") {
+                 const std::string& line = "solid", const std::string& defined = "") {
     return symbol_layer("SimpleFill",
                         {{"color", colour.empty() ? "0,0,0,0" : colour},
                          {"style", colour.empty() ? "no" : "solid"},
                          {"joinstyle", "miter"},
                          {"outline_color", edge},
-                         {"outline_style", width.empty() ? "no" : "solid"},
+                         {"outline_style", width.empty() ? "no" : line},
                          {"outline_width", width.empty() ? "0" : width},
                          {"outline_width_unit", "MM"}},
                         defined);
@@ -137,27 +141,28 @@ std::string dot() {
 }
 
 /// Hatching in millimetres, so that it looks the same in print and on screen, on a translucent white that
-/// covers the relief.
+/// covers the relief. Hatching and the dashed outline tell it from buildings in print without colours.
 std::string hatched() {
     constexpr const char* magenta = "174,1,126,255";
-    return area("255,255,255,130", magenta, "") +
+    return area("255,255,255,170", magenta, "") +
            symbol_layer("LinePatternFill", {{"angle", "45"},
                                             {"color", magenta},
                                             {"distance", "1.3"},
                                             {"distance_unit", "MM"},
                                             {"line_width", "0.35"},
                                             {"line_width_unit", "MM"}}) +
-           area("", magenta, "0.4");
+           area("", magenta, "0.5", "dash");
 }
 
-/// White overlay on uncertain features: the less certain, the whiter.
+/// White overlay on uncertain features: the less certain, the whiter. Makes the outline dashed, because pale
+/// colours could be those of low buildings in print without colours.
 std::string veil(const LayerStyle& style, const std::string& certainty) {
     constexpr UncertaintyOverlay opacity;
     const std::string colour = "color_rgba(255, 255, 255, scale_linear(" + certainty + ", " +
                                number_text(opacity.low) + ", " + number_text(style.certain) + ", " +
                                number_text(opacity.most) + ", " + number_text(opacity.least) + "))";
     return area(
-        "255,255,255,130", "150,135,130,255", "0.12",
+        "255,255,255,130", "255,255,255,255", "0.3", "dash",
         data_defined_property_set("data_defined_properties", data_defined_property("fillColor", colour)));
 }
 
@@ -184,12 +189,13 @@ std::string headed_rules(const std::string& title, const std::string& rules, con
 
 /// One rule per class.
 std::string height_rules(const LayerStyle& style, const Columns& columns) {
-    const std::size_t classes = height_classes().size();
+    const std::size_t classes = columns.classes.size();
     std::string rules;
     std::string symbols;
     for (std::size_t i = 0; i < classes; ++i) {
-        rules += rule(i, class_filter(i, columns.colour), class_label(i));
-        symbols += symbol(i, area(colour_text(i), "70,45,35,255", "0.12", outline_width_by_scale()));
+        rules += rule(i, class_filter(columns.classes, i, columns.colour), class_label(columns.classes, i));
+        symbols += symbol(i, area(colour_text(columns.classes[i]), "70,45,35,255", "0.12", "solid",
+                                  outline_width_by_scale()));
     }
     if (!columns.certainty.empty()) {
         rules += rule(classes,
@@ -239,7 +245,7 @@ std::string roof_rules(const LayerStyle& style, const Columns& columns) {
     std::string symbols;
     for (std::size_t i = 0; i < sectors.size(); ++i) {
         rules += rule(i, sector_filter(i, columns), sectors[i].name);
-        symbols += symbol(i, area(sectors[i].colour, edge, "0.12", defined));
+        symbols += symbol(i, area(sectors[i].colour, edge, "0.12", "solid", defined));
     }
     rules += rule(sectors.size(), columns.azimuth + " IS NULL AND " + columns.slope + " IS NOT NULL", "flat");
     symbols += symbol(sectors.size(), area("250,245,225,255", edge, "0.12"));
@@ -301,15 +307,20 @@ std::string renderer(const LayerSpec& spec, const Columns& columns) {
 
 namespace {
 
-/// Expression for a height in whole metres. Keeps a decimal if rounding would lift it into the next class, so
-/// that label and colour agree: 9.7 m does not become 10.
+/// Expression for a height with one decimal below 10 m and in whole metres from there on. Cuts decimals off
+/// where rounding would lift the height into the next class, so that label and colour agree: 14.7 m does not
+/// become 15.
 std::string height_text(const std::string& height) {
     std::string bounds;
     for (const HeightClass& one : height_classes().subspan(1))
         bounds += (bounds.empty() ? "" : ", ") + number_text(one.from);
-    const std::string whole = "round(" + height + ")";
-    return "CASE WHEN " + height + " &lt; " + whole + " AND " + whole + " IN (" + bounds + ") THEN floor(" +
-           height + " * 10) / 10 ELSE " + whole + " END || ' m'";
+    const auto shortened = [&](const std::string& places, const std::string& factor) {
+        const std::string rounded = "round(" + height + ", " + places + ")";
+        return "CASE WHEN " + height + " &lt; " + rounded + " AND " + rounded + " IN (" + bounds +
+               ") THEN floor(" + height + " * " + factor + ") / " + factor + " ELSE " + rounded + " END";
+    };
+    return "CASE WHEN " + height + " &lt; 10 THEN format_number(" + shortened("1", "10") + ", 1) ELSE " +
+           shortened("0", "1") + " END || ' m'";
 }
 
 }  // namespace
@@ -349,8 +360,8 @@ std::string scaled(const std::string& expression, double scale) {
     return scale == 1 ? expression : expression + " * " + number_text(scale);
 }
 
-std::string material(std::size_t height_class) {
-    const auto& colour = height_classes()[height_class].colour;
+std::string material(const HeightClass& height_class) {
+    const auto& colour = height_class.colour;
     const auto shade = [&](double share) {
         std::string text;
         for (const unsigned char part : colour)
@@ -363,7 +374,8 @@ std::string material(std::size_t height_class) {
 
 /// QGIS up to 3.40 reads `height`, later versions `offset`; both are only fallbacks for expressions without a
 /// result.
-std::string solid(std::size_t height_class, const std::string& altitude, const std::string& extrusion) {
+std::string solid(const HeightClass& height_class, const std::string& altitude,
+                  const std::string& extrusion) {
     return "    <symbol type=\"polygon\" material_type=\"phong\">\n"
            "     <data alt-clamping=\"absolute\" alt-binding=\"centroid\" height=\"0\" offset=\"0\" "
            "extrusion-height=\"0\" culling-mode=\"no-culling\" invert-normals=\"0\" add-back-faces=\"0\" "
@@ -393,10 +405,11 @@ std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
         " <renderer-3d type=\"rulebased\" layer=\"\">\n"
         "  <vector-layer-3d-tiling zoom-levels-count=\"3\" show-bounding-boxes=\"0\"/>\n"
         "  <rules key=\"{dem2buildings}\">\n";
-    for (std::size_t i = 0; i < height_classes().size(); ++i)
-        text += "   <rule key=\"{dem2buildings-" + std::to_string(i) + "}\" description=\"" + class_label(i) +
-                "\" filter=\"" + class_filter(i, columns.height) + "\">\n" + solid(i, altitude, extrusion) +
-                "   </rule>\n";
+    for (std::size_t i = 0; i < columns.classes.size(); ++i)
+        text += "   <rule key=\"{dem2buildings-" + std::to_string(i) + "}\" description=\"" +
+                class_label(columns.classes, i) + "\" filter=\"" +
+                class_filter(columns.classes, i, columns.height) + "\">\n" +
+                solid(columns.classes[i], altitude, extrusion) + "   </rule>\n";
     return text + "  </rules>\n </renderer-3d>\n";
 }
 
@@ -436,7 +449,8 @@ std::string map_tip(const qml::Columns& columns) {
 namespace {
 
 /// @param by_sun see qml::Columns
-std::string document(const LayerSpec& spec, const std::vector<std::string>& columns, bool by_sun) {
+std::string document(const LayerSpec& spec, const std::vector<std::string>& columns, bool by_sun,
+                     std::span<const HeightClass> classes) {
     const LayerStyle& style = spec.style;
     const auto named = [&](const std::string& name) { return column(spec, columns, name); };
     const qml::Columns fields{.colour = named(style.colour),
@@ -450,10 +464,12 @@ std::string document(const LayerSpec& spec, const std::vector<std::string>& colu
                               .bottom = named(style.bottom),
                               .height = named(style.height),
                               .min_height = named(style.min_height),
-                              .by_sun = by_sun};
+                              .by_sun = by_sun,
+                              .classes = classes};
     std::string text = "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n";
     text += style_signature;
-    text += "<qgis version=\"3.16.0\" labelsEnabled=\"" + std::string(fields.label.empty() ? "0" : "1") +
+    text += "<qgis version=\"3.16.0\" labelsEnabled=\"" +
+            std::string(fields.label.empty() || !style.labels_on ? "0" : "1") +
             "\" hasScaleBasedVisibilityFlag=\"0\">\n";
     if (!(fields.top + fields.bottom).empty() && !fields.height.empty())
         text += qml::renderer_3d(spec, fields);
@@ -467,13 +483,18 @@ std::string document(const LayerSpec& spec, const std::vector<std::string>& colu
 }  // namespace
 
 std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& columns) {
-    return document(spec, columns, false);
+    return document(spec, columns, false, height_classes());
 }
 
-std::vector<NamedStyle> qml_styles(const LayerSpec& spec, const std::vector<std::string>& columns) {
-    std::vector<NamedStyle> styles{{"dem2buildings", spec.style.title, qml_style(spec, columns)}};
+std::vector<NamedStyle> qml_styles(const NewLayer& layer) {
+    const LayerSpec& spec = layer.spec;
+    std::vector<NamedStyle> styles{{"dem2buildings", spec.style.title, qml_style(spec, layer.columns)}};
     if (!spec.style.azimuth.empty())
-        styles.push_back({"dem2buildings solar", qml::sun_title, document(spec, columns, true)});
+        styles.push_back(
+            {"dem2buildings solar", qml::sun_title, document(spec, layer.columns, true, height_classes())});
+    if (const std::vector<HeightClass> classes = quantile_classes(layer.heights); !classes.empty())
+        styles.push_back({"dem2buildings quantiles", spec.style.title + ", equal numbers",
+                          document(spec, layer.columns, false, classes)});
     return styles;
 }
 

@@ -15,6 +15,7 @@ struct NewLayer {
     std::string table;                 ///< name given by the driver
     std::string geometry;              ///< geometry column
     std::vector<std::string> columns;  ///< column name per field of the spec
+    std::vector<double> heights{};     ///< values of the field that determines the colour
 };
 
 /// First line of our styles. QGIS does not keep it, so a style saved by a user is recognized as the user's.
@@ -31,9 +32,8 @@ struct NamedStyle {
     std::string title;
     std::string qml;
 };
-/// Returns the styles of a layer, the default one first. @param columns see qml_style()
-[[nodiscard]] std::vector<NamedStyle> qml_styles(const LayerSpec& spec,
-                                                 const std::vector<std::string>& columns);
+/// Returns the styles of a layer, the default one first.
+[[nodiscard]] std::vector<NamedStyle> qml_styles(const NewLayer& layer);
 
 /// Returns title, abstract and lineage of a layer as QGIS metadata (XML).
 [[nodiscard]] std::string qgis_metadata(const LayerSpec& spec, const Provenance& provenance);

@@ -318,7 +318,7 @@ void DatasetWriter::add_layer_tables() {
         if (!layers_[i].is_new())
             continue;
         const NewLayer layer{specs_[i], layers_[i].name(), OGR_L_GetGeometryColumn(layers_[i].handle()),
-                             layers_[i].columns()};
+                             layers_[i].columns(), layers_[i].take_heights()};
         if (geopackage)
             write_geopackage_tables(dataset_.get(), layer, provenance_, target_);
         else if (format_.name == "PostgreSQL")

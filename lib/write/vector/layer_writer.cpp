@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <utility>
+#include <variant>
 
 #include <cpl_vsi.h>
 #include <gdal_version.h>
@@ -34,7 +37,11 @@ LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSett
       fields_(std::move(fields)),
       has_geometry_(OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) > 0),
       feature_(OGR_F_Create(OGR_L_GetLayerDefn(layer))),
-      wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface) {}
+      wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface) {
+    const auto height = std::ranges::find(spec.fields, spec.style.colour, &FieldSpec::name);
+    if (!spec.style.colour.empty() && height != spec.fields.end())
+        height_field_ = static_cast<std::size_t>(height - spec.fields.begin());
+}
 
 LayerWriter LayerWriter::create(GDALDatasetH dataset, const LayerSpec& spec, const LayerSettings& setting) {
     OGRLayerH layer = create_layer(dataset, spec, setting);
@@ -116,6 +123,10 @@ void LayerWriter::add(const Feature& feature) {
     if (index_)
         index_->add(OGR_F_GetFID(feature_.get()), feature);
     ++feature_count_;
+    if (height_field_)
+        if (const double* height = std::get_if<double>(&feature.values[*height_field_]);
+            height != nullptr && std::isfinite(*height))
+            heights_.push_back(*height);
 }
 
 namespace {

@@ -46,6 +46,8 @@ class LayerWriter {
     /// Sets the count found by SQL, which is more reliable than that of the driver.
     void set_feature_count(std::int64_t features) { feature_count_ = features; }
     [[nodiscard]] bool is_new() const { return is_new_; }
+    /// Returns the added values of the field that determines the colour. Call once.
+    [[nodiscard]] std::vector<double> take_heights() { return std::move(heights_); }
     /// Returns the column names of the driver, one per field of the spec.
     [[nodiscard]] std::vector<std::string> columns() const;
 
@@ -59,7 +61,9 @@ class LayerWriter {
     OGRLayerH layer_;
     std::string name_;
     const WriteTarget* target_;
-    std::vector<int> fields_;  ///< layer field index per field of the spec
+    std::vector<int> fields_;                  ///< layer field index per field of the spec
+    std::optional<std::size_t> height_field_;  ///< index in the spec
+    std::vector<double> heights_;
     bool has_geometry_;
     bool is_new_ = false;
     std::int64_t feature_count_ = 0;
