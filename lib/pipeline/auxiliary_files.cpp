@@ -124,7 +124,10 @@ AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) 
     if (!write.page.empty()) {
         view::Page page = view::open_page(
             writing::resolve_file_target({write.page, write.overwrite, in_use, writing::FileKind::page}),
-            {.dem = dem, .terrain = detects_buildings(options)});
+            {.dem = dem,
+             .terrain = detects_buildings(options),
+             .title = write.title,
+             .credit = write.credit});
         sinks.surfaces.push_back(std::move(page.surface));
         sinks.page_relief = std::move(page.relief);
     }

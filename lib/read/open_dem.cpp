@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +43,24 @@ bool holds_bytes(GDALRasterBandH band) {
            GDALGetRasterOffset(band, nullptr) == 0;
 }
 
+/// Returns "2024-05-31" from "2024:05:31 12:00:00" or "2024-05-31T12:00:00Z"; "" if the text does not begin
+/// with a date.
+std::string iso_date(const char* text) {
+    constexpr std::string_view form = "0000-00-00";
+    std::string date(text == nullptr ? "" : std::string_view(text).substr(0, form.size()));
+    std::ranges::replace(date, ':', '-');
+    for (std::size_t i = 0; i < form.size(); ++i)
+        if (i >= date.size() || (form[i] == '0' ? date[i] < '0' || date[i] > '9' : date[i] != form[i]))
+            return "";
+    return date;
+}
+
+/// Returns the date of acquisition if the format stores it, otherwise that of the file's tag.
+std::string date_of(GDALDatasetH dataset) {
+    const std::string acquired = iso_date(GDALGetMetadataItem(dataset, "ACQUISITIONDATETIME", "IMAGERY"));
+    return acquired.empty() ? iso_date(GDALGetMetadataItem(dataset, "TIFFTAG_DATETIME", nullptr)) : acquired;
+}
+
 DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Warnings& warnings) {
     const GdalMessages messages(GDALGetDescription(raster.dataset.get()), options.source);
     DemInfo info;
@@ -50,6 +69,7 @@ DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Warnings&
     info.cols = GDALGetRasterXSize(raster.dataset.get());
     if (const GDALDriverH driver = GDALGetDatasetDriver(raster.dataset.get()))
         info.driver = GDALGetDriverShortName(driver);
+    info.date = date_of(raster.dataset.get());
     if (const char* unit = GDALGetRasterUnitType(raster.band))
         info.band_unit = unit;
     describe_values(raster.band, options, info);

@@ -39,6 +39,25 @@ TEST_F(ReadSource, aMosaicAsText) {
     EXPECT_EQ(open()->info().driver, "VRT");
 }
 
+TEST_F(ReadSource, theDateOfItsElevations) {
+    const auto date = [&](const std::string& tag, const std::string& acquired) {
+        write(path("dem.tif"), {.cols = 2, .values = {1, 2}});
+        {
+            const reading::DatasetOwner dataset(GDALOpen(path("dem.tif").c_str(), GA_Update));
+            GDALSetMetadataItem(dataset.get(), "TIFFTAG_DATETIME", tag.empty() ? nullptr : tag.c_str(),
+                                nullptr);
+            GDALSetMetadataItem(dataset.get(), "ACQUISITIONDATETIME",
+                                acquired.empty() ? nullptr : acquired.c_str(), "IMAGERY");
+        }
+        options_.source = path("dem.tif");
+        return open()->info().date;
+    };
+    EXPECT_EQ(date("", ""), "");
+    EXPECT_EQ(date("2024:05:31 12:00:00", ""), "2024-05-31");
+    EXPECT_EQ(date("2024:05:31 12:00:00", "2019-07-01 10:00:00"), "2019-07-01");
+    EXPECT_EQ(date("last summer", ""), "");
+}
+
 TEST_F(ReadSource, aFileInAnArchive) {
     write(path("dem.tif"), {.cols = 2, .values = {5, 6}});
     write_text("/vsizip/" + path("dem.zip") + "/dem.tif", read_bytes(path("dem.tif")));

@@ -249,8 +249,8 @@ TEST_F(PageTest, namesAreTextAndNothingComesFromOutside) {
     EXPECT_NE(page.find("three.js authors"), std::string::npos);
 }
 
-TEST_F(PageTest, holdsWhatWasAdded) {
-    const std::string page = written("a.html");
+/// Unpacks the description of a page.
+nlohmann::json about_of(const std::string& page) {
     const std::string letters = between(page, "id=\"data\">", "</script>");
     std::string packed;
     std::uint32_t bits = 0;
@@ -263,11 +263,15 @@ TEST_F(PageTest, holdsWhatWasAdded) {
     std::size_t size = 0;
     const std::unique_ptr<void, decltype(&VSIFree)> bytes(
         CPLZLibInflate(packed.data(), packed.size(), nullptr, 0, &size), &VSIFree);
-    ASSERT_TRUE(bytes);
+    EXPECT_TRUE(bytes);
     const std::string sections(static_cast<const char*>(bytes.get()), size);
     const auto about_size = static_cast<std::size_t>(static_cast<unsigned char>(sections[0])) +
                             256 * static_cast<std::size_t>(static_cast<unsigned char>(sections[1]));
-    const auto about = nlohmann::json::parse(sections.substr(4, about_size));
+    return nlohmann::json::parse(sections.substr(4, about_size));
+}
+
+TEST_F(PageTest, holdsWhatWasAdded) {
+    const auto about = about_of(written("a.html"));
     EXPECT_EQ(about.at("title"), "a");
     EXPECT_EQ(about.at("buildings"), 1);
     EXPECT_EQ(about.at("fields").at(1).at("values").at(0), 12.346);
@@ -276,6 +280,31 @@ TEST_F(PageTest, holdsWhatWasAdded) {
     EXPECT_EQ(about.at("levels").at(1).at("rmse"), 1.5);
     EXPECT_EQ(about.at("classes").size(), 9U);
     EXPECT_EQ(about.at("classes").at(0).at("label"), "below 3 m");
+}
+
+/// UTM: 500000 is the central meridian, 9 degrees east in zone 32; 5,540,000 m north are 50.01 degrees.
+TEST_F(PageTest, saysWhatTheDataAreAndWhereTheyLie) {
+    dem_.date = "2024-05-31";
+    meta_.provenance.crs_wkt = Crs("EPSG:25832").wkt();
+    meta_.corners = {{{499000, 5541000}, {499000, 5539000}, {501000, 5539000}, {501000, 5541000}}};
+    const Page page =
+        open_page(place("a.html"), {.dem = dem_, .title = "Old <town>", .credit = "City, CC BY"});
+    page.surface->begin(meta_);
+    page.surface->add(part(3));
+    page.surface->finish();
+    const std::string html = bytes("a.html");
+    EXPECT_EQ(between(html, "<title>", "</title>"), "Old &lt;town&gt;");
+    EXPECT_EQ(between(html, "<h1>", "</h1>"), "Old &lt;town&gt;");
+    const auto about = about_of(html);
+    EXPECT_EQ(about.at("credit"), "City, CC BY");
+    EXPECT_EQ(about.at("date"), "2024-05-31");
+    EXPECT_NEAR(about.at("position").at(0), 50.01, 0.011);
+    EXPECT_NEAR(about.at("position").at(1), 9.0, 0.001);
+}
+
+TEST_F(PageTest, hasNoPositionWithoutACrs) {
+    meta_.provenance.crs_wkt = "";
+    EXPECT_TRUE(about_of(written("a.html")).at("position").is_null());
 }
 
 TEST_F(PageTest, isThereWholeOrNotAtAll) {

@@ -49,6 +49,7 @@ struct DemInfo {
     /// Elevation of the file's own NoData value, if an option says to use it as an elevation.
     std::optional<double> overridden_nodata;
     std::string driver;      ///< short name of the format, for the report
+    std::string date;        ///< of the elevations, or else of the file, such as "2024-05-31"; "" if unknown
     std::int32_t bands = 1;  ///< number of bands of the raster
     bool bytes = false;      ///< true if the band's values are integers from 0 to 255
     std::int32_t block_rows =

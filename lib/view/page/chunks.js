@@ -6,7 +6,7 @@ import {blocks, foundations, stacks} from './extrude.js';
 
 const buildingsAChunk = 60;
 
-// Faces and roof edges.
+// Faces, roof edges, and faces again for shadows.
 export function meshOf(prisms, materials) {
   const positions = new THREE.BufferAttribute(new Float32Array(prisms.positions), 3);
   const faces = new THREE.BufferGeometry();
@@ -17,8 +17,16 @@ export function meshOf(prisms, materials) {
   lines.setAttribute('position', positions);
   lines.setIndex(new THREE.BufferAttribute(new Uint32Array(prisms.lines), 1));
   const group = new THREE.Group();
-  group.add(new THREE.Mesh(faces, materials.faces), new THREE.LineSegments(lines, materials.lines));
+  const shadowed = new THREE.Mesh(faces, materials.shadows);
+  shadowed.receiveShadow = true;
+  group.add(new THREE.Mesh(faces, materials.faces), new THREE.LineSegments(lines, materials.lines), shadowed);
+  group.children[0].castShadow = true;
   return group;
+}
+
+function disposeOf(group) {
+  for (const {geometry} of group?.children ?? [])
+    geometry.dispose();
 }
 
 function squares(town) {
@@ -37,14 +45,25 @@ function squares(town) {
 }
 
 class Chunk {
-  constructor(town, relief, buildings, materials) {
-    Object.assign(this, {town, relief, buildings, materials});
+  constructor(town, relief, all, materials) {
+    Object.assign(this, {town, relief, all, materials});
     this.root = new THREE.Group();
-    this.block = meshOf(blocks(town, buildings), materials);
+    this.reset();
+    this.middle = new THREE.Box3().setFromObject(this.block).getCenter(new THREE.Vector3());
+  }
+
+  // Builds the blocks of the shown buildings, and drops the rest.
+  reset() {
+    for (const part of [this.block, this.stack, this.foundation]) {
+      disposeOf(part);
+      if (part)
+        this.root.remove(part);
+    }
+    this.buildings = this.all.filter((building) => this.town.isShown[building]);
+    this.block = meshOf(blocks(this.town, this.buildings), this.materials);
     this.stack = null;
     this.foundation = null;
     this.root.add(this.block);
-    this.middle = new THREE.Box3().setFromObject(this.block).getCenter(new THREE.Vector3());
   }
 
   makeFoundation() {
@@ -72,7 +91,8 @@ class Chunk {
 }
 
 export class Chunks {
-  constructor(town, relief) {
+  // @param shadows material of the second drawing
+  constructor(town, relief, shadows) {
     this.materials = {
       faces: new THREE.MeshBasicMaterial({
         vertexColors: THREE.VertexColors,
@@ -80,7 +100,10 @@ export class Chunks {
         polygonOffset: true,
         polygonOffsetFactor: 1,
         polygonOffsetUnits: 1,
+        // Faces that are turned to the sun would shade themselves.
+        shadowSide: THREE.BackSide,
       }),
+      shadows,
       lines: new THREE.LineBasicMaterial(
           {color: new THREE.Color(...edge.map((part) => part / 255)), opacity: 0.45, transparent: true}),
     };
@@ -89,6 +112,12 @@ export class Chunks {
     this.all = squares(town).map((buildings) => new Chunk(town, relief, buildings, this.materials));
     for (const chunk of this.all)
       this.root.add(chunk.root);
+  }
+
+  // Follows a change of the shown buildings.
+  reset() {
+    for (const chunk of this.all)
+      chunk.reset();
   }
 
   // Shows stacks near the camera, up to a number of triangles, and blocks beyond. Builds missing stacks and foundations

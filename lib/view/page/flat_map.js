@@ -1,6 +1,5 @@
 // Map of the buildings from above, north up: used for printing and without WebGL.
 import {chosen, edge} from './colours.js';
-import {buildingAt} from './pick.js';
 
 const paper = {
   light: '#f4f4f1',
@@ -13,13 +12,15 @@ const ink = {
 const text = (colour, opacity = 1) => `rgba(${colour.join(',')},${opacity})`;
 
 export class FlatMap {
-  // @param room returns the free part of the window: left, top, right, bottom @param onPick receives a building, or -1
+  // @param room returns the free part of the window: left, top, right, bottom @param onPick receives the
+  // position of a click in metres
   constructor(town, relief, canvas, room, onPick) {
     Object.assign(this, {town, relief, canvas, room, onPick});
     this.pen = canvas.getContext('2d');
     this.level = town.levels;
     this.theme = 'light';
     this.mark = -1;
+    this.line = [];
     this.middle = [0, 0];
     this.scale = 1;  // pixels per metre
     this.fingers = new Map();
@@ -106,7 +107,49 @@ export class FlatMap {
     pen.fillRect(0, 0, canvas.width, canvas.height);
     this.drawGround();
     this.drawTiers();
+    this.drawPoints();
     this.drawScale();
+  }
+
+  // @param points x and y in metres
+  drawLine(points) {
+    this.line = points;
+    this.ask();
+  }
+
+  drawPoints() {
+    const {pen, ratio} = this;
+    pen.strokeStyle = pen.fillStyle = text(chosen);
+    pen.lineWidth = 2 * ratio;
+    pen.beginPath();
+    for (const [x, y] of this.line)
+      pen.lineTo(...this.toPixels(x, y));
+    pen.stroke();
+    for (const [x, y] of this.line) {
+      const [px, py] = this.toPixels(x, y);
+      pen.fillRect(px - 3 * ratio, py - 3 * ratio, 6 * ratio, 6 * ratio);
+    }
+  }
+
+  // Shows other buildings.
+  filter() { this.ask(); }
+
+  goTo(building) {
+    const [west, south, east, north] = this.town.boxOf(building);
+    this.isHome = false;
+    this.middle = [(west + east) / 2, (south + north) / 2];
+    this.scale = Math.max(this.scale, Math.min(this.canvas.width, this.canvas.height) / 300);
+    this.ask();
+  }
+
+  // Returns the middle and the width in metres for a link.
+  place() { return {middle: [...this.middle, this.canvas.width / this.scale]}; }
+
+  setPlace({middle: [x, y, width]}) {
+    this.isHome = false;
+    this.middle = [x, y];
+    this.scale = this.canvas.width / Math.max(1, width);
+    this.ask();
   }
 
   drawGround() {
@@ -128,7 +171,7 @@ export class FlatMap {
     const levels = [];
     for (let building = 0; building < this.town.buildings; ++building) {
       const box = this.town.boxOf(building);
-      if (box[2] < west || box[0] > east || box[3] < south || box[1] > north)
+      if (!this.town.isShown[building] || box[2] < west || box[0] > east || box[3] < south || box[1] > north)
         continue;
       const [from, to] = this.town.tiersOf(building);
       for (let tier = from; tier < to; ++tier)
@@ -165,7 +208,8 @@ export class FlatMap {
     const most = 140 * ratio / this.scale;
     const power = 10 ** Math.floor(Math.log10(most));
     const length = [5, 2, 1].map((n) => n * power).find((n) => n <= most);
-    const [right, top] = [canvas.width - 16 * ratio, 16 * ratio];
+    const free = this.isPaper ? 12 : this.room()[1];
+    const [right, top] = [canvas.width - 16 * ratio, (free + 4) * ratio];
     pen.strokeStyle = pen.fillStyle = ink[this.theme];
     pen.lineWidth = 1.5 * ratio;
     pen.font = `${12 * ratio}px system-ui, sans-serif`;
@@ -248,7 +292,7 @@ export class FlatMap {
       const spot = fingers.get(event.pointerId);
       fingers.delete(event.pointerId);
       if (event.type === 'pointerup' && spot && moved < 5)
-        this.onPick(buildingAt(this.town, ...this.toMetres(...spot)));
+        this.onPick(...this.toMetres(...spot));
     };
     canvas.addEventListener('pointerup', end);
     canvas.addEventListener('pointercancel', end);

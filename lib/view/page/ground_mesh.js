@@ -67,8 +67,8 @@ function sidesOf(relief, rows, cols, bottom) {
 }
 
 export class GroundMesh {
-  // @param size of the window in metres
-  constructor(relief, size) {
+  // @param size of the window in metres @param shadows material of the second drawing
+  constructor(relief, size, shadows) {
     this.relief = relief;
     const rows = picked(relief.rows);
     const cols = picked(relief.cols);
@@ -76,8 +76,10 @@ export class GroundMesh {
     this.top = new THREE.Mesh(topOf(relief, rows, cols), new THREE.MeshBasicMaterial(behind));
     this.sides = new THREE.Mesh(
         sidesOf(relief, rows, cols, relief.lowest() - 0.012 * size), new THREE.MeshBasicMaterial(behind));
+    const shadowed = new THREE.Mesh(this.top.geometry, shadows);
+    shadowed.receiveShadow = true;
     this.root = new THREE.Group();
-    this.root.add(this.top, this.sides);
+    this.root.add(this.top, this.sides, shadowed);
   }
 
   setTheme(theme) {

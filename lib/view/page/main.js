@@ -1,10 +1,14 @@
 // Main script of a page: unpacks its data and shows it.
 import {FlatMap} from './flat_map.js';
+import {readView, written} from './link.js';
 import {contextOf} from './painter.js';
-import {showBuilding, showLegend, showLevel, showSource, showSum} from './panels.js';
+import {showBuilding, showCredit, showLegend, showLevel, showSource, showSum} from './panels.js';
+import {buildingAt} from './pick.js';
 import {Relief} from './relief.js';
 import {freeRoom} from './room.js';
 import {Scene} from './scene.js';
+import {fillTexts, texts} from './texts.js';
+import {Finder, Measure, SunCard} from './tools.js';
 import {Town} from './town.js';
 import {unpack} from './unpack.js';
 
@@ -19,16 +23,18 @@ class Page {
   constructor(town) {
     this.town = town;
     this.relief = new Relief(town);
-    const onPick = (building) => this.choose(building);
-    this.map = new FlatMap(town, this.relief, byId('map'), freeRoom, onPick);
-    this.scene = this.makeScene(onPick);
+    const onMap = (x, y) => this.measure.isOn() ? this.measure.add([x, y, NaN]) : this.choose(buildingAt(town, x, y));
+    this.map = new FlatMap(town, this.relief, byId('map'), freeRoom, onMap);
+    this.scene = this.makeScene((x, y) => this.onScene(x, y));
     this.views = this.scene ? [this.scene, this.map] : [this.map];
     this.chosen = -1;
     showSum(town);
+    showCredit(town);
     showSource(town);
     showLegend(town);
     this.setUpLevels();
     this.setUpButtons();
+    this.setUpTools();
     this.setUpKeys();
     this.setTheme(window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
     this.show(this.scene ?? this.map);
@@ -36,6 +42,8 @@ class Page {
       view.resize();
       view.home();
     }
+    this.follow(readView(window.location.hash));
+    window.addEventListener('hashchange', () => this.follow(readView(window.location.hash)));
     window.addEventListener('resize', () => this.views.forEach((view) => view.resize()));
     window.addEventListener('beforeprint', () => this.beginPrint());
     window.addEventListener('afterprint', () => this.endPrint());
@@ -44,11 +52,18 @@ class Page {
   makeScene(onPick) {
     const context = contextOf(byId('view'));
     if (!context) {
-      notice('This browser does not show 3D (it has no WebGL), so here is the map.');
+      notice(texts.no3d);
       return null;
     }
     const onTurn = (angle) => byId('needle').style.transform = `rotate(${angle}rad)`;
     return new Scene(this.town, this.relief, byId('view'), context, freeRoom, {onPick, onTurn});
+  }
+
+  onScene(x, y) {
+    if (!this.measure.isOn())
+      return this.choose(this.scene.pick(x, y));
+    const position = this.scene.positionAt(x, y);
+    return position && this.measure.add(position);
   }
 
   choose(building) {
@@ -62,9 +77,60 @@ class Page {
     byId('view').hidden = view !== this.scene;
     byId('map').hidden = view !== this.map;
     byId('north').hidden = view !== this.scene;
+    byId('sunonly3d').hidden = view === this.scene;
     byId('to3d').setAttribute('aria-pressed', String(view === this.scene));
     byId('tomap').setAttribute('aria-pressed', String(view === this.map));
     view.ask();
+  }
+
+  setUpTools() {
+    const onFind = (building) => {
+      this.choose(building);
+      this.shown.goTo(building);
+    };
+    const onFilter = () => {
+      this.views.forEach((view) => view.filter());
+      showSum(this.town);
+      if (this.chosen >= 0 && !this.town.isShown[this.chosen])
+        this.choose(-1);
+    };
+    this.finder = new Finder(this.town, onFind, onFilter);
+    this.sunCard = new SunCard(this.town, (direction) => this.scene?.setSun(direction));
+    this.measure = new Measure((points) => this.views.forEach((view) => view.drawLine(points)));
+  }
+
+  // Puts the view into the address, so that it can be sent or kept.
+  link() {
+    const [low, high] = this.finder.heights();
+    window.location.hash = written({
+      view: this.shown === this.map ? 'map' : '3d',
+      ...this.shown.place(),
+      level: Number(byId('level').value),
+      id: this.chosen < 0 ? null : this.town.stack.id[this.chosen],
+      height: low === null && high === null ? null : [low ?? 0, high ?? 10000],
+      sun: this.sunCard.chosen(),
+    });
+    notice(texts.linkDone);
+  }
+
+  // @param view of an address, see link.js
+  follow(view) {
+    if (view.view)
+      this.show(view.view === 'map' || !this.scene ? this.map : this.scene);
+    if (view.eye && view.to && this.shown === this.scene)
+      this.scene.setPlace(view);
+    if (view.middle && this.shown === this.map)
+      this.map.setPlace(view);
+    if (view.level !== undefined) {
+      byId('level').value = view.level;
+      byId('level').dispatchEvent(new Event('input'));
+    }
+    if (view.height)
+      this.finder.filter(...view.height);
+    if (view.sun && this.town.about.position)
+      this.sunCard.choose(...view.sun);
+    if (view.id !== undefined)
+      this.choose(this.town.stack.id.indexOf(view.id));
   }
 
   setUpLevels() {
@@ -84,7 +150,7 @@ class Page {
   setTheme(theme) {
     this.theme = theme;
     document.documentElement.dataset.theme = theme;
-    byId('theme').textContent = theme === 'dark' ? 'Light' : 'Dark';
+    byId('theme').textContent = theme === 'dark' ? texts.light : texts.dark;
     this.views.forEach((view) => view.setTheme(theme));
   }
 
@@ -95,6 +161,7 @@ class Page {
     on('tomap', () => this.show(this.map));
     on('home', () => this.shown.home());
     on('north', () => this.scene.turnNorth());
+    on('link', () => this.link());
     on('print', () => window.print());
     on('theme', () => this.setTheme(this.theme === 'dark' ? 'light' : 'dark'));
     const help = () => {
@@ -162,8 +229,9 @@ class Page {
 }
 
 async function start() {
+  fillTexts();
   if (typeof DecompressionStream === 'undefined') {
-    notice('This browser is too old to unpack the buildings; use one of 2023 or later.');
+    notice(texts.tooOld);
     return;
   }
   const town = new Town(await unpack(byId('data').textContent));

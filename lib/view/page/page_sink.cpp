@@ -260,12 +260,14 @@ std::string substituted(std::string_view text,
 
 class PageSink final : public writing::FileSink<SurfaceSink> {
   public:
-    PageSink(writing::FileDestination place, const PageParts& parts, const DemInfo& dem,
+    PageSink(writing::FileDestination place, const PageParts& parts, const PageInput& input,
              std::shared_ptr<PageRelief> relief, std::uint64_t most)
         : name_(place.name),
           parts_(parts),
-          window_(dem.window),
-          title_(std::filesystem::path(place.name).stem().string()),
+          window_(input.dem.window),
+          title_(input.title.empty() ? std::filesystem::path(place.name).stem().string() : input.title),
+          credit_(input.credit),
+          date_(input.dem.date),
           relief_(std::move(relief)),
           most_(most),
           file_(std::move(place)) {}
@@ -280,6 +282,7 @@ class PageSink final : public writing::FileSink<SurfaceSink> {
   private:
     [[nodiscard]] Json about() const;
     [[nodiscard]] Json frame() const;
+    [[nodiscard]] Json position() const;
     [[nodiscard]] Json fields() const;
     [[nodiscard]] std::string data() const;
     void check_size(std::uint64_t bytes) const;
@@ -288,6 +291,8 @@ class PageSink final : public writing::FileSink<SurfaceSink> {
     const PageParts& parts_;
     Window window_;
     std::string title_;
+    std::string credit_;
+    std::string date_;  ///< of the elevations
     std::shared_ptr<PageRelief> relief_;
     std::uint64_t most_;
     writing::SurfaceFile file_;
@@ -344,6 +349,24 @@ Json PageSink::frame() const {
               {"across", static_cast<double>(relief_->step()) / window_.cols}}}};
 }
 
+/// Returns latitude and longitude of the middle, for the position of the sun; null if the CRS is unknown.
+Json PageSink::position() const {
+    const Crs crs(meta_.provenance.crs_wkt);
+    if (crs.kind() != Crs::Kind::projected)
+        return {};
+    std::array<Position, 1> middle{};
+    for (const Position& corner : meta_.corners) {
+        middle[0].x += corner.x / static_cast<double>(meta_.corners.size());
+        middle[0].y += corner.y / static_cast<double>(meta_.corners.size());
+    }
+    try {
+        CoordinateTransform(crs, Crs("EPSG:4326"), middle).apply(middle);
+    } catch (const Error&) {
+        return {};
+    }
+    return {std::round(middle[0].y * 100) / 100, std::round(middle[0].x * 100) / 100};
+}
+
 Json PageSink::fields() const {
     Json fields = Json::array();
     for (std::size_t i = 0; i < columns_.size(); ++i)
@@ -364,9 +387,12 @@ Json PageSink::about() const {
         levels.push_back(std::move(level));
     }
     Json about{{"title", title_},
+               {"credit", credit_},
+               {"date", date_},
                {"crs", meta_.provenance.crs_wkt.empty() ? "" : Crs(meta_.provenance.crs_wkt).name()},
                {"buildings", stack_.buildings()},
                {"frame", frame()},
+               {"position", position()},
                {"levels", std::move(levels)},
                {"classes", classes_json()},
                {"veil", {{"low", veil.low}, {"most", veil.most / 255}, {"least", veil.least / 255}}},
@@ -411,7 +437,7 @@ Page open_page(writing::FileDestination place, const PageInput& subject, std::ui
             "This dem2buildings was built without pages; leave -page out, or build it with "
             "-D D2B_BUILD_PAGE=ON.");
     auto relief = std::make_shared<PageRelief>(subject.dem.window, !subject.terrain);
-    return {std::make_unique<PageSink>(std::move(place), *parts, subject.dem, relief, most),
+    return {std::make_unique<PageSink>(std::move(place), *parts, subject, relief, most),
             open_page_relief(relief)};
 }
 

@@ -107,6 +107,8 @@ struct Page {
 struct PageInput {
     const DemInfo& dem;
     bool terrain = true;  ///< true for a terrain, false for elevations that contain buildings
+    std::string title{};  ///< "": the name of the file
+    std::string credit{};
 };
 
 /// Writes one self-contained HTML file that shows the stack in a browser: page_parts() and the packed tiers

@@ -1,11 +1,13 @@
 // Panels next to the picture. Names come from files, so they are inserted as text, never as HTML.
 
+import {locale, texts} from './texts.js';
+
 const byId = (id) => document.getElementById(id);
-const number = (value, digits) => value.toLocaleString('en', {maximumFractionDigits: digits});
+const number = (value, digits) => value.toLocaleString(locale, {maximumFractionDigits: digits});
 
 function spoken(value) {
   if (value === null || value === undefined)
-    return 'not known';
+    return texts.unknown;
   if (typeof value !== 'number')
     return value;
   return number(value, Math.abs(value) >= 1000 ? 0 : Math.abs(value) >= 100 ? 1 : 2);
@@ -29,8 +31,18 @@ function list(pairs) {
 }
 
 export function showSum(town) {
-  const {buildings, crs} = town.about;
-  byId('sum').textContent = `${number(buildings, 0)} building${buildings === 1 ? '' : 's'}${crs ? `\n${crs}` : ''}`;
+  const {crs} = town.about;
+  const sum = texts.buildings(number(town.shown(), 0), number(town.buildings, 0));
+  byId('sum').textContent = `${sum}${crs ? `\n${crs}` : ''}`;
+}
+
+// Source, licence and date of the data.
+export function showCredit(town) {
+  const {credit, date} = town.about;
+  const day = date ? new Date(`${date}T12:00:00`).toLocaleDateString(locale, {dateStyle: 'long'}) : '';
+  const parts = [credit, day].filter((part) => part);
+  byId('credit').hidden = parts.length === 0;
+  byId('credit').textContent = `${texts.data}: ${parts.join(', ')}`;
 }
 
 export function showSource(town) {
@@ -40,10 +52,15 @@ export function showSource(town) {
 
 export function showLevel(town, level) {
   const counts = town.about.levels[level - 1];
-  byId('leveltext').textContent = town.levels === 0 ? 'none' : `1 to ${level} of ${town.levels}`;
+  byId('leveltext').textContent = texts.levelsOf(level, town.levels);
   byId('contours').textContent = counts ? number(counts.contours, 0) : '0';
   byId('corners').textContent = counts ? number(counts.corners, 0) : '0';
-  byId('rmse').textContent = counts && counts.rmse !== null ? `${counts.rmse.toFixed(2)} m` : 'not known';
+  byId('rmse').textContent = counts && counts.rmse !== null ? `${number(counts.rmse, 2)} m` : texts.unknown;
+}
+
+function classText(classes, i) {
+  const [from, to] = [classes[i].from, classes[i + 1]?.from];
+  return i === 0 ? texts.below(to) : to === undefined ? texts.above(from) : texts.between(from, to);
 }
 
 // Open if there is space.
@@ -51,7 +68,7 @@ export function showLegend(town) {
   const legend = byId('legend');
   const caption = document.createElement('p');
   caption.className = 'caption';
-  caption.textContent = town.about.tierStyle.title;
+  caption.textContent = texts.heightLegend;
   const entries = document.createElement('ul');
   const add = (colour, label) => {
     const entry = document.createElement('li');
@@ -64,8 +81,7 @@ export function showLegend(town) {
     entry.append(swatch, words);
     entries.append(entry);
   };
-  for (const {colour, label} of town.about.classes)
-    add(colour, label);
+  town.about.classes.forEach(({colour}, i) => add(colour, classText(town.about.classes, i)));
   const {certainty, certain} = town.about.tierStyle;
   const values = town.fields.get(certainty)?.values ?? [];
   legend.open = window.matchMedia('(min-width: 761px) and (min-height: 620px)').matches;
@@ -74,7 +90,7 @@ export function showLegend(town) {
     return;
   const paler = document.createElement('p');
   paler.className = 'caption';
-  paler.textContent = 'Paler: not certain to be a building';
+  paler.textContent = texts.paler;
   legend.append(paler);
 }
 
@@ -84,17 +100,17 @@ export function showBuilding(town, building, onClose) {
   if (building < 0)
     return;
   const {about} = town;
-  const row = (field) => pair(
-      field.alias.replace('(m2)', '(m²)').replace('(m3)', '(m³)'), spoken(field.values[building]), field.description);
+  const name = (field) => texts.fields[field.name] ?? field.alias.replace('(m2)', '(m²)').replace('(m3)', '(m³)');
+  const row = (field) => pair(name(field), spoken(field.values[building]), field.description);
   const head = document.createElement('h2');
   const close = document.createElement('button');
-  head.append(`Building ${town.stack.id[building]}`, close);
+  head.append(`${texts.building} ${town.stack.id[building]}`, close);
   close.type = 'button';
-  close.textContent = 'Close';
+  close.textContent = texts.close;
   close.addEventListener('click', onClose);
   const more = document.createElement('details');
   const summary = document.createElement('summary');
-  summary.textContent = 'All fields';
+  summary.textContent = texts.allFields;
   more.append(summary, list(about.fields.filter(({name}) => !about.first.includes(name)).map(row)));
   const first = about.first.map((name) => town.fields.get(name)).filter((field) => field);
   card.replaceChildren(head, list(first.map(row)), more);

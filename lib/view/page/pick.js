@@ -35,12 +35,13 @@ function tierBegins(town, building, tier, origin, direction) {
   return best;
 }
 
-// Returns the first building on a ray, using tiers up to a level; -1 if there is none.
-export function buildingOnRay(town, origin, direction, level) {
+// Returns the first shown building on a ray, using tiers up to a level, and the ray parameter; -1 and Infinity if there
+// is none.
+export function hitOnRay(town, origin, direction, level) {
   let best = Infinity;
   let found = -1;
   for (let building = 0; building < town.buildings; ++building) {
-    if (!(boxBegins(town.boxOf(building), town.base(building), origin, direction) < best))
+    if (!town.isShown[building] || !(boxBegins(town.boxOf(building), town.base(building), origin, direction) < best))
       continue;
     const [from, to] = town.tiersOf(building);
     for (let tier = from; tier < to; ++tier) {
@@ -49,14 +50,14 @@ export function buildingOnRay(town, origin, direction, level) {
         [best, found] = [begins, building];
     }
   }
-  return found;
+  return {building: found, along: best};
 }
 
-// Returns the building that covers a position on the map; -1 if there is none.
+// Returns the shown building that covers a position on the map; -1 if there is none.
 export function buildingAt(town, x, y) {
   for (let building = 0; building < town.buildings; ++building) {
     const [west, south, east, north] = town.boxOf(building);
-    if (x < west || x > east || y < south || y > north)
+    if (!town.isShown[building] || x < west || x > east || y < south || y > north)
       continue;
     const [from, to] = town.tiersOf(building);
     for (let tier = from; tier < to; ++tier)

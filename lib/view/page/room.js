@@ -7,7 +7,9 @@ export function freeRoom() {
   const head = boxOf('head');
   if (head.right < window.innerWidth / 2)  // panels form a column
     return [head.right + gap, gap, window.innerWidth - gap, window.innerHeight - gap];
-  const isOpen = document.getElementById('legend').open;
-  const below = Math.min(boxOf('levels').top, isOpen ? Infinity : boxOf('legend').top);
+  // Cards that the user opens may lie over the picture.
+  const isOpen = (id) => document.getElementById(id).open;
+  const below = Math.min(
+      isOpen('levels') ? window.innerHeight : boxOf('levels').top, isOpen('legend') ? Infinity : boxOf('legend').top);
   return [gap, head.bottom + gap, window.innerWidth - gap, Math.max(below - gap, head.bottom + 2 * gap)];
 }

@@ -8,7 +8,8 @@ import {addPrism, Prisms} from './extrude.js';
 import {fittingPlace} from './fit.js';
 import {GroundMesh} from './ground_mesh.js';
 import {isProcessor} from './painter.js';
-import {buildingOnRay} from './pick.js';
+import {hitOnRay} from './pick.js';
+import {shadowMaterial, Sun} from './shadows.js';
 
 const sky = {
   light: 0xe9eef2,
@@ -39,7 +40,7 @@ const margin = 0.95;
 
 export class Scene {
   // @param context of the canvas @param room returns the free part of the window: left, top, right, bottom
-  // @param onPick receives a building, or -1 if there is none @param onTurn receives the angle of north, clockwise from
+  // @param onPick receives the pixel of a click @param onTurn receives the angle of north, clockwise from
   // above
   constructor(town, relief, canvas, context, room, {onPick, onTurn}) {
     Object.assign(this, {town, relief, canvas, room, onPick, onTurn});
@@ -50,10 +51,14 @@ export class Scene {
     this.coarse = machine === 'card' ? fine : 1;
     this.renderer = new THREE.WebGLRenderer({canvas, context});
     this.scene = new THREE.Scene();
-    this.ground = new GroundMesh(relief, this.size);
-    this.chunks = new Chunks(town, relief);
+    const shadows = shadowMaterial();
+    this.ground = new GroundMesh(relief, this.size, shadows);
+    this.chunks = new Chunks(town, relief, shadows);
     this.scene.add(this.ground.root, this.chunks.root);
+    this.sun = new Sun(this.scene, this.renderer, this.size, machine, shadows);
+    this.direction = null;
     this.mark = null;
+    this.line = null;
     this.camera = new THREE.PerspectiveCamera(upright / Math.PI * 180, 1, this.size / 400, this.size * 8);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false;
@@ -127,13 +132,86 @@ export class Scene {
   }
 
   // @param x, y in canvas pixels
-  pick(x, y) {
+  rayAt(x, y) {
     const box = this.canvas.getBoundingClientRect();
     const ray = new THREE.Raycaster();
     ray.setFromCamera({x: 2 * x / box.width - 1, y: 1 - 2 * y / box.height}, this.camera);
-    const {origin, direction} = ray.ray;
-    return buildingOnRay(
+    return ray;
+  }
+
+  hit({ray: {origin, direction}}) {
+    return hitOnRay(
         this.town, [origin.x, -origin.z, origin.y], [direction.x, -direction.z, direction.y], this.chunks.level);
+  }
+
+  // @param x, y in canvas pixels
+  pick(x, y) { return this.hit(this.rayAt(x, y)).building; }
+
+  // Returns the position that is seen at a pixel: x, y and z in metres; null if there is none.
+  positionAt(x, y) {
+    const ray = this.rayAt(x, y);
+    const [ground] = ray.intersectObject(this.ground.top);
+    const along = Math.min(this.hit(ray).along, ground?.distance ?? Infinity);
+    if (along === Infinity)
+      return null;
+    const place = ray.ray.at(along, new THREE.Vector3());
+    return [place.x, -place.z, place.y];
+  }
+
+  // Draws a line with its points above everything. @param points x, y and z in metres; z may be missing
+  drawLine(points) {
+    if (this.line) {
+      this.scene.remove(this.line);
+      this.line.children[0].geometry.dispose();
+    }
+    const height = ([x, y, z]) => Number.isFinite(z) ? z : this.relief.near(x, y) || 0;
+    const places = points.map((point) => new THREE.Vector3(point[0], height(point), -point[1]));
+    const geometry = new THREE.BufferGeometry().setFromPoints(places);
+    const look = {color: new THREE.Color(...chosen.map((part) => part / 255)), depthTest: false};
+    this.line = new THREE.Group();
+    this.line.add(
+        new THREE.Line(geometry, new THREE.LineBasicMaterial(look)),
+        new THREE.Points(geometry, new THREE.PointsMaterial({...look, size: 9, sizeAttenuation: false})));
+    for (const part of this.line.children)
+      part.renderOrder = 2;
+    if (places.length > 0)
+      this.scene.add(this.line);
+    this.ask();
+  }
+
+  // @param direction to the sun, or null
+  setSun(direction) {
+    this.direction = direction;
+    this.ask();
+  }
+
+  // Shows other buildings.
+  filter() {
+    this.chunks.reset();
+    this.ask();
+  }
+
+  // Moves to a building, as seen before.
+  goTo(building) {
+    const [west, south, east, north, top] = this.town.boxOf(building);
+    const away = this.camera.position.clone().sub(this.controls.target);
+    away.setLength(Math.max(120, 4 * Math.hypot(east - west, north - south)));
+    this.controls.target.set((west + east) / 2, top, -(south + north) / 2);
+    this.camera.position.copy(this.controls.target).add(away);
+    this.isHome = false;
+    this.controls.update();
+    this.ask();
+  }
+
+  // Returns the camera and its target for a link.
+  place() { return {eye: this.camera.position.toArray(), to: this.controls.target.toArray()}; }
+
+  setPlace({eye, to}) {
+    this.camera.position.fromArray(eye);
+    this.controls.target.fromArray(to);
+    this.isHome = false;
+    this.controls.update();
+    this.ask();
   }
 
   // A click is a press that did not become a drag.
@@ -146,7 +224,7 @@ export class Scene {
       if (!down || Math.hypot(event.clientX - down[0], event.clientY - down[1]) > 5)
         return;
       const box = this.canvas.getBoundingClientRect();
-      this.onPick(this.pick(event.clientX - box.left, event.clientY - box.top));
+      this.onPick(...[event.clientX - box.left, event.clientY - box.top]);
     });
   }
 
@@ -227,6 +305,9 @@ export class Scene {
     if (this.renderer.getPixelRatio() !== ratio)
       this.renderer.setPixelRatio(ratio);
     this.thinLines();
+    const [west, south, east, north] = this.town.extent;
+    this.sun.shine(
+        this.direction, new THREE.Vector3((west + east) / 2, this.relief.lowest(), -(south + north) / 2), this.moving);
     this.renderer.render(this.scene, this.camera);
     this.onTurn(this.controls.getAzimuthalAngle());
     this.pictured = performance.now();

@@ -14,11 +14,22 @@ export class Town {
     this.y = stack.y.map((steps) => this.place.y(steps));
     this.fields = new Map(about.fields.map((field) => [field.name, field]));
     this.buildings = stack.id.length;
+    this.isShown = new Uint8Array(this.buildings).fill(1);
     this.boxes = this.makeBoxes();
     this.extent = this.makeExtent();
   }
 
   value(field, building) { return this.fields.get(field)?.values[building] ?? null; }
+
+  // Shows the buildings between two heights. @param low, high in metres; null for no limit
+  showHeights(low, high) {
+    for (let building = 0; building < this.buildings; ++building) {
+      const height = this.value(this.about.blockStyle.colour, building);
+      this.isShown[building] = (low === null || height >= low) && (high === null || height <= high) ? 1 : 0;
+    }
+  }
+
+  shown() { return this.isShown.reduce((sum, one) => sum + one, 0); }
 
   base(building) { return this.place.z(this.stack.base[building]); }
 
