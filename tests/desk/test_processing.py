@@ -4,6 +4,7 @@ import configparser
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -100,7 +101,7 @@ class Toolbox(DeskCase):
         from dem2buildings.parameters import LEFT_OUT
         wanted = {option["name"] for option in table if not option["hidden"]} - LEFT_OUT
         surfaces = {"surface_cityjson", "surface_obj", "surface_stl", "surface_glb"}
-        self.assertEqual(set(shown), wanted - {"surface"} | surfaces | {"INPUT", "OUTPUT", "ground_model"})
+        self.assertEqual(set(shown), wanted - {"surface"} | surfaces | {"INPUT", "OUTPUT", "LOAD", "ground_model"})
         self.assertGreater(len(wanted), 30)
         lod = shown["lod"]
         self.assertEqual((lod.defaultValue(), lod.minimum(), lod.maximum()), (4, 1, 10000))
@@ -108,22 +109,56 @@ class Toolbox(DeskCase):
         self.assertEqual(shown["page"].fileFilter(), "HTML (*.html)")
         self.assertEqual(shown["surface_cityjson"].fileFilter(), "CITY.JSON (*.city.json)")
         self.assertEqual(shown["surface_glb"].description(), "Output: Surface of the buildings (.glb)")
-        self.assertEqual(shown["preset"].options(), ["buildings", "thesis"])
+        self.assertEqual(shown["preset"].options(), ["Find buildings", "All above thresholds (thesis)"])
         self.assertTrue(shown["zrange"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
-        self.assertFalse(shown["lod"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
 
-    def test_parameters_have_names_for_planners_in_groups(self):
-        algorithm = self.algorithm()
-        shown = [one for one in algorithm.parameterDefinitions() if one.name() not in ("INPUT", "OUTPUT")]
-        advanced = [bool(one.flags() & QgsProcessingParameterDefinition.FlagAdvanced) for one in shown]
-        self.assertEqual(advanced, sorted(advanced))
-        names = [one.description() for one in shown if not one.flags() & QgsProcessingParameterDefinition.FlagAdvanced]
-        groups = [name.split(":")[0] if ":" in name else "Basic" for name in names]
-        self.assertEqual(list(dict.fromkeys(groups)), ["Basic", "Ground", "Trees", "Detail", "Output"])
-        self.assertEqual(groups, sorted(groups, key=["Basic", "Ground", "Trees", "Detail", "Output"].index))
-        for name in ("Lowest building to keep [m]", "Ground: Terrain model (DTM)", "Trees: Vegetation index (NDVI)",
-                     "Detail: Number of levels in a building"):
+    def test_eight_parameters_are_seen_at_first(self):
+        shown = [one for one in self.algorithm().parameterDefinitions()
+                 if not one.flags() & QgsProcessingParameterDefinition.FlagAdvanced]
+        self.assertEqual([one.name() for one in shown],
+                         ["INPUT", "te", "ground_model", "min_building_height", "min_confidence", "split_height", "min_area",
+                          "OUTPUT"])
+        self.assertEqual([one.description() for one in shown][2:4],
+                         ["Terrain model (DTM), if there is one", "Minimum height of a building [m]"])
+
+    def test_advanced_parameters_come_in_groups(self):
+        shown = [one for one in self.algorithm().parameterDefinitions() if one.name() not in ("INPUT", "OUTPUT", "LOAD")]
+        names = [one.description() for one in shown]
+        groups = [name.split(":")[0] if re.match("[A-Z][a-z]+: ", name) else "" for name in names]
+        self.assertEqual(list(dict.fromkeys(groups)), ["", "Ground", "Trees", "Detail", "Output"])
+        for name in ("Trees: Vegetation index (NDVI)", "Detail: Number of levels in a building"):
             self.assertIn(name, names)
+
+    def test_defaults_are_shown(self):
+        """Neither "[Not selected]" nor "Not set" where the program has a value."""
+        algorithm = self.algorithm()
+        optional = QgsProcessingParameterDefinition.FlagOptional
+        defaults = {"ground": 0, "layers": 2, "regularize": 0, "trace": 1, "levels": 1, "min_area": 30, "detail": 0.5,
+                    "min_confidence": 0.5, "split_height": 0, "surface_roof": 0, "fields": 0, "surface_of": 0}
+        for name, default in defaults.items():
+            with self.subTest(name):
+                parameter = algorithm.parameterDefinition(name)
+                self.assertEqual(parameter.defaultValue(), default)
+                self.assertFalse(parameter.flags() & optional)
+        self.assertEqual(algorithm.parameterDefinition("surface_roof").options()[:2], ["Mean height", "Median height"])
+
+    def test_layers_come_into_a_group_of_the_file(self):
+        from processing.gui.Postprocessing import handleAlgorithmResults
+        for name in ("one", "two"):
+            _, well, context = self.run_it(OUTPUT=str(self.folder / f"{name}.gpkg"))
+            self.assertTrue(well)
+            handleAlgorithmResults(self.algorithm(), context, Feedback())
+        root = QgsProject.instance().layerTreeRoot()
+        for name in ("one", "two"):
+            self.assertEqual({node.name() for node in root.findGroup(name).findLayers()}, {"buildings", "contours"})
+        self.assertEqual([node for node in root.children() if node.nodeType() == 1], [])
+        QgsProject.instance().clear()
+
+    def test_a_model_may_use_the_layers_without_showing_them(self):
+        results, well, context = self.run_it(LOAD=False)
+        self.assertTrue(well)
+        self.assertEqual(context.layersToLoadOnCompletion(), {})
+        self.assertTrue(QgsVectorLayer(results["BUILDINGS"], "buildings", "ogr").isValid())
 
     def test_the_help_speaks_of_parameters_not_of_options(self):
         algorithm = self.algorithm()
@@ -277,7 +312,7 @@ class Toolbox(DeskCase):
             algorithm.run(given, context, feedback, {}, False)
         given |= {"OUTPUT": str(self.folder / "out.gpkg"), "preset": 1, "min_building_height": 5}
         with self.assertRaisesRegex(QgsProcessingException,
-                                    'ERROR: "Lowest building to keep" 5 has no effect with "Method" thesis; '):
+                                    'ERROR: "Minimum height of a building" 5 has no effect with "Method" thesis; '):
             algorithm.run(given, context, feedback, {}, False)
 
     def test_warnings_are_shown(self):

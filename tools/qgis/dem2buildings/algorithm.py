@@ -6,12 +6,14 @@ import shlex
 
 from qgis.core import (QgsProcessingAlgorithm, QgsProcessingContext, QgsProcessingException,
                        QgsProcessingLayerPostProcessorInterface, QgsProcessingOutputVectorLayer,
-                       QgsProcessingParameterFileDestination, QgsProcessingParameterRasterLayer, QgsVectorLayer)
+                       QgsProcessingParameterBoolean, QgsProcessingParameterDefinition,
+                       QgsProcessingParameterFileDestination, QgsProcessingParameterRasterLayer, QgsProject,
+                       QgsVectorLayer)
 from qgis.PyQt.QtGui import QIcon
 
 from . import parameters, program
 
-INPUT, OUTPUT = "INPUT", "OUTPUT"
+INPUT, OUTPUT, LOAD = "INPUT", "OUTPUT", "LOAD"
 ICON = str(pathlib.Path(__file__).with_name("icon.svg"))
 LAYERS = ("buildings", "contours", "roofs", "doubtful", "rejected", "problems")
 
@@ -36,20 +38,33 @@ def written_layers(options):
 
 
 class WithItsStyle(QgsProcessingLayerPostProcessorInterface):
-    """Processing loads layers without the style that their file holds."""
+    """Processing loads layers without the style that their file holds, and into no group. A group for each file keeps
+    the layers of a batch apart, which have the same names."""
 
     # Processing owns and ends what is behind it, but Python must hold on to what is in front, or nothing of this
     # class is left when it is called, after the end of the algorithm.
     kept = []
 
     @classmethod
-    def make(cls):
+    def make(cls, group):
         cls.kept.append(cls())
+        cls.kept[-1].group = group
         return cls.kept[-1]
 
-    def postProcessLayer(self, layer, _context, _feedback):
+    def postProcessLayer(self, layer, context, _feedback):
         layer.loadDefaultStyle()
         layer.triggerRepaint()
+        self.move_to_group(layer, context.project() or QgsProject.instance())
+
+    def move_to_group(self, layer, project):
+        root = project.layerTreeRoot()
+        node = root.findLayer(layer.id())
+        if node is None or node.parent().name() == self.group:
+            return
+        group = root.findGroup(self.group) or root.insertGroup(0, self.group)
+        # The first layers of a file lie on top, as in its list.
+        group.addChildNode(node.clone())
+        node.parent().removeChildNode(node)
 
 
 class ExtractBuildings(QgsProcessingAlgorithm):
@@ -102,6 +117,10 @@ class ExtractBuildings(QgsProcessingAlgorithm):
                 self.addParameter(parameter)
         except program.NotFound:
             pass  # canExecute() says why
+        load = QgsProcessingParameterBoolean(LOAD, "Load the layers into the project", defaultValue=True)
+        load.setFlags(load.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+        load.setHelp("Switch it off in a model or a batch that uses the layers itself.")
+        self.addParameter(load)
         self.addParameter(QgsProcessingParameterFileDestination(OUTPUT, "Buildings", "GeoPackage (*.gpkg)"))
         for name in LAYERS:
             self.addOutput(QgsProcessingOutputVectorLayer(name.upper(), name))
@@ -127,9 +146,9 @@ class ExtractBuildings(QgsProcessingAlgorithm):
         for line in errors.splitlines():
             feedback.pushWarning(line)
         feedback.pushInfo(summary)
-        return self.load(target, options, context)
+        return self.load(target, options, context, self.parameterAsBool(given, LOAD, context))
 
-    def load(self, target, options, context):
+    def load(self, target, options, context, is_shown):
         """Puts the layers of this run into the project, in their style; others that the file holds are none of it."""
         results = {OUTPUT: target}
         for name, table in written_layers(options):
@@ -140,9 +159,9 @@ class ExtractBuildings(QgsProcessingAlgorithm):
                 if len(results) > 1 or not QgsVectorLayer(place, table, "ogr").isValid():
                     continue
             results[name.upper()] = place
-            if context.project() is None:
+            if context.project() is None or not is_shown:
                 continue
             details = QgsProcessingContext.LayerDetails(table, context.project(), name.upper())
-            details.setPostProcessor(WithItsStyle.make())
+            details.setPostProcessor(WithItsStyle.make(pathlib.Path(target).stem))
             context.addLayerToLoadOnCompletion(place, details)
         return results

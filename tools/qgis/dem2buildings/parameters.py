@@ -20,6 +20,8 @@ LAYER_OF = {"split_by": "split_layer"}
 # In the order in which they are asked for; the table says which option is in which.
 SECTIONS = ("Basic", "Ground", "Trees", "Detail", "Output", "Advanced")
 TERRAIN = "_model"
+# Of a Basic option only this parameter is shown at first; the other one is for those who need it.
+ADVANCED_PARTS = {"ground"}
 
 
 def offered(table):
@@ -46,12 +48,18 @@ def help_of(option, spoken):
     return spoken(" ".join(sentence for sentence in sentences if not typing.search(sentence)))
 
 
+def default_of(option):
+    """The value that the option has if it is not given, or that it has in the default preset; "" if there is none."""
+    return option["default"] or option["usual"]
+
+
 def _number(option):
     kinds = QgsProcessingParameterNumber
     whole = option["kind"] == "whole"
-    parameter = kinds(option["name"], _label(option), kinds.Integer if whole else kinds.Double, optional=True)
-    if option["default"]:
-        parameter.setDefaultValue(float(option["default"]))
+    default = default_of(option)
+    parameter = kinds(option["name"], _label(option), kinds.Integer if whole else kinds.Double, optional=not default)
+    if default:
+        parameter.setDefaultValue(float(default))
     for bound, setter in (("lowest", parameter.setMinimum), ("highest", parameter.setMaximum)):
         if bound in option:
             setter(option[bound])
@@ -66,9 +74,11 @@ def _label(option, title=None):
 
 
 def _choice(option):
-    default = option["choices"].index(option["default"]) if option["default"] in option["choices"] else None
-    return QgsProcessingParameterEnum(option["name"], _label(option), option["choices"], optional=True,
-                                      defaultValue=default)
+    """Without a default nothing may be selected."""
+    default = default_of(option)
+    return QgsProcessingParameterEnum(option["name"], _label(option), option["choice_titles"],
+                                      optional=default not in option["choices"],
+                                      defaultValue=option["choices"].index(default) if default in option["choices"] else None)
 
 
 def _endings(option):
@@ -103,13 +113,13 @@ def make(option):
     """The parameters of an option: one, or for the terrain a choice and a raster, and for surfaces a file a format."""
     kind, name = option["kind"], option["name"]
     if kind == "switch":
-        return [QgsProcessingParameterBoolean(name, _label(option), defaultValue=False, optional=True)]
+        return [QgsProcessingParameterBoolean(name, _label(option), defaultValue=False)]
     if kind in ("whole", "number"):
         return [_number(option)]
     if kind == "choice":
         return [_choice(option)]
     if kind == "terrain":
-        model = QgsProcessingParameterRasterLayer(name + TERRAIN, _label(option, "Terrain model (DTM)"), optional=True)
+        model = QgsProcessingParameterRasterLayer(name + TERRAIN, _label(option, "Terrain model (DTM), if there is one"), optional=True)
         return [_choice(option), model]
     if kind in SIMPLE:
         return [SIMPLE[kind](name, _label(option), optional=True)]
@@ -124,7 +134,7 @@ def all_of(table):
     parameters = []
     for option in offered(table):
         for parameter in make(option):
-            if option["section"] == "Advanced":
+            if option["section"] != "Basic" or parameter.name() in ADVANCED_PARTS:
                 parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
             # The option stands for two parameters where it is the terrain.
             parameter.setHelp("Elevations of the bare ground, as a raster. Without it "
@@ -173,10 +183,10 @@ def _values(algorithm, option, given, context):
         return [_file_of(algorithm.parameterAsRasterLayer(given, name + TERRAIN, context), name)]
     if kind in ("choice", "terrain"):
         word = option["choices"][algorithm.parameterAsEnum(given, name, context)]
-        return None if word == option["default"] else [word]
+        return None if word == default_of(option) else [word]
     if kind in ("whole", "number"):
         text = _plain(algorithm.parameterAsDouble(given, name, context))
-        return None if option["default"] and float(option["default"]) == float(text) else [text]
+        return None if default_of(option) and float(default_of(option)) == float(text) else [text]
     if kind == "numbers":
         return algorithm.parameterAsString(given, name, context).replace(",", " ").split()
     if kind == "crs":
