@@ -14,9 +14,10 @@ WITHOUT_WEBGL = ("--disable-3d-apis",)
 
 
 class Browser:
-    """A window with one page in it. @param size of the page in pixels @param dark whether the system is"""
+    """A window with one page in it. @param size of the page in pixels @param dark whether the system is @param language
+    that it asks for"""
 
-    def __init__(self, size=(1280, 800), dark=False, flags=SOFTWARE):
+    def __init__(self, size=(1280, 800), dark=False, flags=SOFTWARE, language="en-GB"):
         options = Options()
         for flag in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
                      "--force-device-scale-factor=1", f"--window-size={size[0]},{size[1]}", *flags):
@@ -25,6 +26,8 @@ class Browser:
         self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
         self.call("Emulation.setDeviceMetricsOverride",
                   width=size[0], height=size[1], deviceScaleFactor=1, mobile=False)
+        agent = self.driver.execute_script("return navigator.userAgent")
+        self.call("Emulation.setUserAgentOverride", userAgent=agent, acceptLanguage=language)
         self.call("Emulation.setEmulatedMedia",
                   features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
 

@@ -5,6 +5,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -75,7 +76,7 @@ class Page(unittest.TestCase):
 
     def test_all_is_seen_beside_the_panels(self):
         """Corners of the window, and the highest of each building, in both views and on both screens."""
-        for size, left, top, bottom in ((1280, 800), 284, 0, 800), ((390, 780), 0, 110, 664):
+        for size, left, top, bottom in ((1280, 800), 284, 0, 800), ((390, 780), 0, 120, 700):
             with self.subTest(size), Browser(size=size) as browser:
                 browser.open(self.town)
                 for view in ("to3d", "tomap"):
@@ -172,7 +173,7 @@ class Page(unittest.TestCase):
             browser.click(x, y)
             said = browser.text("building")
             self.assertIn(f"Building {number}", said)
-            for field in ("90 % height", "Floors", "Area", "Volume", "Confidence"):
+            for field in ("Height (m)", "Floors", "Area", "Volume", "Confidence"):
                 self.assertIn(field, said)
             values = self.record(number)
             self.assertIn(f"{values['num_floors']:.0f}", said)
@@ -211,6 +212,165 @@ class Page(unittest.TestCase):
             self.assertGreater(number(low[2]), number(counts[2]))
             self.assertGreater(difference(browser.picture(), whole), 0.05)
             self.quiet(browser)
+
+    def again(self, browser):
+        browser.run("delete document.documentElement.dataset.ready; window.dem2buildings.shown.ask()")
+        browser.wait()
+
+    def test_title_credit_and_date_are_shown(self):
+        dem = self.folder / "dated.tif"
+        gdal.Translate(str(dem), str(TOWN), metadataOptions=["TIFFTAG_DATETIME=2024:05:31 12:00:00"])
+        page = self.make(dem, "titled.html", "-title", "Old town", "-credit", "City of Old Town, CC BY 4.0")
+        with Browser() as browser:
+            browser.open(page)
+            self.assertEqual(browser.run("return document.title"), "Old town")
+            said = browser.text("credit")
+            self.assertIn("City of Old Town, CC BY 4.0", said)
+            self.assertIn("2024", said)
+            self.quiet(browser)
+        with Browser() as browser:
+            browser.open(self.town)
+            self.assertFalse(browser.is_seen("credit"))
+
+    def enter(self, browser, name, value, event="change"):
+        browser.run("const field = document.getElementById(arguments[0]); field.value = arguments[1];"
+                    "field.dispatchEvent(new Event(arguments[2]))", name, value, event)
+
+    def test_a_building_is_found_by_its_number(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            browser.press("tofind")
+            self.enter(browser, "findtext", "26")
+            self.assertIn("Building 26", browser.text("building"))
+            away = browser.run("""
+                const {scene, town} = window.dem2buildings;
+                const box = town.boxOf(town.stack.id.indexOf(26));
+                const {x, z} = scene.controls.target;
+                return Math.hypot(x - (box[0] + box[2]) / 2, -z - (box[1] + box[3]) / 2);""")
+            self.assertLess(away, 0.01)
+            self.enter(browser, "findtext", "99999")
+            self.assertTrue(browser.is_seen("findnone"))
+            self.quiet(browser)
+
+    def test_buildings_are_filtered_by_height(self):
+        count, = (int(line.split("=")[1]) for line in subprocess.run(
+            ["ogrinfo", "-ro", "-q", str(self.folder / "town.gpkg"), "-sql",
+             "SELECT count(*) AS n FROM buildings WHERE p90 BETWEEN 12 AND 30"],
+            check=True, capture_output=True, text=True).stdout.splitlines() if "=" in line)
+        with Browser() as browser:
+            browser.open(self.town)
+            whole = browser.picture()
+            self.enter(browser, "lowest", "12")
+            self.enter(browser, "highest", "30")
+            self.again(browser)
+            self.assertTrue(browser.text("sum").startswith(f"{count} of "))
+            self.assertGreater(difference(browser.picture(), whole), 0.5)
+            hidden = browser.run("""
+                const {scene, town} = window.dem2buildings;
+                const seen = scene.chunks.all.flatMap(({buildings}) => buildings);
+                return seen.filter((b) => !(town.value('p90', b) >= 12 && town.value('p90', b) <= 30)).length;""")
+            self.assertEqual(hidden, 0)
+            for name in ("lowest", "highest"):
+                self.enter(browser, name, "")
+            self.again(browser)
+            self.assertLess(difference(browser.picture(), whole), 0.05)
+            self.quiet(browser)
+
+    def test_the_sun_casts_shadows(self):
+        """Of a house 12 m high on level ground, as long and in the direction that the sun's place says."""
+        page, house = self.with_courtyards("shadow")
+        with Browser() as browser:
+            browser.open(page)
+            latitude, _ = browser.run("return window.dem2buildings.town.about.position")
+            browser.press("tosun")
+            self.enter(browser, "hour", "12", "input")
+            # At noon of 21 June the sun is 90 degrees minus latitude plus 23.44 degrees above the south.
+            height = np.radians(90 - latitude + 23.44)
+            self.assertIn(f"{np.degrees(height):.0f}°", browser.text("sunheight"))
+            length = 12 / np.tan(height)
+            # From above, a metre a pixel: north of the northern wall the ground is dark for this length.
+            browser.run("""
+                const {scene, town} = window.dem2buildings;
+                const [west, south, east, north] = town.extent;
+                scene.setPlace({eye: [(west + east) / 2, 3000, -(south + north) / 2 + 1], to: [(west + east) / 2, 0,
+                    -(south + north) / 2]});""")
+            self.again(browser)
+            picture = browser.picture().convert("L")
+            pixel = lambda row, col: picture.getpixel(tuple(round(part) for part in browser.run("""
+                const {scene, town} = window.dem2buildings;
+                const [west, , , north] = town.extent;
+                scene.camera.updateMatrixWorld();
+                const at = scene.camera.position.clone().set(west + arguments[1], scene.relief.near(0, 0),
+                    -(north - arguments[0])).project(scene.camera);
+                return [(1 + at.x) / 2 * innerWidth, (1 - at.y) / 2 * innerHeight];""", row, col)))
+            sunny = pixel(20, 70)
+            self.assertLess(pixel(40 - length / 2, 70), 0.75 * sunny)
+            self.assertGreater(pixel(40 - length - 3, 70), 0.9 * sunny)
+            self.assertGreater(pixel(126, 70), 0.9 * sunny)  # south of the house
+            self.quiet(browser)
+
+    def test_lengths_are_measured(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            browser.press("tomap")
+            browser.press("tomeasure")
+            browser.wait()
+            metres = browser.run("""
+                const {map} = window.dem2buildings;
+                const [a, b] = [[700, 300], [900, 500]].map(([x, y]) => map.toMetres(x * map.ratio, y * map.ratio));
+                return Math.hypot(a[0] - b[0], a[1] - b[1]);""")
+            browser.click(700, 300)
+            browser.click(900, 500)
+            self.assertIn(f"{metres:,.1f} m".replace(".0 m", " m"), browser.text("measuretext"))
+            browser.press("to3d")
+            browser.press("tomeasure")
+            browser.press("tomeasure")
+            browser.click(700, 300)
+            browser.click(900, 500)
+            self.assertRegex(browser.text("measuretext"), r"[0-9,.]+ m on the map")
+            self.quiet(browser)
+
+    def test_a_link_leads_to_the_same_view(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            self.enter(browser, "findtext", "26")
+            self.enter(browser, "lowest", "12")
+            browser.press("tosun")
+            self.enter(browser, "hour", "9", "input")
+            self.again(browser)
+            browser.press("link")
+            address = browser.driver.current_url
+            self.assertIn("id=26", address)
+            state = """
+                const {scene, town, chosen, sunCard} = window.dem2buildings;
+                return [scene.camera.position.toArray().map(Math.round), town.stack.id[chosen], town.shown(),
+                        sunCard.chosen()];"""
+            before = browser.run(state)
+            browser.driver.get("about:blank")
+            browser.driver.get(address)
+            browser.wait()
+            self.assertEqual(browser.run(state), before)
+            self.quiet(browser)
+
+    def test_speaks_the_language_of_the_browser(self):
+        with Browser() as browser:
+            browser.open(self.town)
+            keys = browser.run("return [...document.querySelectorAll('[data-text]')].filter((e) => !e.textContent).length")
+            self.assertEqual(keys, 0)
+        with Browser(language="de-DE") as browser:
+            browser.open(self.town)
+            self.assertEqual(browser.run("return document.documentElement.lang"), "de")
+            self.assertEqual(browser.text("tofind"), "Suchen")
+            self.assertIn("Gebäude", browser.text("sum"))
+            self.assertEqual(browser.run("return [...document.querySelectorAll('[data-text]')].filter("
+                                         "(e) => !e.textContent).length"), 0)
+            self.quiet(browser)
+
+    def test_both_languages_have_the_same_texts(self):
+        table = (SOURCE / "lib/view/page/texts.js").read_text()
+        keys = [sorted(re.findall(r"^  (\w+):", part, re.M)) for part in re.split(r"^const \w+ = \{", table, flags=re.M)[1:3]]
+        self.assertGreater(len(keys[0]), 50)
+        self.assertEqual(*keys)
 
     def test_keys_turn_and_zoom(self):
         with Browser() as browser:

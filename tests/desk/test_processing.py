@@ -113,16 +113,18 @@ class Toolbox(DeskCase):
         self.assertTrue(shown["zrange"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
 
     def test_eight_parameters_are_seen_at_first(self):
-        shown = [one for one in self.algorithm().parameterDefinitions()
+        algorithm = self.algorithm()  # owns the definitions
+        shown = [one for one in algorithm.parameterDefinitions()
                  if not one.flags() & QgsProcessingParameterDefinition.FlagAdvanced]
         self.assertEqual([one.name() for one in shown],
-                         ["INPUT", "te", "ground_model", "min_building_height", "min_confidence", "split_height", "min_area",
+                         ["INPUT", "te", "ground_model", "min_building_height", "min_area", "min_confidence", "split_height",
                           "OUTPUT"])
         self.assertEqual([one.description() for one in shown][2:4],
                          ["Terrain model (DTM), if there is one", "Minimum height of a building [m]"])
 
     def test_advanced_parameters_come_in_groups(self):
-        shown = [one for one in self.algorithm().parameterDefinitions() if one.name() not in ("INPUT", "OUTPUT", "LOAD")]
+        algorithm = self.algorithm()
+        shown = [one for one in algorithm.parameterDefinitions() if one.name() not in ("INPUT", "OUTPUT", "LOAD")]
         names = [one.description() for one in shown]
         groups = [name.split(":")[0] if re.match("[A-Z][a-z]+: ", name) else "" for name in names]
         self.assertEqual(list(dict.fromkeys(groups)), ["", "Ground", "Trees", "Detail", "Output"])
@@ -186,9 +188,9 @@ class Toolbox(DeskCase):
         town = str(self.folder / "town.tif")
         _, log = self.log_of(INPUT=town, preset=0, min_height=2.5, lod=2, te="391100,391400,5820100,5820300 [EPSG:25833]",
                              ground_model=town, disjoint=True, fl=None, mask=town, t_srs="EPSG:4326",
-                             write_ground=str(self.folder / "ground.tif"), layers=2)
+                             write_ground=str(self.folder / "ground.tif"), layers=1)
         for words in ("-min_height 2.5", "-lod 2", "-te 391100.0 5820100.0 391400.0 5820300.0", f"-ground {town}",
-                      "-disjoint", f"-mask {town}", "-t_srs EPSG:4326", "-layers both",
+                      "-disjoint", f"-mask {town}", "-t_srs EPSG:4326", "-layers contours",
                       f"-write_ground {self.folder / 'ground.tif'}"):
             self.assertIn(words, log)
         self.assertNotIn("-preset", log)

@@ -7,6 +7,7 @@ import unittest
 
 from qgis.core import NULL, QgsExpression, QgsExpressionContext, QgsFeature, QgsNullSymbolRenderer, QgsRenderContext
 from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtXml import QDomDocument
 
 from desk_case import DeskCase
 
@@ -92,13 +93,48 @@ class Styles(DeskCase):
         layer = self.layer(self.town, "buildings")
         expression = QgsExpression(layer.labeling().settings().fieldName)
         feature = QgsFeature(layer.fields())
-        for height, text in ((12.3, "12 m"), (9.4, "9 m"), (9.7, "9.7 m"), (9.98, "9.9 m"), (10, "10 m"), (2.5, "2.5 m"),
-                             (29.5, "29.5 m"), (30.4, "30 m"), (99.99, "99.9 m"), (100.4, "100 m"), (16.5, "17 m")):
+        for height, text in ((12.3, "12 m"), (9.4, "9.4 m"), (9, "9.0 m"), (9.98, "9.9 m"), (10, "10 m"), (2.97, "2.9 m"),
+                             (29.5, "29 m"), (30.4, "30 m"), (99.99, "99 m"), (100.4, "100 m"), (16.5, "17 m")):
             feature["p90"] = height
             context = QgsExpressionContext()
             context.setFeature(feature)
             context.setFields(layer.fields())
             self.assertEqual(expression.evaluate(context), text)
+
+    def test_contours_alone_are_labelled(self):
+        self.assertTrue(self.layer(self.make("alone.gpkg", "-layers", "contours"), "contours").labelsEnabled())
+
+    def test_quantiles_are_a_style_that_can_be_chosen(self):
+        layer = self.layer(self.town, "buildings")
+        count, ids, names, _, error = layer.listStylesInDatabase()
+        self.assertIn("dem2buildings quantiles", names)
+        style, error = layer.getStyleFromDatabase(ids[names.index("dem2buildings quantiles")])
+        self.assertEqual(error, "")
+        document = QDomDocument()
+        document.setContent(style)
+        self.assertTrue(layer.importNamedStyle(document)[0])
+        heading, labels = legend(layer)
+        self.assertEqual(len(labels), 6)
+        rules, = layer.renderer().rootRule().children()
+        counts = []
+        for rule in rules.children()[:5]:
+            counts.append(sum(1 for _ in layer.getFeatures(rule.filterExpression())))
+        self.assertEqual(sum(counts), layer.featureCount())
+        self.assertLess(max(counts) - min(counts), 0.1 * layer.featureCount())
+
+    def test_doubt_is_seen_without_colours(self):
+        """In grey a doubtful object has as dark lines as a building has, over a fill as light as paper."""
+        sure = self.make("grey.gpkg", "-write_doubtful", "-min_confidence", "0.97")
+        doubtful = self.layer(sure, "doubtful")
+        doubtful.setLabelsEnabled(False)
+        one = max(doubtful.getFeatures(), key=lambda feature: feature["area_m2"])
+        box = one.geometry().boundingBox()
+        grey = self.render(doubtful, (box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum()), (200, 200))
+        inside = [QColor(grey.pixel(x, y)).lightness() for x in range(200) for y in range(200)]
+        dark = sum(1 for value in inside if value < 130) / len(inside)
+        light = sum(1 for value in inside if value > 215) / len(inside)
+        self.assertGreater(dark, 0.08)
+        self.assertGreater(light, 0.2)  # hatching and its soft edges cover most
 
     def test_contours_are_drawn_from_low_to_high(self):
         layer = self.layer(self.town, "contours")
@@ -108,9 +144,10 @@ class Styles(DeskCase):
         self.assertEqual((clause.expression().expression(), clause.ascending()), ('"level"', True))
 
     def test_labels_are_written_on_large_maps(self):
+        """Of one layer at a time: those of the parts are there, and off."""
         for name, scale in (("buildings", 2500), ("contours", 1000), ("doubtful", 2500)):
             layer = self.layer(self.town, name)
-            self.assertTrue(layer.labelsEnabled())
+            self.assertEqual(layer.labelsEnabled(), name != "contours")
             settings = layer.labeling().settings()
             self.assertTrue(settings.scaleVisibility)
             self.assertEqual(settings.minimumScale, scale)

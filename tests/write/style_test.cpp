@@ -66,6 +66,25 @@ TEST_F(StyleTest, RoofsHaveTwoStyles) {
         << qml;
 }
 
+/// Heights from 8 to 12 m lie in two of the fixed classes.
+TEST_F(StyleTest, ManyFeaturesHaveAStyleByQuantiles) {
+    LayerSpec spec = layer_spec("buildings");
+    const auto sink = open_sink(to("a.gpkg"), callbacks_);
+    sink->begin({&spec, 1}, provenance());
+    for (int i = 0; i < 40; ++i)
+        sink->add(0, {{std::int64_t{i + 1}, 8 + i * 0.1, std::string("ok")},
+                      {{{{i * 10.0, 0}, {i * 10.0 + 5, 0}, {i * 10.0 + 5, 5}, {i * 10.0, 5}}, {}}},
+                      0});
+    sink->finish();
+    EXPECT_EQ(styles("buildings"), "dem2buildings*,dem2buildings quantiles");
+    const std::string qml =
+        ask("SELECT styleQML FROM layer_styles WHERE styleName = 'dem2buildings quantiles'");
+    for (const char* label :
+         {"below 8.8 m", "8.8 to 9.6 m", "9.6 to 10.4 m", "10.4 to 11.2 m", "11.2 m and more"})
+        EXPECT_NE(qml.find("label=\"" + std::string(label) + "\""), std::string::npos) << label;
+    EXPECT_NE(qml.find("&gt;= 8.8 AND &quot;height&quot; &lt; 9.6"), std::string::npos);
+}
+
 TEST_F(StyleTest, AGeoPackageSaysWhatItsLayersAndFieldsAre) {
     write(to("a.gpkg"), 1);
     const std::string xml =
@@ -190,6 +209,27 @@ TEST(Qml, OnlyWhatIsLabelledIs) {
         std::string::npos);
 }
 
+TEST(Qml, LabelsMayBeOffered) {
+    LayerSpec spec = layer_spec("contours");
+    const std::vector<std::string> columns{"id", "height", "status"};
+    spec.style.label = "height";
+    EXPECT_NE(qml_style(spec, columns).find("labelsEnabled=\"1\""), std::string::npos);
+    spec.style.labels_on = false;
+    const std::string qml = qml_style(spec, columns);
+    EXPECT_NE(qml.find("labelsEnabled=\"0\""), std::string::npos);
+    EXPECT_NE(qml.find("<labeling"), std::string::npos);
+}
+
+TEST(Qml, WhatIsDoubtfulHasADashedOutlineInPrintWithoutColours) {
+    LayerSpec spec = layer_spec("doubtful");
+    spec.style = {.title = "t"};
+    const std::string qml = qml_style(spec, {"id", "height", "status"});
+    EXPECT_NE(qml.find("LinePatternFill"), std::string::npos);
+    EXPECT_NE(qml.find("name=\"outline_style\" value=\"dash\""), std::string::npos);
+    EXPECT_EQ(qml_style(layer_spec("buildings"), {"id", "height", "status"}).find("value=\"dash\""),
+              std::string::npos);
+}
+
 TEST(Qml, ABlockStandsOnTheGround) {
     LayerSpec spec = layer_spec("buildings");
     spec.fields.push_back({"ground", "", FieldType::real, "ft", ""});
@@ -240,6 +280,26 @@ TEST(Qml, ClassesMeetAndTheLastHasNoEnd) {
     EXPECT_EQ(class_label(1), "3 to 6 m");
     EXPECT_EQ(class_label(height_classes().size() - 1), "100 m and more");
     EXPECT_TRUE(std::ranges::is_sorted(height_classes(), {}, &HeightClass::from));
+}
+
+TEST(HeightClasses, OfQuantilesHoldEqualNumbers) {
+    EXPECT_TRUE(quantile_classes({1, 2, 3, 4, 5, 6, 7, 8, 9}).empty());  // too few
+    EXPECT_TRUE(quantile_classes(std::vector<double>(50, 7.0)).empty());
+    std::vector<double> heights;
+    for (int i = 99; i >= 0; --i)
+        heights.push_back(5 + i * 0.2);
+    const std::vector<HeightClass> classes = quantile_classes(heights);
+    ASSERT_EQ(classes.size(), 5U);
+    for (std::size_t i = 0; i < classes.size(); ++i) {
+        const double to = i + 1 < classes.size() ? classes[i + 1].from : 1000;
+        EXPECT_EQ(std::ranges::count_if(heights, [&](double h) { return h >= classes[i].from && h < to; }),
+                  20);
+        EXPECT_TRUE(i == 0 || classes[i].colour != classes[i - 1].colour);
+    }
+    // Nine tenths have the same height: bounds that coincide are one.
+    std::vector<double> equal(90, 6.0);
+    equal.insert(equal.end(), 10, 9.0);
+    EXPECT_TRUE(quantile_classes(equal).empty());
 }
 
 TEST(Qml, MetadataHoldsWhatXmlWouldTakeForMarkup) {
