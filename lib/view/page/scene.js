@@ -282,6 +282,7 @@ export class Scene {
   ask() {
     if (this.asked || this.canvas.hidden)
       return;
+    clearTimeout(this.resting);
     this.asked = true;
     requestAnimationFrame((time) => this.draw(time));
   }
