@@ -23,6 +23,24 @@ TEST_F(OptionEffect, q) {
     EXPECT_EQ(trace({"--quiet", "--overwrite"}), "");
 }
 
+/// A house of 24 x 20 m, of which two fifths are 10 m higher than the rest.
+TEST_F(OptionEffect, q__leavesTheAdviceOut) {
+    preset_ = "buildings";
+    RasterSpec spec = blocks();
+    spec.cols = spec.rows = 70;
+    spec.values.assign(4900, 0.0);
+    fill(spec, 20, 39, 20, 43, 9);
+    fill(spec, 20, 27, 20, 43, 19);
+    write(path("step.tif"), spec);
+    const std::string advice =
+        "1 of 1 building differs by more than 5 m inside: -split_height 3 divides it.\n";
+    EXPECT_TRUE(run_well({"step.tif", "out.gpkg"}).ends_with(advice));
+    EXPECT_EQ(run_well({"-q", "-overwrite", "step.tif", "out.gpkg"}), "");
+    const std::string divided = run_well({"-overwrite", "-split_height", "3", "step.tif", "out.gpkg"});
+    expect_has(divided, "2 buildings and");
+    EXPECT_EQ(divided.find("-split_height"), std::string::npos);
+}
+
 TEST_F(OptionEffect, json) {
     const json report = json::parse(trace({"-json", "-nf", "11"}));
     EXPECT_EQ(report["input"]["name"], "blocks.tif");
