@@ -156,7 +156,7 @@ class Page {
 
   setUpButtons() {
     const on = (id, act) => byId(id).addEventListener('click', act);
-    byId('to3d').disabled = !this.scene;
+    byId('to3d').disabled = byId('tosun').disabled = !this.scene;
     on('to3d', () => this.show(this.scene));
     on('tomap', () => this.show(this.map));
     on('home', () => this.shown.home());
