@@ -26,10 +26,12 @@ def table():
 
 class Options(PythonCase):
     def test_both_functions_take_what_means_something_there(self):
-        asked_for = {"q", "json", "help", "version", "man", "options_md", "options_json", "bash_completion", "p", "sweep"}
+        asked_for = {"q", "json", "help", "help_all", "version", "man", "options_md", "options_json", "bash_completion",
+                     "p", "sweep"}
         of_files = {"f", "dsco", "lco", "nln", "overwrite", "append", "arcs", "write_ground", "write_height",
                     "write_canopy", "surface", "surface_of", "surface_roof", "surface_solids",
-                    "surface_origin", "page", "preview", "preview_size"}
+                    "surface_origin", "page", "preview", "preview_size", "preview_paper", "preview_scale",
+                    "landscape", "title", "credit"}
         self.assertEqual({option.name for option in _options.EXTRACT_FILE}, set(table()) - asked_for)
         self.assertEqual({option.name for option in _options.EXTRACT}, set(table()) - asked_for - of_files)
 
