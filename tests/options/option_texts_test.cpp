@@ -51,6 +51,8 @@ Texts with_value(const OptionRow& row, const std::string& text) {
         words.insert(words.begin(), {"-split_by", "parcels.gpkg"});
     if (row.name == "roof_min_area")
         words.insert(words.begin(), "-roofs");
+    if (row.name == "preview_scale")
+        words.insert(words.begin(), {"-preview", "p.png", "-preview_paper", "A4"});
     return words;
 }
 
