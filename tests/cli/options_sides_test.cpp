@@ -98,10 +98,10 @@ TEST_F(OptionEffect, preview_paper) {
 }
 
 TEST_F(OptionEffect, preview_scale) {
-    find({"-preview", "map.svg", "-preview_paper", "A5", "-preview_scale", "2000"});
+    find({"-preview", "map.svg", "-preview_paper", "A5", "-preview_scale", "3000"});
     const std::string half = read_bytes(path("map.svg"));
-    find({"-overwrite", "-preview", "map.svg", "-preview_paper", "A5", "-preview_scale", "1000"});
-    EXPECT_NE(read_bytes(path("map.svg")), half);
+    find({"-overwrite", "-preview", "map.svg", "-preview_paper", "A5", "-preview_scale", "1500"});
+    EXPECT_TRUE(read_bytes(path("map.svg")) != half);
     expect_error(
         2, "The area does not fit on A5 at 1:10; use -preview_scale ",
         {"-preview", "large.pdf", "-preview_paper", "A5", "-preview_scale", "10", "town.tif", "large.gpkg"});
@@ -141,7 +141,7 @@ TEST_F(OptionEffect, credit) {
     const OpenDataset plain(GDALOpen(path("map.png").c_str(), GA_ReadOnly));
     const OpenDataset credited(GDALOpen(path("credited.png").c_str(), GA_ReadOnly));
     EXPECT_LE(GDALGetRasterXSize(credited.get()), GDALGetRasterXSize(plain.get()));  // a line of text more
-    EXPECT_NE(read_bytes(path("map.png")), read_bytes(path("credited.png")));
+    EXPECT_TRUE(read_bytes(path("map.png")) != read_bytes(path("credited.png")));
 }
 
 TEST_F(OptionEffect, preview_size) {
