@@ -105,9 +105,10 @@ class Toolbox(DeskCase):
         self.assertGreater(len(wanted), 30)
         lod = shown["lod"]
         self.assertEqual((lod.defaultValue(), lod.minimum(), lod.maximum()), (4, 1, 10000))
-        self.assertEqual(shown["preview"].fileFilter(), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)")
-        self.assertEqual(shown["page"].fileFilter(), "HTML (*.html)")
-        self.assertEqual(shown["surface_cityjson"].fileFilter(), "CITY.JSON (*.city.json)")
+        files = lambda name: shown[name].metadata()["widget_wrapper"]["files"]
+        self.assertEqual(files("preview"), "PNG (*.png);;SVG (*.svg);;PDF (*.pdf)")
+        self.assertEqual(files("page"), "HTML (*.html)")
+        self.assertEqual(files("surface_cityjson"), "CITY.JSON (*.city.json)")
         self.assertEqual(shown["surface_glb"].description(), "Output: Surface of the buildings (.glb)")
         self.assertEqual(shown["preset"].options(), ["Find buildings", "All above thresholds (thesis)"])
         self.assertTrue(shown["zrange"].flags() & QgsProcessingParameterDefinition.FlagAdvanced)
@@ -121,6 +122,26 @@ class Toolbox(DeskCase):
                           "OUTPUT"])
         self.assertEqual([one.description() for one in shown][2:4],
                          ["Terrain model (DTM), if there is one", "Minimum height of a building [m]"])
+
+    def test_the_window_shows_no_more(self):
+        """Processing shows outputs whatever their flags say; files have a widget that asks for a name to write."""
+        from processing.gui.ParametersPanel import ParametersPanel
+        from qgis.gui import QgsFileWidget, QgsMessageBar
+        from qgis.PyQt.QtWidgets import QDialog
+
+        class Window(QDialog):
+            def messageBar(self):
+                return bar
+        bar = QgsMessageBar()
+        window, algorithm = Window(), self.algorithm()
+        panel = ParametersPanel(window, algorithm)
+        window.show()
+        self.assertEqual(len(algorithm.destinationParameterDefinitions()), 1)
+        page = panel.wrappers["page"]
+        self.assertEqual(page.widget.storageMode(), QgsFileWidget.SaveFile)
+        page.setValue("/tmp/town.html")
+        self.assertEqual(page.value(), "/tmp/town.html")
+        window.close()
 
     def test_advanced_parameters_come_in_groups(self):
         algorithm = self.algorithm()

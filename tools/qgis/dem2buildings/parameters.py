@@ -5,11 +5,9 @@ import re
 from osgeo import ogr
 from qgis.core import (QgsProcessingException, QgsProcessingFeedback, QgsProcessingParameterBoolean,
                        QgsProcessingParameterCrs, QgsProcessingParameterDefinition, QgsProcessingParameterEnum,
-                       QgsProcessingParameterExtent, QgsProcessingParameterFileDestination,
-                       QgsProcessingParameterMapLayer, QgsProcessingParameterNumber,
-                       QgsProcessingParameterRasterDestination, QgsProcessingParameterRasterLayer,
-                       QgsProcessingParameterString, QgsProcessingParameterVectorLayer, QgsProviderRegistry,
-                       QgsRasterLayer, QgsVectorFileWriter)
+                       QgsProcessingParameterExtent, QgsProcessingParameterMapLayer, QgsProcessingParameterNumber,
+                       QgsProcessingParameterRasterLayer, QgsProcessingParameterString,
+                       QgsProcessingParameterVectorLayer, QgsProviderRegistry, QgsRasterLayer, QgsVectorFileWriter)
 
 # What the dialog does itself: it shows progress, its file dialog has asked whether to replace a file, and a layer that
 # is chosen has its name.
@@ -95,12 +93,11 @@ def _files(option):
 
 
 def _file(option, name, endings):
-    raster = endings == ["tif"]
-    make = QgsProcessingParameterRasterDestination if raster else QgsProcessingParameterFileDestination
+    """A text with a widget of its own, because Processing always shows its parameters of files that are written."""
     title = f"{option['title']} (.{endings[0]})" if option["repeatable"] else None
-    parameter = make(name, _label(option, title), optional=True, createByDefault=False)
-    if not raster:
-        parameter.setFileFilter(";;".join(f"{ending.upper()} (*.{ending})" for ending in endings))
+    parameter = QgsProcessingParameterString(name, _label(option, title), optional=True)
+    files = ";;".join(f"{ending.upper()} (*.{ending})" for ending in endings)
+    parameter.setMetadata({"widget_wrapper": {"class": f"{__package__}.file_widget.SavedFile", "files": files}})
     return parameter
 
 
@@ -206,7 +203,7 @@ def command_line(algorithm, table, given, dem, context):
         if option["kind"].startswith("file:"):
             for name in _files(option):
                 if given.get(name) not in (None, ""):
-                    words += ["-" + option["name"], algorithm.parameterAsFileOutput(given, name, context)]
+                    words += ["-" + option["name"], algorithm.parameterAsString(given, name, context)]
             continue
         if option["kind"] == "extent":
             if not given.get(option["name"]):
