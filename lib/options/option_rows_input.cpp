@@ -90,7 +90,7 @@ std::vector<OptionRow> windows() {
             return w[0] < w[2] && w[1] < w[3];
         },
         [](auto& r) -> auto& { return r.options.read.extent; },
-        {.title = "Extent to use",
+        {.title = "Extent to use (all if not set)",
          .section = DialogSection::basic,
          .everyday = true,
          .help = "Part of the input to use: the points within this rectangle.",
