@@ -1,0 +1,112 @@
+#include "compare/change_layer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/text.hpp"
+
+namespace d2b::compare {
+namespace {
+
+std::vector<FieldSpec> change_fields() {
+    return {
+        {"id", "Number", FieldType::integer, "", "number in this layer, from 1"},
+        {"change", "Change", FieldType::text, "",
+         "new, gone, raised or lowered (p90 by more than 2 m), grown or shrunk (area by more than 10 % and "
+         "20 m2), same"},
+        {"old_id", "Old building", FieldType::integer, "",
+         "id of the building in the old survey, of several that of the largest; NULL if it is new, or "
+         "doubtful in the old survey"},
+        {"new_id", "New building", FieldType::integer, "",
+         "id of the building in the new survey, of several that of the largest; NULL if it is gone, or "
+         "doubtful in the new survey"},
+        {"n_old", "Old buildings", FieldType::integer, "", "buildings of the old survey that it consists of"},
+        {"n_new", "New buildings", FieldType::integer, "", "buildings of the new survey that it consists of"},
+        {"p90_old", "Old height (m)", FieldType::real, "m",
+         "height above ground that 90 % of the points do not exceed, in the old survey"},
+        {"p90_new", "New height (m)", FieldType::real, "m",
+         "height above ground that 90 % of the points do not exceed, in the new survey"},
+        {"area_old", "Old area (m2)", FieldType::real, "m2",
+         "area in the old survey, of all its parts, where both surveys have data"},
+        {"area_new", "New area (m2)", FieldType::real, "m2",
+         "area in the new survey, of all its parts, where both surveys have data"},
+        {"confidence", "Confidence", FieldType::real, "",
+         "lowest certainty that its parts in both surveys are buildings, 0 to 1"},
+    };
+}
+
+FieldValue measured(double value) {
+    return std::isnan(value) ? FieldValue{} : FieldValue{round_to_hundredths(value)};
+}
+
+FieldValue certainty(double value) {
+    return std::isnan(value) ? FieldValue{} : FieldValue{floor_to_hundredths(value)};
+}
+
+FieldValue count(std::span<const std::size_t> indices) {
+    return static_cast<std::int64_t>(indices.size());
+}
+
+FieldValue largest_id(const SurveyedPlace& place, std::span<const std::size_t> indices) {
+    if (indices.empty())
+        return {};
+    const auto largest =
+        std::ranges::max_element(indices, {}, [&](std::size_t i) { return place.buildings[i].area_m2; });
+    return place.buildings[*largest].id;
+}
+
+std::vector<WorldPolygon> outline_of(const SurveyedPlace& place, std::span<const std::size_t> indices) {
+    std::vector<WorldPolygon> outline;
+    for (const std::size_t i : indices)
+        std::ranges::copy(place.buildings[i].written, std::back_inserter(outline));
+    return outline;
+}
+
+}  // namespace
+
+LayerSpec change_layer(const std::string& name, const std::string& old_dataset,
+                       const std::string& new_dataset) {
+    return {name, "Changes",
+            "Changes of buildings from " + utf8_text(old_dataset) + " to " + utf8_text(new_dataset),
+            change_fields()};
+}
+
+void write_changes(const SurveyChanges& changes, const SurveyedPlace& old_place,
+                   const SurveyedPlace& new_place, FeatureSink& sink) {
+    std::int64_t id = sink.first_id();
+    for (const ChangedBuilding& building : changes.buildings) {
+        Feature feature;
+        feature.values = {id++,
+                          std::string(change_names[static_cast<std::size_t>(building.change)]),
+                          largest_id(old_place, building.old_indices),
+                          largest_id(new_place, building.new_indices),
+                          count(building.old_indices),
+                          count(building.new_indices),
+                          measured(building.p90_old_m),
+                          measured(building.p90_new_m),
+                          measured(building.area_old_m2),
+                          measured(building.area_new_m2),
+                          certainty(building.confidence)};
+        feature.parts = building.new_indices.empty() ? outline_of(old_place, building.old_indices)
+                                                     : outline_of(new_place, building.new_indices);
+        sink.add(0, feature);
+    }
+}
+
+std::string change_schema_markdown() {
+    std::string text = "| field | type | unit | meaning |\n|---|---|---|---|\n";
+    for (const FieldSpec& field : change_fields()) {
+        const char* const type = field.type == FieldType::integer ? "integer"
+                                 : field.type == FieldType::real  ? "real"
+                                                                  : "text";
+        text += "| `" + field.name + "` | " + type + " | " + field.unit + " | " + field.description + " |\n";
+    }
+    return text;
+}
+
+}  // namespace d2b::compare

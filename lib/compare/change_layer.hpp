@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "compare/find_changes.hpp"
+#include "dem2buildings/sinks.hpp"
+
+namespace d2b::compare {
+
+/// Layer of changes. @param name of the layer
+[[nodiscard]] LayerSpec change_layer(const std::string& name, const std::string& old_dataset,
+                                     const std::string& new_dataset);
+
+/// Adds all changes to a sink after begin(). Geometries are those of the new survey, and of the old one for
+/// buildings that are gone.
+void write_changes(const SurveyChanges& changes, const SurveyedPlace& old_place,
+                   const SurveyedPlace& new_place, FeatureSink& sink);
+
+/// Fields of the layer with their types, units and meanings, as a Markdown table.
+[[nodiscard]] std::string change_schema_markdown();
+
+}  // namespace d2b::compare

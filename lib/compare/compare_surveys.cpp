@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compare/change_layer.hpp"
+#include "compare/find_changes.hpp"
+#include "compare/read_survey.hpp"
+#include "core/text.hpp"
+#include "core/warnings.hpp"
+#include "dem2buildings/compare.hpp"
+#include "dem2buildings/error.hpp"
+#include "dem2buildings/extract_file.hpp"
+#include "dem2buildings/open_sources.hpp"
+#include "dem2buildings/version.hpp"
+#include "read/dataset_kind.hpp"
+#include "read/gdal_setup.hpp"
+#include "score/measure.hpp"
+#include "write/vector/layer_sink.hpp"
+
+namespace d2b::compare {
+namespace {
+
+/// Brings outlines and the covered area to the plane of the comparison and to the CRS of the result.
+void transform(ReadSurvey& survey, const score::MeasurePlane& plane, const Crs& written, Warnings& warnings) {
+    SurveyedPlace& place = survey.place;
+    std::vector<Polygons> outlines;
+    for (SurveyedBuilding& building : place.buildings)
+        outlines.push_back(std::move(building.outline));
+    std::vector<Polygons> written_outlines = outlines;
+    const std::string& name = survey.about.dataset;
+    score::transform_to({written}, survey.crs, name, written_outlines, score::LongEdges::keep, warnings);
+    score::transform_to(plane, survey.crs, name, outlines, score::LongEdges::keep, warnings);
+    Overlay overlay;
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+        SurveyedBuilding& building = place.buildings[i];
+        building.outline =
+            overlay.valid(outlines[i]) ? std::move(outlines[i]) : overlay.make_valid(outlines[i]);
+        building.written = std::move(written_outlines[i]);
+    }
+    std::erase_if(place.buildings, [](const SurveyedBuilding& building) { return building.outline.empty(); });
+    if (!place.covered)
+        return;
+    score::transform_to(plane, survey.crs, name, std::span(&*place.covered, 1), score::LongEdges::divide,
+                        warnings);
+    place.covered = overlay.repaired_union(*place.covered);
+}
+
+Box box_of_place(const SurveyedPlace& place) {
+    Box box;
+    for (const SurveyedBuilding& building : place.buildings)
+        box.add(box_of(building.outline));
+    return box;
+}
+
+/// Callbacks whose progress fills a part of the whole.
+Callbacks part_of(const Callbacks& callbacks, double from, double to) {
+    Callbacks part = callbacks;
+    if (callbacks.on_progress)
+        part.on_progress = [tell = callbacks.on_progress, from, to](double share) {
+            return tell(from + share * (to - from));
+        };
+    return part;
+}
+
+struct BothSurveys {
+    ReadSurvey old_survey;
+    ReadSurvey new_survey;
+};
+
+BothSurveys read_both(const SurveyRequest& request, const Callbacks& callbacks, Warnings& warnings) {
+    const bool old_found = reading::is_vector_dataset(request.old_survey);
+    const bool new_found = reading::is_vector_dataset(request.new_survey);
+    if (old_found != new_found) {
+        const std::string& result = old_found ? request.old_survey : request.new_survey;
+        const std::string& raster = old_found ? request.new_survey : request.old_survey;
+        ReadOptions options;
+        options.source = raster;
+        static_cast<void>(open_dem(options));  // complains of a file that is no raster
+        throw OptionError("'" + result + "' has buildings and '" + raster +
+                          "' is a raster; give two results or two DSMs.");
+    }
+    if (old_found)
+        return {read_buildings(request.old_survey, warnings), read_buildings(request.new_survey, warnings)};
+    ReadSurvey before = find_buildings(request.old_survey, part_of(callbacks, 0, 0.45), warnings);
+    return {std::move(before), find_buildings(request.new_survey, part_of(callbacks, 0.45, 0.9), warnings)};
+}
+
+/// Opens the destination. @return null if there is none
+std::unique_ptr<FeatureSink> open_destination(const SurveyRequest& request, const Callbacks& callbacks) {
+    if (request.destination.empty())
+        return nullptr;
+    for (const std::string& source : {request.old_survey, request.new_survey})
+        if (request.destination == source)
+            throw OptionError("The destination '" + source + "' is a source; give another name.");
+    WriteOptions options;
+    options.destination = request.destination;
+    options.overwrite = request.overwrite;
+    return writing::open_layer_sink(options, "changes", callbacks);
+}
+
+void write(const SurveyChanges& changes, const BothSurveys& surveys, FeatureSink& sink, CommitList& commit) {
+    const ComparedSurvey& before = surveys.old_survey.about;
+    const ComparedSurvey& after = surveys.new_survey.about;
+    const std::vector<LayerSpec> layers{change_layer(sink.layer_name(LayerRole::buildings, Layers::buildings),
+                                                     before.dataset, after.dataset)};
+    Provenance provenance;
+    provenance.crs_wkt = surveys.new_survey.crs.wkt();
+    provenance.metadata = {
+        {"D2B_VERSION", std::string(version)},
+        {"D2B_OLD", utf8_text(before.dataset)},
+        {"D2B_NEW", utf8_text(after.dataset)},
+        {"D2B_SHIFT_M", fixed_text(changes.shift.east_m, 2) + " " + fixed_text(changes.shift.north_m, 2)},
+    };
+    Position place;
+    for (const ReadSurvey* survey : {&surveys.old_survey, &surveys.new_survey})
+        if (!survey->place.buildings.empty())
+            place = survey->place.buildings.front().written.front().exterior.front();
+    sink.require_crs(provenance.crs_wkt, surveys.new_survey.crs.name(), place);
+    sink.preflight(layers, provenance, place);
+    sink.begin(layers, provenance);
+    write_changes(changes, surveys.old_survey.place, surveys.new_survey.place, sink);
+    sink.prepare(commit);
+}
+
+/// Compares surveys that have been read. Their outlines are in the plane of the comparison afterwards.
+SurveyChanges compare_read(BothSurveys& surveys, SurveyComparison& comparison, Warnings& warnings) {
+    ReadSurvey& before = surveys.old_survey;
+    ReadSurvey& after = surveys.new_survey;
+    const ReadSurvey& reference = after.crs.kind() == Crs::Kind::none ? before : after;
+    const score::MeasurePlane plane =
+        score::measure_plane(reference.crs, box_of_place(reference.place), warnings);
+    for (ReadSurvey* survey : {&before, &after})
+        transform(*survey, plane, after.crs, warnings);
+    const double cell = after.about.cell_m.value_or(before.about.cell_m.value_or(1));
+    before.place.cell_m = before.about.cell_m.value_or(cell);
+    after.place.cell_m = after.about.cell_m.value_or(before.place.cell_m);
+    SurveyChanges changes = find_changes(before.place, after.place, plane.metres);
+    comparison.shift = changes.shift;
+    for (const ChangedBuilding& building : changes.buildings)
+        ++comparison.counts[static_cast<std::size_t>(building.change)];
+    before.about.outside = changes.old_outside;
+    after.about.outside = changes.new_outside;
+    comparison.old_survey = before.about;
+    comparison.new_survey = after.about;
+    comparison.crs = after.crs.name();
+    return changes;
+}
+
+}  // namespace
+}  // namespace d2b::compare
+
+namespace d2b {
+
+SurveyComparison compare_surveys(const SurveyRequest& request, const Callbacks& callbacks,
+                                 const ReportReader<SurveyComparison>& reader) {
+    reading::register_formats();
+    std::vector<std::string> told;
+    const Callbacks recorded = recording_warnings(callbacks, told);
+    Warnings warnings(recorded.on_warning);
+    SurveyComparison comparison;
+    comparison.output = request.destination;
+    const std::unique_ptr<FeatureSink> sink = compare::open_destination(request, recorded);
+    compare::BothSurveys surveys = compare::read_both(request, recorded, warnings);
+    const compare::SurveyChanges changes = compare::compare_read(surveys, comparison, warnings);
+    CommitList commit;
+    if (sink)
+        compare::write(changes, surveys, *sink, commit);
+    // Only finding buildings takes long enough for progress.
+    const bool found_here = surveys.new_survey.about.layer.empty();
+    if (found_here && callbacks.on_progress && !callbacks.on_progress(1))
+        throw Cancelled();
+    comparison.warnings = told;
+    if (reader.prepare)
+        reader.prepare(comparison);
+    commit.publish([&] {
+        if (sink)
+            std::ranges::for_each(sink->take_warnings(), recorded.on_warning);
+        comparison.warnings = told;
+        if (reader.show)
+            reader.show(comparison);
+    });
+    return comparison;
+}
+
+}  // namespace d2b

@@ -1,0 +1,78 @@
+#include "dem2buildings_compare/command_line.hpp"
+
+#include <string_view>
+
+#include "dem2buildings/error.hpp"
+
+namespace d2b {
+namespace {
+
+constexpr std::string_view program = "dem2buildings_compare";
+constexpr std::string_view usage = "usage: dem2buildings_compare [options] <old> <new> [<changes>]";
+
+void take_file_names(const std::vector<std::string>& names, CompareCommand& request) {
+    if (names.empty())
+        throw OptionError("The old and the new survey are missing; " + std::string(usage) + ".");
+    if (names.size() == 1)
+        throw OptionError("The new survey is missing, there is only '" + names[0] + "'; " +
+                          std::string(usage) + ".");
+    if (names.size() > 3)
+        throw OptionError("There are too many file names, from '" + names[3] +
+                          "' on; give two surveys and one destination.");
+    for (const std::string& name : names)
+        if (name.empty())
+            throw OptionError("A file name is empty; " + std::string(usage) + ".");
+    request.old_survey = names[0];
+    request.new_survey = names[1];
+    if (names.size() > 2)
+        request.destination = names[2];
+    for (const std::string& source : {request.old_survey, request.new_survey})
+        if (source == request.destination)
+            throw OptionError("The destination '" + source + "' is a survey; give another name.");
+}
+
+void check_destination(const CompareCommand& request) {
+    if (request.overwrite && request.destination.empty())
+        throw OptionError("-overwrite has no effect without a destination; give one, or leave it out.");
+    if (request.destination.starts_with("/vsimem/"))
+        throw OptionError("The destination '" + request.destination +
+                          "' is in memory and lost when the program ends; give a file.");
+    if (request.json && request.destination.find("/vsistdout") != std::string::npos)
+        throw OptionError(
+            "-json cannot be used with a destination in /vsistdout/; both would write to stdout.");
+}
+
+}  // namespace
+
+const std::vector<CompareOption>& compare_options() {
+    static const std::vector<CompareOption> options{
+        {{"overwrite", "", "switch",
+          "Replace the layer of changes if it exists; in a format of a single layer, the file."},
+         [](CompareCommand& r) { r.overwrite = true; }},
+        {{"json", "", "switch", "Print the summary as JSON."}, [](CompareCommand& r) { r.json = true; }},
+        {{"q", "", "switch", "Print only the numbers of changes, and no progress."},
+         [](CompareCommand& r) { r.quiet = true; }},
+        {{"help", "", "switch", "Print this help."}, [](CompareCommand& r) { r.help = true; }},
+        {{"version", "", "switch", "Print the versions of the program and of its libraries."},
+         [](CompareCommand& r) { r.version = true; }},
+        {{"man", "", "switch", "Print the man page as roff."}, [](CompareCommand& r) { r.man_page = true; }},
+    };
+    return options;
+}
+
+CompareCommand parse_compare_command_line(const std::vector<std::string>& arguments) {
+    const std::vector<ToolOption> table(compare_options().begin(), compare_options().end());
+    const ToolLine line = take_apart(arguments, table, program);
+    CompareCommand request;
+    for (const auto& [option, value] : line.given)
+        compare_options()[option].apply(request);
+    if (request.help || request.version || request.man_page)
+        return request;
+    if (line.unknown)
+        refuse_unknown_option(*line.unknown, table, program);
+    take_file_names(line.names, request);
+    check_destination(request);
+    return request;
+}
+
+}  // namespace d2b

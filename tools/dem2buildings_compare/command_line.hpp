@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "common/tool_line.hpp"
+#include "dem2buildings/compare.hpp"
+
+namespace d2b {
+
+/// All that the command line can set.
+struct CompareCommand : SurveyRequest {
+    bool json = false;
+    bool quiet = false;
+    bool help = false;
+    bool version = false;
+    bool man_page = false;
+};
+
+/// One option. Parser, help and man page are all made from these rows.
+struct CompareOption : ToolOption {
+    std::function<void(CompareCommand&)> apply;
+};
+
+/// In the order in which help lists them.
+[[nodiscard]] const std::vector<CompareOption>& compare_options();
+
+/// Reads a command line; opens no file. Options may stand anywhere, with one dash or two; "--" ends the
+/// options. Where help, the version or the man page is asked for, file names are not looked at.
+/// @param arguments without the program's name and without GDAL's own switches @throws OptionError
+[[nodiscard]] CompareCommand parse_compare_command_line(const std::vector<std::string>& arguments);
+
+}  // namespace d2b

@@ -1,0 +1,69 @@
+#include <iostream>
+#include <memory>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "common/exit_codes.hpp"
+#include "common/own_stdout.hpp"
+#include "common/run_guarded.hpp"
+#include "dem2buildings/interrupt.hpp"
+#include "dem2buildings/open_sources.hpp"
+#include "dem2buildings/progress.hpp"
+#include "dem2buildings/run_interruptibly.hpp"
+#include "dem2buildings/spool.hpp"
+#include "dem2buildings/version.hpp"
+#include "dem2buildings_compare/command_line.hpp"
+#include "dem2buildings_compare/help.hpp"
+#include "dem2buildings_compare/report.hpp"
+#include "read/gdal_setup.hpp"
+
+namespace d2b {
+namespace {
+
+void compare(const CompareCommand& request) {
+    OwnStdout own_stdout;
+    const bool to_stdout = request.destination.find("/vsistdout") != std::string::npos;
+    const bool quiet = request.quiet || request.json || to_stdout;
+    TerminalProgress progress(std::cout);
+    Callbacks callbacks;
+    const bool terminal = ::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
+    callbacks.on_warning = [&progress, terminal](const std::string& text) {
+        progress.interrupt(terminal, [&] { print_line("Warning: ", text); });
+    };
+    callbacks.on_progress = [&progress, quiet](double share) {
+        if (!quiet)
+            progress.update(share);
+        return !interrupted();
+    };
+    callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
+    callbacks.stop = interrupted;
+    reading::start_gdal();
+    const auto text = [&request](const SurveyComparison& comparison) {
+        return request.json ? comparison_json(comparison) : comparison_text(comparison, request.quiet);
+    };
+    compare_surveys(request, callbacks,
+                    to_stdout ? ReportReader<SurveyComparison>() : own_stdout.reader<SurveyComparison>(text));
+    own_stdout.finish();
+}
+
+int run_tool(const std::vector<std::string>& words) {
+    const CompareCommand request = parse_compare_command_line(words);
+    if (request.help)
+        std::cout << compare_help();
+    else if (request.version)
+        std::cout << "dem2buildings_compare " << version << ", " << library_versions() << '\n';
+    else if (request.man_page)
+        std::cout << compare_man_page();
+    else
+        return run_interruptibly([&] { compare(request); });
+    return exit_code::done;
+}
+
+}  // namespace
+}  // namespace d2b
+
+int main(int argc, char* argv[]) {
+    return d2b::run_guarded(argc, argv,
+                            {d2b::compare_short_usage, "compare parts of the surveys", d2b::run_tool});
+}
