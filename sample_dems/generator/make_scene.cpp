@@ -7,6 +7,7 @@
 #include <cpl_vsi.h>
 #include <gdal_priv.h>
 
+#include "changed_scene.hpp"
 #include "dem2buildings/error.hpp"
 #include "write_raster.hpp"
 #include "write_truth.hpp"
@@ -68,6 +69,12 @@ SceneChoice choose_scene(const std::string& name) {
     return {*place, *survey};
 }
 
+Survey choose_survey(const std::string& name) {
+    if (const Survey* const survey = find(surveys(), name))
+        return *survey;
+    throw OptionError("There is no survey " + name + "; the surveys are " + names(surveys()) + ".");
+}
+
 std::vector<SceneChoice> measured_scenes() {
     constexpr std::array all{"village_lidar8", "village_thin",         "village_thinned", "village_metres",
                              "village_whole",  "village_interpolated", "hamlet_lidar2",   "hamlet_thinned",
@@ -98,6 +105,23 @@ void make_scene(const std::string& folder, const SceneChoice& choice, std::uint6
     bare.ground = scene.ground;
     write_raster(own + "/dtm.tif", spec, bare);
     write_truth(own + "/reference_buildings.gpkg", spec, scene);
+}
+
+void make_changed_scene(const std::string& folder, const SceneChoice& choice, const LaterSurvey& later,
+                        std::uint64_t seed) {
+    const std::string own = folder + "/" + choice.name();
+    VSIMkdir(own.c_str(), 0755);
+    const ChangedScene scene = change_scene(choice.place.make(seed), seed);
+    const RasterSpec spec = raster_spec(choice);
+    write_surface(own + "/old.tif", spec, see(scene.before, spec.grid, choice.survey));
+    RasterSpec moved = raster_spec({choice.place, later.survey});
+    const Grid seen = moved.grid;
+    moved.grid.transform[0] += later.east;
+    moved.grid.transform[3] += later.north;
+    write_surface(own + "/new.tif", moved, see(scene.after, seen, later.survey));
+    TruthWriter truth(own + "/changes.gpkg");
+    truth.add_changes("changes", spec, scene.truth);
+    truth.finish();
 }
 
 }  // namespace d2b::sample

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <exception>
@@ -16,17 +18,24 @@
 namespace {
 
 constexpr const char* usage =
-    "Usage: d2b_make_scenes [-seed <n>] [-cell <m>] [-pulses <n>] <folder> [<place>_<survey>...]\n"
+    "Usage: d2b_make_scenes [-seed <n>] [-cell <m>] [-pulses <n>] [-later <survey>] [-east <m>] [-north "
+    "<m>]\n"
+    "                       <folder> [<place>_<survey>...]\n"
     "Makes scenes with exact truth in a folder that exists, a folder a scene: dsm.tif, dtm.tif and\n"
     "reference_buildings.gpkg. Without names those that accuracy is measured on.\n"
     "-cell and -pulses replace the cell size and the pulses a square metre of the surveys; with 0 pulses\n"
-    "the surface itself is measured at the middles of cells.\n";
+    "the surface itself is measured at the middles of cells.\n"
+    "-later surveys each place twice, before and after changes: old.tif, new.tif and changes.gpkg with what\n"
+    "changed. -east and -north displace the second raster.\n";
 
 /// What can be told before the folder.
 struct Choices {
     std::uint64_t seed = 1;
     std::optional<double> cell;
     std::optional<double> pulses;
+    std::string later;  ///< survey; "": none
+    double east = 0;
+    double north = 0;
 };
 
 bool read(const std::string& word, std::uint64_t& number) {
@@ -41,6 +50,13 @@ bool read(const std::string& word, double& number) {
     return !word.empty() && *end == '\0';
 }
 
+constexpr std::array number_options{"-cell", "-pulses", "-east", "-north"};
+
+bool is_option(const std::string& word) {
+    return word == "-seed" || word == "-later" ||
+           std::find(number_options.begin(), number_options.end(), word) != number_options.end();
+}
+
 /// Takes an option and its value off the words. @return what is wrong with it; "" if nothing is
 std::string take_option(std::vector<std::string>& words, Choices& choices) {
     const std::string option = words[0];
@@ -48,14 +64,22 @@ std::string take_option(std::vector<std::string>& words, Choices& choices) {
     words.erase(words.begin(), words.begin() + 2);
     if (option == "-seed")
         return read(value, choices.seed) ? "" : "-seed needs a whole number, not " + value + ".";
+    if (option == "-later") {
+        choices.later = value;
+        return "";
+    }
     double number = 0;
     const bool good = read(value, number) && number <= 1000;
     if (option == "-cell") {
         choices.cell = number;
         return good && number >= 0.1 ? "" : "-cell needs a number of 0.1 to 1000, not " + value + ".";
     }
-    choices.pulses = number;
-    return good && number >= 0 ? "" : "-pulses needs a number of 0 to 1000, not " + value + ".";
+    if (option == "-pulses") {
+        choices.pulses = number;
+        return good && number >= 0 ? "" : "-pulses needs a number of 0 to 1000, not " + value + ".";
+    }
+    (option == "-east" ? choices.east : choices.north) = number;
+    return good && number >= -1000 ? "" : option + " needs a number of -1000 to 1000, not " + value + ".";
 }
 
 void make_scenes(const std::vector<std::string>& words, const Choices& choices) {
@@ -69,7 +93,11 @@ void make_scenes(const std::vector<std::string>& words, const Choices& choices) 
     for (SceneChoice& choice : chosen) {
         choice.survey.cell = choices.cell.value_or(choice.survey.cell);
         choice.survey.pulses = choices.pulses.value_or(choice.survey.pulses);
-        make_scene(words[0], choice, choices.seed);
+        if (choices.later.empty())
+            make_scene(words[0], choice, choices.seed);
+        else
+            make_changed_scene(words[0], choice, {choose_survey(choices.later), choices.east, choices.north},
+                               choices.seed);
         std::cout << choice.name() << std::endl;
     }
 }
@@ -79,7 +107,7 @@ void make_scenes(const std::vector<std::string>& words, const Choices& choices) 
 int main(int argc, char** argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     Choices choices;
-    while (words.size() > 2 && (words[0] == "-seed" || words[0] == "-cell" || words[0] == "-pulses"))
+    while (words.size() > 2 && is_option(words[0]))
         if (const std::string wrong = take_option(words, choices); !wrong.empty()) {
             std::cerr << "d2b_make_scenes: " << wrong << '\n';
             return 2;

@@ -26,6 +26,7 @@ constexpr Field building_fields[] = {{"id", OFTInteger64}, {"kind", OFTString}, 
 constexpr Field parcel_fields[] = {{"parcel", OFTString}};
 constexpr Field face_fields[] = {
     {"bldg_id", OFTInteger64}, {"roof_type", OFTString}, {"slope", OFTReal}, {"azimuth", OFTReal}};
+constexpr Field change_fields[] = {{"id", OFTInteger64}, {"change", OFTString}};
 constexpr Field dissolved_fields[] = {{"id", OFTInteger64}, {"area_m2", OFTReal}};
 
 OGRLinearRing world_ring(const WorldRing& ring, const Grid& grid) {
@@ -205,6 +206,21 @@ void TruthWriter::add_parcels(const std::string& name, const RasterSpec& raster,
         OGRFeature feature(layer.GetLayerDefn());
         feature.SetField("parcel", parcel.name.c_str());
         const OGRPolygon polygon = world_polygon(parcel.polygon, raster.grid);
+        feature.SetGeometry(&polygon);
+        impl_->write(layer, feature);
+    }
+    impl_->commit();
+}
+
+void TruthWriter::add_changes(const std::string& name, const RasterSpec& raster,
+                              std::span<const TruthOfChange> changes) {
+    OGRLayer& layer =
+        impl_->add_layer(name, raster, change_fields, "Buildings of two moments, and their change");
+    for (const TruthOfChange& truth : changes) {
+        OGRFeature feature(layer.GetLayerDefn());
+        feature.SetField("id", static_cast<GIntBig>(truth.building.id));
+        feature.SetField("change", std::string(change_name(truth.change)).c_str());
+        const OGRPolygon polygon = world_polygon(truth.building.footprint, raster.grid);
         feature.SetGeometry(&polygon);
         impl_->write(layer, feature);
     }

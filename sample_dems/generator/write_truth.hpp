@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "changed_scene.hpp"
 #include "render.hpp"
 #include "write_raster.hpp"
 
@@ -30,6 +31,10 @@ class TruthWriter {
     void add_roofs(const std::string& layer, const RasterSpec& raster, std::span<const Building> buildings);
     /// A layer of plots of land, each with its name in the field `parcel`. @throws OutputError
     void add_parcels(const std::string& layer, const RasterSpec& raster, std::span<const Parcel> parcels);
+    /// A layer of all buildings of two moments, with their change: new, gone, raised, lowered or same.
+    /// @throws OutputError
+    void add_changes(const std::string& layer, const RasterSpec& raster,
+                     std::span<const TruthOfChange> changes);
     /// @throws OutputError
     void finish();
 
