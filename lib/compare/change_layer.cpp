@@ -17,20 +17,24 @@ std::vector<FieldSpec> change_fields() {
     return {
         {"id", "Number", FieldType::integer, "", "number in this layer, from 1"},
         {"change", "Change", FieldType::text, "",
-         "new, gone, raised or lowered (p90 by more than 2 m), grown or shrunk (area by more than 10 % and "
+         "new, gone, raised or lowered (rise by more than 2 m), grown or shrunk (area by more than 10 % and "
          "20 m2), same"},
         {"old_id", "Old building", FieldType::integer, "",
-         "id of the building in the old survey, of several that of the largest; NULL if it is new, or "
-         "doubtful in the old survey"},
+         "id of the building in the old survey, of several that of the largest; NULL if it has "
+         "none"},
         {"new_id", "New building", FieldType::integer, "",
-         "id of the building in the new survey, of several that of the largest; NULL if it is gone, or "
-         "doubtful in the new survey"},
+         "id of the building in the new survey, of several that of the largest; NULL if it has "
+         "none"},
         {"n_old", "Old buildings", FieldType::integer, "", "buildings of the old survey that it consists of"},
         {"n_new", "New buildings", FieldType::integer, "", "buildings of the new survey that it consists of"},
         {"p90_old", "Old height (m)", FieldType::real, "m",
          "height above ground that 90 % of the points do not exceed, in the old survey"},
         {"p90_new", "New height (m)", FieldType::real, "m",
          "height above ground that 90 % of the points do not exceed, in the new survey"},
+        {"rise", "Rise (m)", FieldType::real, "m",
+         "change of the height: the median of the changes of p50, p70 and p90, because crowns over a roof "
+         "change "
+         "p90 alone"},
         {"area_old", "Old area (m2)", FieldType::real, "m2",
          "area in the old survey, of all its parts, where both surveys have data"},
         {"area_new", "New area (m2)", FieldType::real, "m2",
@@ -89,6 +93,7 @@ void write_changes(const SurveyChanges& changes, const SurveyedPlace& old_place,
                           count(building.new_indices),
                           measured(building.p90_old_m),
                           measured(building.p90_new_m),
+                          measured(building.rise_m),
                           measured(building.area_old_m2),
                           measured(building.area_new_m2),
                           certainty(building.confidence)};

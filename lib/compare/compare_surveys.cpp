@@ -40,6 +40,14 @@ void transform(ReadSurvey& survey, const score::MeasurePlane& plane, const Crs& 
         building.written = std::move(written_outlines[i]);
     }
     std::erase_if(place.buildings, [](const SurveyedBuilding& building) { return building.outline.empty(); });
+    if (place.heights && plane.crs.kind() != Crs::Kind::none && survey.crs.kind() != Crs::Kind::none &&
+        plane.crs.wkt() != survey.crs.wkt() && !place.buildings.empty()) {
+        const auto transform = std::make_shared<CoordinateTransform>(
+            plane.crs, survey.crs, place.buildings.front().outline.front().exterior);
+        place.heights->to_grid = [transform](std::span<Position> positions) {
+            static_cast<void>(transform->try_apply(positions));
+        };
+    }
     if (!place.covered)
         return;
     score::transform_to(plane, survey.crs, name, std::span(&*place.covered, 1), score::LongEdges::divide,

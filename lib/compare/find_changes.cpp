@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "compare/common_area.hpp"
+#include "compare/compare_heights.hpp"
 #include "compare/match_buildings.hpp"
 #include "compare/survey_shift.hpp"
 
@@ -18,17 +18,11 @@ constexpr double height_limit_m = 2;
 constexpr double area_limit_m2 = 20;
 constexpr double area_limit_share = 0.1;
 constexpr double compared_share = 0.5;  ///< of the area that both surveys have data of
-constexpr double alike_iou = 0.5;
 
 Change change_of(const ChangedBuilding& building) {
-    if (building.old_indices.empty() && std::isnan(building.area_old_m2))
-        return Change::built;
-    if (building.new_indices.empty() && std::isnan(building.area_new_m2))
-        return Change::gone;
-    const double rise = building.p90_new_m - building.p90_old_m;
-    if (rise > height_limit_m)
+    if (building.rise_m > height_limit_m)
         return Change::raised;
-    if (rise < -height_limit_m)
+    if (building.rise_m < -height_limit_m)
         return Change::lowered;
     const double growth = building.area_new_m2 - building.area_old_m2;
     if (std::abs(growth) > std::max(area_limit_m2, area_limit_share * building.area_old_m2))
@@ -38,10 +32,8 @@ Change change_of(const ChangedBuilding& building) {
 
 /// Buildings of a survey that are compared.
 struct ComparedSide {
-    std::vector<std::size_t> sure;      ///< indices of buildings
-    std::vector<std::size_t> doubtful;  ///< indices of doubtful objects
-    std::vector<double> shares;         ///< per building: share of its area in which both surveys have data
-    std::size_t outside = 0;
+    std::vector<std::size_t> inside;  ///< indices of buildings
+    std::vector<double> shares;       ///< per building: share of its area in which both surveys have data
 };
 
 std::vector<Polygons> outlines_of(const SurveyedPlace& place) {
@@ -66,13 +58,9 @@ ComparedSide compared_side(const SurveyedPlace& place, const std::optional<Polyg
     side.shares.assign(place.buildings.size(), 1);
     if (region)
         side.shares = shares_in_region(outlines_of(place), *region, overlay);
-    for (std::size_t i = 0; i < place.buildings.size(); ++i) {
-        const bool doubtful = place.buildings[i].doubtful;
+    for (std::size_t i = 0; i < place.buildings.size(); ++i)
         if (side.shares[i] >= compared_share)
-            (doubtful ? side.doubtful : side.sure).push_back(i);
-        else if (!doubtful)
-            ++side.outside;
-    }
+            side.inside.push_back(i);
     return side;
 }
 
@@ -85,7 +73,7 @@ std::optional<Polygons> common_region(const SurveyedPlace& one, const SurveyedPl
 
 /// What a survey knows of the buildings of a match.
 struct JointValues {
-    double p90_m = RoofHeights::nan;
+    RoofHeights heights;
     double area_m2 = RoofHeights::nan;
     double confidence = RoofHeights::nan;
 };
@@ -103,21 +91,14 @@ JointValues joint_values(const SurveyedPlace& place, const ComparedSide& side,
         joint.area_m2 += building.area_m2 * side.shares[i];
         joint.confidence = std::fmin(joint.confidence, building.confidence);
     }
-    joint.p90_m = joint_p90(buildings);
+    joint.heights = joint_heights(buildings);
     return joint;
-}
-
-/// True if a doubtful object has the shape and height of a building.
-bool stands_for(const SurveyedBuilding& doubtful, const SurveyedBuilding& building,
-                const SharedArea& shared) {
-    const double iou = 1 / (1 / shared.of_old + 1 / shared.of_new - 1);
-    return iou >= alike_iou && !(std::abs(doubtful.heights.p90() - building.heights.p90()) > height_limit_m);
 }
 
 class ChangeFinder {
   public:
-    ChangeFinder(const SurveyedPlace& old_place, const SurveyedPlace& new_place)
-        : old_place_(old_place), new_place_(new_place) {
+    ChangeFinder(const SurveyedPlace& old_place, const SurveyedPlace& new_place, double metres)
+        : old_place_(old_place), new_place_(new_place), metres_(metres) {
         const std::optional<Polygons> region = common_region(old_place, new_place, overlay_);
         old_ = compared_side(old_place, region, overlay_);
         new_ = compared_side(new_place, region, overlay_);
@@ -125,82 +106,75 @@ class ChangeFinder {
 
     SurveyChanges run() {
         SurveyChanges changes;
-        changes.old_outside = old_.outside;
-        changes.new_outside = new_.outside;
-        const auto shared = shared_between(old_.sure, new_.sure);
-        for (const MatchedBuildings& match : match_buildings(old_.sure.size(), new_.sure.size(), shared))
+        changes.old_outside = old_place_.buildings.size() - old_.inside.size();
+        changes.new_outside = new_place_.buildings.size() - new_.inside.size();
+        const auto shared = shared_areas(outlines_of(old_place_, old_.inside),
+                                         outlines_of(new_place_, new_.inside), overlay_);
+        for (const MatchedBuildings& match : match_buildings(old_.inside.size(), new_.inside.size(), shared))
             changes.buildings.push_back(building_of(match));
-        find_doubtful(changes.buildings);
         for (ChangedBuilding& building : changes.buildings)
-            building.change = change_of(building);
+            if (building.change == Change::built || building.change == Change::gone)
+                look_for(building);
         return changes;
     }
 
   private:
-    [[nodiscard]] std::vector<SharedArea> shared_between(std::span<const std::size_t> old_indices,
-                                                         std::span<const std::size_t> new_indices) {
-        return shared_areas(outlines_of(old_place_, old_indices), outlines_of(new_place_, new_indices),
-                            overlay_);
-    }
-
-    void set_old(ChangedBuilding& building, const JointValues& joint) const {
-        building.p90_old_m = joint.p90_m;
-        building.area_old_m2 = joint.area_m2;
-        building.confidence = std::fmin(building.confidence, joint.confidence);
-    }
-    void set_new(ChangedBuilding& building, const JointValues& joint) const {
-        building.p90_new_m = joint.p90_m;
-        building.area_new_m2 = joint.area_m2;
-        building.confidence = std::fmin(building.confidence, joint.confidence);
-    }
-
-    [[nodiscard]] ChangedBuilding building_of(const MatchedBuildings& match) const {
-        ChangedBuilding building;
-        for (const std::size_t i : match.old_indices)
-            building.old_indices.push_back(old_.sure[i]);
-        for (const std::size_t i : match.new_indices)
-            building.new_indices.push_back(new_.sure[i]);
-        set_old(building, joint_values(old_place_, old_, building.old_indices));
-        set_new(building, joint_values(new_place_, new_, building.new_indices));
-        return building;
-    }
-
-    /// Completes buildings of one survey with what is doubtful in the other.
-    void find_doubtful(std::vector<ChangedBuilding>& buildings);
+    /// Compares a building with one or more of the other survey.
+    static void set_values(ChangedBuilding& building, const JointValues& before, const JointValues& after);
+    [[nodiscard]] ChangedBuilding building_of(const MatchedBuildings& match) const;
+    void look_for(ChangedBuilding& building) const;
 
     const SurveyedPlace& old_place_;
     const SurveyedPlace& new_place_;
+    double metres_;
     Overlay overlay_;
     ComparedSide old_;
     ComparedSide new_;
 };
 
-void ChangeFinder::find_doubtful(std::vector<ChangedBuilding>& buildings) {
-    std::vector<std::size_t> old_sure;  // that the new survey lacks
-    std::vector<std::size_t> new_sure;
-    std::vector<std::size_t> of_old;  // places of these among all
-    std::vector<std::size_t> of_new;
-    for (std::size_t i = 0; i < buildings.size(); ++i) {
-        if (buildings[i].new_indices.empty()) {
-            old_sure.push_back(buildings[i].old_indices.front());
-            of_old.push_back(i);
-        } else if (buildings[i].old_indices.empty()) {
-            new_sure.push_back(buildings[i].new_indices.front());
-            of_new.push_back(i);
-        }
-    }
-    for (const SharedArea& shared : shared_between(old_sure, new_.doubtful)) {
-        const std::size_t other = new_.doubtful[shared.new_index];
-        if (stands_for(new_place_.buildings[other], old_place_.buildings[old_sure[shared.old_index]], shared))
-            set_new(buildings[of_old[shared.old_index]],
-                    joint_values(new_place_, new_, std::span(&other, 1)));
-    }
-    for (const SharedArea& shared : shared_between(old_.doubtful, new_sure)) {
-        const std::size_t other = old_.doubtful[shared.old_index];
-        if (stands_for(old_place_.buildings[other], new_place_.buildings[new_sure[shared.new_index]], shared))
-            set_old(buildings[of_new[shared.new_index]],
-                    joint_values(old_place_, old_, std::span(&other, 1)));
-    }
+void ChangeFinder::set_values(ChangedBuilding& building, const JointValues& before,
+                              const JointValues& after) {
+    building.p90_old_m = before.heights.p90();
+    building.p90_new_m = after.heights.p90();
+    building.area_old_m2 = before.area_m2;
+    building.area_new_m2 = after.area_m2;
+    building.rise_m = rise_m(before.heights, after.heights);
+    building.confidence = std::fmin(before.confidence, after.confidence);
+    building.change = change_of(building);
+}
+
+ChangedBuilding ChangeFinder::building_of(const MatchedBuildings& match) const {
+    ChangedBuilding building;
+    for (const std::size_t i : match.old_indices)
+        building.old_indices.push_back(old_.inside[i]);
+    for (const std::size_t i : match.new_indices)
+        building.new_indices.push_back(new_.inside[i]);
+    set_values(building, joint_values(old_place_, old_, building.old_indices),
+               joint_values(new_place_, new_, building.new_indices));
+    if (match.old_indices.empty())
+        building.change = Change::built;
+    if (match.new_indices.empty())
+        building.change = Change::gone;
+    return building;
+}
+
+/// Looks for a building of one survey in the heights of the other.
+void ChangeFinder::look_for(ChangedBuilding& building) const {
+    if (!old_place_.heights || !new_place_.heights)
+        return;
+    const bool gone = building.change == Change::gone;
+    const SurveyedPlace& place = gone ? old_place_ : new_place_;
+    const SurveyedBuilding& own =
+        place.buildings[(gone ? building.old_indices : building.new_indices).front()];
+    const double step = std::min(old_place_.cell_m, new_place_.cell_m) / metres_;
+    const std::vector<Position> positions = positions_in(own.outline, step);
+    const SurveyHeights& other = gone ? *new_place_.heights : *old_place_.heights;
+    const StandsThere found = stands_there(place.heights->at(positions), other.at(positions), own.confidence);
+    if (!found.stands)
+        return;
+    building.rise_m = gone ? found.rise_m : -found.rise_m;
+    (gone ? building.p90_new_m : building.p90_old_m) = own.heights.p90() + found.rise_m;
+    building.change = change_of(building);
 }
 
 /// Translates a survey and the area in which it has data.
@@ -209,22 +183,17 @@ void translate_place(SurveyedPlace& place, double east, double north) {
         translate(building.outline, east, north);
     if (place.covered)
         translate(*place.covered, east, north);
-}
-
-std::vector<SurveyedBuilding> sure_buildings(const SurveyedPlace& place) {
-    std::vector<SurveyedBuilding> sure;
-    std::ranges::copy_if(place.buildings, std::back_inserter(sure),
-                         [](const SurveyedBuilding& building) { return !building.doubtful; });
-    return sure;
+    if (place.heights)
+        place.heights->offset = {place.heights->offset.x + east, place.heights->offset.y + north};
 }
 
 }  // namespace
 
 SurveyChanges find_changes(SurveyedPlace old_place, const SurveyedPlace& new_place, double metres) {
-    const SurveyShift shift = estimate_shift(sure_buildings(old_place), sure_buildings(new_place),
+    const SurveyShift shift = estimate_shift(old_place.buildings, new_place.buildings,
                                              std::max(old_place.cell_m, new_place.cell_m), metres);
     translate_place(old_place, shift.east_m / metres, shift.north_m / metres);
-    SurveyChanges changes = ChangeFinder(old_place, new_place).run();
+    SurveyChanges changes = ChangeFinder(old_place, new_place, metres).run();
     changes.shift = shift;
     return changes;
 }

@@ -16,6 +16,7 @@ struct ChangedBuilding {
     std::vector<std::size_t> new_indices;
     double p90_old_m = RoofHeights::nan;
     double p90_new_m = RoofHeights::nan;
+    double rise_m = RoofHeights::nan;       ///< change of its height, see rise_m()
     double area_old_m2 = RoofHeights::nan;  ///< only where both surveys have data
     double area_new_m2 = RoofHeights::nan;  ///< only where both surveys have data
     double confidence = RoofHeights::nan;   ///< lowest of all its parts
@@ -29,8 +30,7 @@ struct SurveyChanges {
 };
 
 /// Compares two surveys of a place, in the same plane. Moves the old survey to the new one first.
-/// A doubtful object is the same as a building of the other survey if they share half of their union and
-/// their p90 differ by at most 2 m; it has no other effect.
+/// A building that one survey lacks is looked for in its heights, if both have them (see stands_there()).
 /// @param metres per unit of the coordinates @throws Error if GEOS fails
 [[nodiscard]] SurveyChanges find_changes(SurveyedPlace old_place, const SurveyedPlace& new_place,
                                          double metres);

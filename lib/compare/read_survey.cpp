@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "compare/height_grid.hpp"
 #include "core/number_from_chars.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/run.hpp"
@@ -78,7 +79,7 @@ class SurveyCollector {
     std::vector<double> areas_per_cell_;
 };
 
-void collect(const reading::FieldLayer& layer, bool doubtful, SurveyCollector& collector) {
+void collect(const reading::FieldLayer& layer, SurveyCollector& collector) {
     for (const reading::FieldFeature& feature : layer.features) {
         SurveyedBuilding building;
         building.id = std::llround(number_of(feature, id));
@@ -86,7 +87,6 @@ void collect(const reading::FieldLayer& layer, bool doubtful, SurveyCollector& c
                              number_of(feature, p95)},
                             number_of(feature, height)};
         building.confidence = number_of(feature, confidence);
-        building.doubtful = doubtful;
         collector.add(std::move(building), feature.shape.polygons, number_of(feature, cells));
     }
 }
@@ -98,11 +98,7 @@ ReadSurvey read_buildings(const std::string& dataset, Warnings& warnings) {
         reading::read_field_layer({dataset, {}, {"buildings"}, {}, {}}, wanted_fields(), warnings);
     ReadSurvey survey{{dataset, layer.name, layer.features.size(), 0, {}}, Crs(layer.crs_wkt), {}};
     SurveyCollector collector(survey.crs);
-    collect(layer, false, collector);
-    const std::vector<std::string> layers = reading::layer_names(dataset, warnings);
-    if (layer.name == "buildings" && std::ranges::find(layers, "doubtful") != layers.end())
-        collect(reading::read_field_layer({dataset, "doubtful", {}, {}, {}}, wanted_fields(), warnings), true,
-                collector);
+    collect(layer, collector);
     survey.about.cell_m = collector.cell_m();
     survey.place = collector.take();
     return survey;
@@ -114,19 +110,15 @@ namespace {
 class SurveySink final : public FeatureSink {
   public:
     struct Found {
-        bool doubtful = false;
         BuildingRecord record;
         Polygons outline;
     };
 
-    void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override {
-        for (const LayerSpec& layer : layers)
-            doubtful_.push_back(layer.name == layer_name(LayerRole::doubtful, Layers::buildings));
+    void begin(std::span<const LayerSpec> /*layers*/, const Provenance& provenance) override {
         crs_wkt_ = provenance.crs_wkt;
     }
-    void add(std::size_t layer, const Feature& feature) override {
-        if (const auto* const record = std::get_if<BuildingRecord>(&feature.record))
-            found_.push_back({doubtful_[layer], *record, feature.parts});
+    void add(std::size_t /*layer*/, const Feature& feature) override {
+        found_.push_back({std::get<BuildingRecord>(feature.record), feature.parts});
     }
     void finish() override {}
 
@@ -134,9 +126,21 @@ class SurveySink final : public FeatureSink {
     [[nodiscard]] const std::string& crs_wkt() const { return crs_wkt_; }
 
   private:
-    std::vector<bool> doubtful_;  ///< per layer
     std::vector<Found> found_;
     std::string crs_wkt_;
+};
+
+/// Keeps the heights above ground of a run in memory.
+class HeightSink final : public RasterSink {
+  public:
+    explicit HeightSink(const DemInfo& dem) : grid_(dem.rows, dem.cols, dem.transform) {}
+
+    void write(const Window& part, std::span<const float> values) override { grid_.set(part, values); }
+    void finish() override {}
+    [[nodiscard]] HeightGrid take() { return std::move(grid_); }
+
+  private:
+    HeightGrid grid_;
 };
 
 }  // namespace
@@ -145,23 +149,22 @@ ReadSurvey find_buildings(const std::string& dsm, const Callbacks& callbacks, Wa
     Options options;
     options.read.source = dsm;
     options.write.layers = Layers::buildings;
-    options.write.doubtful = true;
     const Inputs inputs = open_inputs(options, callbacks);
     SurveySink sink;
-    static_cast<void>(run(options, inputs.sources(), {sink}, callbacks));
-    ReadSurvey survey{{dsm, {}, 0, 0, {}}, Crs(sink.crs_wkt()), {}};
+    HeightSink heights(inputs.dem->info());
+    static_cast<void>(run(options, inputs.sources(), {.features = sink, .height = &heights}, callbacks));
+    ReadSurvey survey{{dsm, {}, sink.found().size(), 0, {}}, Crs(sink.crs_wkt()), {}};
     SurveyCollector collector(survey.crs);
     for (const SurveySink::Found& found : sink.found()) {
         SurveyedBuilding building;
         building.id = found.record.id;
         building.heights = {found.record.heights_m, found.record.height_m};
         building.confidence = found.record.confidence;
-        building.doubtful = found.doubtful;
-        survey.about.buildings += found.doubtful ? 0 : 1;
         collector.add(std::move(building), found.outline, static_cast<double>(found.record.cells));
     }
     survey.about.cell_m = collector.cell_m();
     survey.place = collector.take();
+    survey.place.heights = SurveyHeights{heights.take()};
     Overlay overlay;
     survey.place.covered = overlay.repaired_union(reading::valid_cells(dsm, warnings).polygons);
     return survey;

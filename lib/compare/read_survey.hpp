@@ -18,9 +18,8 @@ struct ReadSurvey {
     SurveyedPlace place;
 };
 
-/// Reads the buildings of a result: its layer `buildings`, or the first one, and `doubtful` if it exists.
-/// Its cells follow from areas and numbers of cells. @throws InputError: cannot be read @throws OptionError:
-/// a field is missing
+/// Reads the buildings of a result: its layer `buildings`, or the first one. Its cells follow from areas and
+/// numbers of cells. @throws InputError: cannot be read @throws OptionError: a field is missing
 [[nodiscard]] ReadSurvey read_buildings(const std::string& dataset, Warnings& warnings);
 
 /// Finds the buildings of a DSM with the defaults. @throws Error as run()

@@ -8,49 +8,44 @@
 namespace d2b::compare {
 namespace {
 
-constexpr double joint_share = percentile_shares[p90_share];
+/// True if all percentiles are known, and in order.
+bool is_complete(const RoofHeights& heights) {
+    const Percentiles& known = heights.percentiles;
+    return std::ranges::none_of(known, [](double h) { return std::isnan(h); }) &&
+           std::ranges::is_sorted(known) && heights.highest >= known.back();
+}
 
 /// Returns the share of a building that does not exceed a height. Linear between its percentiles; the lowest
 /// point is taken at half of the median, because it is not recorded.
 double share_below(const RoofHeights& heights, double height) {
-    const Percentiles& known = heights.percentiles;
-    const bool complete = std::ranges::none_of(known, [](double h) { return std::isnan(h); });
-    if (!complete || !(heights.highest >= known.back()))
+    if (!is_complete(heights))
         return height >= heights.p90() ? 1 : 0;
     double share = 0;
-    double from = known.front() / 2;
-    const auto passes = [&](double to, double share_to) {
-        if (height < to) {
-            share += (share_to - share) * std::clamp((height - from) / (to - from), 0.0, 1.0);
-            return false;
-        }
+    double from = heights.percentiles.front() / 2;
+    const auto part_up_to = [&](double to, double share_to) {
+        const double part = to > from ? std::clamp((height - from) / (to - from), 0.0, 1.0)
+                                      : static_cast<double>(height >= to);
+        const double result = share + (share_to - share) * part;
         share = share_to;
         from = to;
-        return true;
+        return result;
     };
-    for (std::size_t i = 0; i < known.size(); ++i)
-        if (!passes(known[i], percentile_shares[i]))
-            return share;
-    static_cast<void>(passes(heights.highest, 1));
-    return share;
+    for (std::size_t i = 0; i < percentile_shares.size(); ++i) {
+        const double to = heights.percentiles[i];
+        const double result = part_up_to(to, percentile_shares[i]);
+        if (height < to)
+            return result;
+    }
+    return part_up_to(heights.highest, 1);
 }
 
-}  // namespace
-
-double joint_p90(std::span<const SurveyedBuilding* const> buildings) {
-    if (buildings.size() == 1)
-        return buildings.front()->heights.p90();
+/// Height that a share of the area does not exceed.
+double joint_percentile(std::span<const SurveyedBuilding* const> buildings, double joint_share, double high) {
     double area = 0;
-    double low = 0;
-    double high = 0;
-    for (const SurveyedBuilding* const building : buildings) {
-        const RoofHeights& heights = building->heights;
-        if (std::isnan(heights.p90()))
-            return RoofHeights::nan;
+    for (const SurveyedBuilding* const building : buildings)
         area += building->area_m2;
-        high = std::max({high, heights.p90(), std::isnan(heights.highest) ? 0 : heights.highest});
-    }
     constexpr double accuracy_m = 1e-4;
+    double low = 0;
     while (high - low > accuracy_m) {
         const double middle = (low + high) / 2;
         double below = 0;
@@ -59,6 +54,36 @@ double joint_p90(std::span<const SurveyedBuilding* const> buildings) {
         (below >= joint_share * area ? high : low) = middle;
     }
     return high;
+}
+
+}  // namespace
+
+RoofHeights joint_heights(std::span<const SurveyedBuilding* const> buildings) {
+    if (buildings.size() == 1)
+        return buildings.front()->heights;
+    RoofHeights joint;
+    double highest = 0;
+    for (const SurveyedBuilding* const building : buildings) {
+        const RoofHeights& heights = building->heights;
+        if (std::isnan(heights.p90()))
+            return {};
+        highest = std::max(highest, is_complete(heights) ? heights.highest : heights.p90());
+    }
+    for (std::size_t i = 0; i < percentile_shares.size(); ++i)
+        joint.percentiles[i] = joint_percentile(buildings, percentile_shares[i], highest);
+    joint.highest = highest;
+    return joint;
+}
+
+double rise_m(const RoofHeights& before, const RoofHeights& after) {
+    const double of_p90 = after.p90() - before.p90();
+    if (!is_complete(before) || !is_complete(after))
+        return of_p90;
+    std::array<double, p90_share + 1> changes{};
+    for (std::size_t i = 0; i < changes.size(); ++i)
+        changes[i] = after.percentiles[i] - before.percentiles[i];
+    std::ranges::sort(changes);
+    return changes[1];
 }
 
 }  // namespace d2b::compare

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "compare/height_grid.hpp"
 #include "dem2buildings/records.hpp"
 #include "geometry/overlay.hpp"
 
@@ -28,21 +29,24 @@ struct SurveyedBuilding {
     double area_m2 = 0;  ///< of the outline
     RoofHeights heights;
     double confidence = RoofHeights::nan;  ///< 0 to 1; NaN: unknown
-    /// Less certain than the survey demands of its buildings: proves that something stands there, and is no
-    /// building that could be new or gone.
-    bool doubtful = false;
 };
 
 /// All buildings of a survey.
 struct SurveyedPlace {
     std::vector<SurveyedBuilding> buildings;
-    std::optional<Polygons> covered;  ///< area in which the survey has data; nothing: everywhere
+    std::optional<Polygons> covered;       ///< area in which the survey has data; nothing: everywhere
+    std::optional<SurveyHeights> heights;  ///< nothing for a survey of which only the buildings are known
     double cell_m = 1;
 };
 
-/// Height above ground that 90 % of several buildings do not exceed, weighted by area. Between the known
-/// percentiles of a building its heights are evenly distributed. @param buildings at least one @return NaN if
-/// the height of one of them is unknown
-[[nodiscard]] double joint_p90(std::span<const SurveyedBuilding* const> buildings);
+/// Heights of several buildings together, weighted by area. Between the known percentiles of a building its
+/// heights are evenly distributed; if only p90 is known, all its points have that height. @param buildings at
+/// least one @return NaN if the p90 of one of them is unknown
+[[nodiscard]] RoofHeights joint_heights(std::span<const SurveyedBuilding* const> buildings);
+
+/// Change of height from one survey to the next: the median of the changes of p50, p70 and p90, because
+/// crowns over a roof change p90 alone. The change of p90 if that is all that is known, or if the percentiles
+/// of a survey are not in order. NaN if a p90 is unknown.
+[[nodiscard]] double rise_m(const RoofHeights& before, const RoofHeights& after);
 
 }  // namespace d2b::compare

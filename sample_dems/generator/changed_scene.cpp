@@ -83,7 +83,7 @@ void grow_trees(const std::vector<Tree>& trees, std::uint64_t seed, ChangedScene
         Tree tree = trees[i];
         if (fate >= 0.1)
             changed.before.trees.push_back(tree);
-        const double growth = random.between(1.2, 1.6);
+        const double growth = random.between(1.1, 1.4);
         tree.height *= growth;
         tree.radius *= growth;
         if (fate < 0.9)

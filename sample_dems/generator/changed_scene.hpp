@@ -30,7 +30,7 @@ struct ChangedScene {
 };
 
 /// Changes a place: of the single buildings of 50 m2 and more, a tenth each is built, pulled down, raised and
-/// lowered by a floor. All trees grow by a fifth to three fifths, a tenth are felled, a tenth are new. The
+/// lowered by a floor. All trees grow by a tenth to two fifths, a tenth are felled, a tenth are new. The
 /// second moment has other noise. Buildings are numbered from 1.
 [[nodiscard]] ChangedScene change_scene(Scene scene, std::uint64_t seed);
 

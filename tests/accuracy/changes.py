@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 """Measures how well changes are found between two surveys of scenes whose truth is exact.
 
-    tests/accuracy/changes.py [--build build] [--work FOLDER] [--seed N ...] [--least X] [PAIR...]
+    tests/accuracy/changes.py [--build build] [--work FOLDER] [--seed N ...] [--results] [--least X] [PAIR...]
 
 Makes each scene before and after changes, finds the changes with the defaults, and prints precision and recall of
 new, gone, raised and lowered. A pair is <place>_<survey>+<later survey>@<east>,<north>: the second survey may be of
 another kind, and its raster displaced by metres. Without names those of 1 m are measured.
+--results finds the buildings of both surveys first, and compares these without the rasters
 --least   fails where a precision or recall over all pairs is less
 A change is right where a building of the truth with that change shares half of the smaller of both. The town
 against itself is compared as well, and must be the same throughout.
@@ -95,6 +96,12 @@ def rows(title, counts):
                f"{share(c['found'], c['true']):.3f} |")
 
 
+def result_of(build, dsm):
+    result = dsm.replace(".tif", ".gpkg")
+    output_of(os.path.join(build, "tools", "dem2buildings"), "-q", "-overwrite", dsm, result)
+    return result
+
+
 def measure(arguments, pair, seed, work):
     match = re.fullmatch(r"(\w+_\w+)\+(\w+)@([-.\d]+),([-.\d]+)", pair)
     if not match:
@@ -106,8 +113,11 @@ def measure(arguments, pair, seed, work):
               "-east", east, "-north", north, folder, name)
     place = os.path.join(folder, name)
     out = os.path.join(place, "found.gpkg")
+    surveys = [os.path.join(place, f"{moment}.tif") for moment in ("old", "new")]
+    if arguments.results:
+        surveys = [result_of(arguments.build, dsm) for dsm in surveys]
     told = json.loads(output_of(os.path.join(arguments.build, "tools", "dem2buildings_compare"), "-json", "-overwrite",
-                                os.path.join(place, "old.tif"), os.path.join(place, "new.tif"), out))
+                                *surveys, out))
     print(f"{pair}, seed {seed}: shift {told['shift']['east_m']:.2f}, {told['shift']['north_m']:.2f}", file=sys.stderr)
     return count(changes_of(out, float(east), float(north)), changes_of(os.path.join(place, "changes.gpkg")))
 
@@ -122,6 +132,7 @@ def main(words):
     parser.add_argument("--build", default="build")
     parser.add_argument("--work")
     parser.add_argument("--seed", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--results", action="store_true")
     parser.add_argument("--least", type=float, default=0)
     parser.add_argument("pairs", nargs="*", default=PAIRS)
     arguments = parser.parse_args(words)
