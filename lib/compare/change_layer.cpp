@@ -1,6 +1,7 @@
 #include "compare/change_layer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -75,9 +76,18 @@ std::vector<WorldPolygon> outline_of(const SurveyedPlace& place, std::span<const
 
 LayerSpec change_layer(const std::string& name, const std::string& old_dataset,
                        const std::string& new_dataset) {
-    return {name, "Changes",
-            "Changes of buildings from " + utf8_text(old_dataset) + " to " + utf8_text(new_dataset),
-            change_fields()};
+    LayerSpec spec{name, "Changes",
+                   "Changes of buildings from " + utf8_text(old_dataset) + " to " + utf8_text(new_dataset),
+                   change_fields()};
+    spec.style.title = "Change";
+    spec.style.classified = "change";
+    // Colours of pairs that colour-blind readers tell apart; that of the buildings that stay is the palest.
+    constexpr std::array<const char*, change_names.size()> colours{
+        "0,114,178,255",  "213,94,0,255",   "0,158,115,255",  "204,121,167,255",
+        "86,180,233,255", "240,228,66,255", "225,225,225,255"};
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        spec.style.classes.push_back({std::string(change_names[i]), colours[i]});
+    return spec;
 }
 
 void write_changes(const SurveyChanges& changes, const SurveyedPlace& old_place,

@@ -19,13 +19,23 @@ constexpr double area_limit_m2 = 20;
 constexpr double area_limit_share = 0.1;
 constexpr double compared_share = 0.5;  ///< of the area that both surveys have data of
 
-Change change_of(const ChangedBuilding& building) {
+/// Distance by which all walls of a building must have moved to be changed. Cells of another size move them
+/// by up to half a cell.
+double wall_limit_m(const SurveyedPlace& old_place, const SurveyedPlace& new_place) {
+    constexpr double same_cells = 1.1;
+    const auto [fine, coarse] = std::minmax(old_place.cell_m, new_place.cell_m);
+    return coarse > same_cells * fine ? coarse / 2 : 0;
+}
+
+Change change_of(const ChangedBuilding& building, double wall_limit) {
     if (building.rise_m > height_limit_m)
         return Change::raised;
     if (building.rise_m < -height_limit_m)
         return Change::lowered;
     const double growth = building.area_new_m2 - building.area_old_m2;
-    if (std::abs(growth) > std::max(area_limit_m2, area_limit_share * building.area_old_m2))
+    const double around_square_m2 = 4 * std::sqrt(building.area_old_m2) * wall_limit;
+    if (std::abs(growth) >
+        std::max({area_limit_m2, area_limit_share * building.area_old_m2, around_square_m2}))
         return growth > 0 ? Change::grown : Change::shrunk;
     return Change::same;
 }
@@ -98,7 +108,10 @@ JointValues joint_values(const SurveyedPlace& place, const ComparedSide& side,
 class ChangeFinder {
   public:
     ChangeFinder(const SurveyedPlace& old_place, const SurveyedPlace& new_place, double metres)
-        : old_place_(old_place), new_place_(new_place), metres_(metres) {
+        : old_place_(old_place),
+          new_place_(new_place),
+          metres_(metres),
+          wall_limit_m_(wall_limit_m(old_place, new_place)) {
         const std::optional<Polygons> region = common_region(old_place, new_place, overlay_);
         old_ = compared_side(old_place, region, overlay_);
         new_ = compared_side(new_place, region, overlay_);
@@ -120,27 +133,28 @@ class ChangeFinder {
 
   private:
     /// Compares a building with one or more of the other survey.
-    static void set_values(ChangedBuilding& building, const JointValues& before, const JointValues& after);
+    void set_values(ChangedBuilding& building, const JointValues& before, const JointValues& after) const;
     [[nodiscard]] ChangedBuilding building_of(const MatchedBuildings& match) const;
     void look_for(ChangedBuilding& building) const;
 
     const SurveyedPlace& old_place_;
     const SurveyedPlace& new_place_;
     double metres_;
+    double wall_limit_m_;
     Overlay overlay_;
     ComparedSide old_;
     ComparedSide new_;
 };
 
 void ChangeFinder::set_values(ChangedBuilding& building, const JointValues& before,
-                              const JointValues& after) {
+                              const JointValues& after) const {
     building.p90_old_m = before.heights.p90();
     building.p90_new_m = after.heights.p90();
     building.area_old_m2 = before.area_m2;
     building.area_new_m2 = after.area_m2;
     building.rise_m = rise_m(before.heights, after.heights);
     building.confidence = std::fmin(before.confidence, after.confidence);
-    building.change = change_of(building);
+    building.change = change_of(building, wall_limit_m_);
 }
 
 ChangedBuilding ChangeFinder::building_of(const MatchedBuildings& match) const {
@@ -174,7 +188,7 @@ void ChangeFinder::look_for(ChangedBuilding& building) const {
         return;
     building.rise_m = gone ? found.rise_m : -found.rise_m;
     (gone ? building.p90_new_m : building.p90_old_m) = own.heights.p90() + found.rise_m;
-    building.change = change_of(building);
+    building.change = change_of(building, wall_limit_m_);
 }
 
 /// Translates a survey and the area in which it has data.

@@ -31,6 +31,12 @@ struct FieldSpec {
     std::string description;
 };
 
+/// Features that have the same text in a field.
+struct StyleClass {
+    std::string value;
+    std::string colour;  ///< "red,green,blue,alpha", each from 0 to 255
+};
+
 /// Default style of a layer in a GIS. Fields are named as in the layer's spec. A layer without a title has no
 /// style.
 struct LayerStyle {
@@ -49,6 +55,8 @@ struct LayerStyle {
     // "" for other features.
     std::string slope{};
     std::string azimuth{};
+    std::string classified{};  ///< field of texts that determines the colour; "" for other features
+    std::vector<StyleClass> classes = {};  ///< in the order of the legend
 
     // Solid for 3D views. `height` is the height of its top above the ground and `min_height`, if set, that
     // of its bottom. The top is at elevation `top`; if that is empty, the bottom is at `bottom`; if both are,

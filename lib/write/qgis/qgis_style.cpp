@@ -30,6 +30,7 @@ struct Columns {
     std::string certainty;
     std::string slope;
     std::string azimuth;
+    std::string classified;
     std::string top;
     std::string bottom;
     std::string height;
@@ -254,6 +255,18 @@ std::string roof_rules(const LayerStyle& style, const Columns& columns) {
     return headed_rules(style.title, rules, symbols);
 }
 
+/// One rule per class.
+std::string class_rules(const LayerStyle& style, const Columns& columns) {
+    std::string rules;
+    std::string symbols;
+    for (std::size_t i = 0; i < style.classes.size(); ++i) {
+        const StyleClass& one = style.classes[i];
+        rules += rule(i, columns.classified + " = '" + one.value + "'", one.value);
+        symbols += symbol(i, area(one.colour, "70,45,35,255", "0.12", outline_width_by_scale()));
+    }
+    return headed_rules(style.title, rules, symbols);
+}
+
 constexpr const char* sun_title = "Suitability for solar panels north of the equator";
 
 /// One rule per suitability for panels. Limits are those of docs/tasks/solar.md, without that of the area.
@@ -295,6 +308,8 @@ std::string renderer(const LayerSpec& spec, const Columns& columns) {
         text += "singleSymbol\">\n  <symbols>\n" + symbol(0, dot(), "marker") + "  </symbols>\n";
     else if (!columns.azimuth.empty())
         text += "RuleRenderer\">\n" + (columns.by_sun ? sun_rules(columns) : roof_rules(style, columns));
+    else if (!columns.classified.empty())
+        text += "RuleRenderer\">\n" + class_rules(style, columns);
     else if (columns.colour.empty())
         text += "singleSymbol\">\n  <symbols>\n" + symbol(0, hatched()) + "  </symbols>\n";
     else
@@ -460,6 +475,7 @@ std::string document(const LayerSpec& spec, const std::vector<std::string>& colu
                               .certainty = named(style.certainty),
                               .slope = named(style.slope),
                               .azimuth = named(style.azimuth),
+                              .classified = named(style.classified),
                               .top = named(style.top),
                               .bottom = named(style.bottom),
                               .height = named(style.height),
