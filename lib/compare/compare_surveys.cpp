@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -101,7 +103,11 @@ std::unique_ptr<FeatureSink> open_destination(const SurveyRequest& request, cons
         return nullptr;
     for (const std::string& source : {request.old_survey, request.new_survey})
         if (request.destination == source)
-            throw OptionError("The destination '" + source + "' is a source; give another name.");
+            throw OptionError("The destination '" + source + "' is a survey; give another name.");
+    std::error_code error;
+    if (!request.overwrite && std::filesystem::exists(request.destination, error))
+        throw OptionError("\"" + request.destination +
+                          "\" exists; give -overwrite to replace the changes in it, or another name.");
     WriteOptions options;
     options.destination = request.destination;
     options.overwrite = request.overwrite;
@@ -132,6 +138,18 @@ void write(const SurveyChanges& changes, const BothSurveys& surveys, FeatureSink
     sink.prepare(commit);
 }
 
+/// Surveys without a common building are probably of different places.
+void warn_of_strangers(const BothSurveys& surveys, const SurveyChanges& changes, Warnings& warnings) {
+    const ComparedSurvey& before = surveys.old_survey.about;
+    const ComparedSurvey& after = surveys.new_survey.about;
+    const auto in_one = [](const ChangedBuilding& building) {
+        return building.change == Change::built || building.change == Change::gone;
+    };
+    if (before.buildings > 0 && after.buildings > 0 && std::ranges::all_of(changes.buildings, in_one))
+        warnings.add("'" + before.dataset + "' and '" + after.dataset +
+                     "' have no building in common; check the files and their coordinate reference systems.");
+}
+
 /// Compares surveys that have been read. Their outlines are in the plane of the comparison afterwards.
 SurveyChanges compare_read(BothSurveys& surveys, SurveyComparison& comparison, Warnings& warnings) {
     ReadSurvey& before = surveys.old_survey;
@@ -145,6 +163,7 @@ SurveyChanges compare_read(BothSurveys& surveys, SurveyComparison& comparison, W
     before.place.cell_m = before.about.cell_m.value_or(cell);
     after.place.cell_m = after.about.cell_m.value_or(before.place.cell_m);
     SurveyChanges changes = find_changes(before.place, after.place, plane.metres);
+    warn_of_strangers(surveys, changes, warnings);
     comparison.shift = changes.shift;
     for (const ChangedBuilding& building : changes.buildings)
         ++comparison.counts[static_cast<std::size_t>(building.change)];

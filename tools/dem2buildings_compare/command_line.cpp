@@ -26,9 +26,6 @@ void take_file_names(const std::vector<std::string>& names, CompareCommand& requ
     request.new_survey = names[1];
     if (names.size() > 2)
         request.destination = names[2];
-    for (const std::string& source : {request.old_survey, request.new_survey})
-        if (source == request.destination)
-            throw OptionError("The destination '" + source + "' is a survey; give another name.");
 }
 
 void check_destination(const CompareCommand& request) {

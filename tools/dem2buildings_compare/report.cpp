@@ -57,6 +57,8 @@ std::string comparison_text(const SurveyComparison& comparison, bool quiet) {
         text += line("old", survey_text(comparison.old_survey));
         text += line("new", survey_text(comparison.new_survey));
         text += line("shift", shift_text(comparison.shift));
+        if (!comparison.output.empty())
+            text += line("changes", comparison.output);
         text += "\n";
     }
     for (std::size_t i = 0; i < change_names.size(); ++i)
