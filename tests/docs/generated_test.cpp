@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compare/change_layer.hpp"
 #include "dem2buildings/help.hpp"
 #include "features/attribute_table.hpp"
 
@@ -18,9 +19,14 @@ std::string text_of(const std::string& path) {
     return text.str();
 }
 
-// Both pages are written by tests/docs/write_generated; a difference means that it was not run.
+// These pages are written by tests/docs/write_generated; a difference means that it was not run.
 TEST(GeneratedDocs, SchemaIsThatOfTheAttributeTable) {
     EXPECT_NE(text_of(D2B_DOCS "/reference/output.md").find(features::schema_markdown()), std::string::npos);
+}
+
+TEST(GeneratedDocs, FieldsOfChangesAreThoseOfTheLayer) {
+    EXPECT_NE(text_of(D2B_DOCS "/reference/compare.md").find(compare::change_schema_markdown()),
+              std::string::npos);
 }
 
 TEST(GeneratedDocs, OptionsAreThoseOfTheOptionTable) {

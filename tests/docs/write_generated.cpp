@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "compare/change_layer.hpp"
 #include "dem2buildings/help.hpp"
 #include "features/attribute_table.hpp"
 
@@ -14,6 +15,21 @@ std::string read(const std::string& path) {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
     return text.str();
+}
+
+/// Replaces the text between `<!-- name -->` and `<!-- end of name -->`.
+bool replace_part(const std::string& path, const std::string& name, const std::string& text) {
+    const std::string begin = "<!-- " + name + " -->\n";
+    std::string page = read(path);
+    const std::size_t from = page.find(begin);
+    const std::size_t to = page.find("<!-- end of " + name + " -->");
+    if (from == std::string::npos || to == std::string::npos) {
+        std::cerr << path << " lacks the marks of " << name << '\n';
+        return false;
+    }
+    page.replace(from + begin.size(), to - from - begin.size(), text);
+    std::ofstream(path) << page;
+    return true;
 }
 
 }  // namespace
@@ -26,16 +42,8 @@ int main(int argc, char** argv) {
     const std::string docs = argv[1];
     std::ofstream(docs + "/reference/options.md") << d2b::options_markdown();
 
-    const std::string begin = "<!-- schema -->\n";
-    const std::string end = "<!-- end of schema -->";
-    std::string page = read(docs + "/reference/output.md");
-    const std::size_t from = page.find(begin);
-    const std::size_t to = page.find(end);
-    if (from == std::string::npos || to == std::string::npos) {
-        std::cerr << docs << "/reference/output.md lacks the marks of the schema\n";
-        return 1;
-    }
-    page.replace(from + begin.size(), to - from - begin.size(), d2b::features::schema_markdown());
-    std::ofstream(docs + "/reference/output.md") << page;
-    return 0;
+    const bool done =
+        replace_part(docs + "/reference/output.md", "schema", d2b::features::schema_markdown()) &&
+        replace_part(docs + "/reference/compare.md", "changes", d2b::compare::change_schema_markdown());
+    return done ? 0 : 1;
 }
