@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <utility>
@@ -15,6 +16,7 @@ namespace d2b::compare {
 namespace {
 
 constexpr double height_limit_m = 2;
+constexpr double ground_limit_m = 2;  ///< heights below it are ground
 constexpr double area_limit_m2 = 20;
 constexpr double area_limit_share = 0.1;
 constexpr double compared_share = 0.5;  ///< of the area that both surveys have data of
@@ -128,6 +130,8 @@ class ChangeFinder {
         for (ChangedBuilding& building : changes.buildings)
             if (building.change == Change::built || building.change == Change::gone)
                 look_for(building);
+            else if (building.change == Change::grown || building.change == Change::shrunk)
+                confirm_growth(building);
         return changes;
     }
 
@@ -136,6 +140,11 @@ class ChangeFinder {
     void set_values(ChangedBuilding& building, const JointValues& before, const JointValues& after) const;
     [[nodiscard]] ChangedBuilding building_of(const MatchedBuildings& match) const;
     void look_for(ChangedBuilding& building) const;
+    /// Area of a building in one survey that is ground in the other, and outside of its outline there.
+    [[nodiscard]] double area_on_ground(const ChangedBuilding& building, bool in_new) const;
+    void confirm_growth(ChangedBuilding& building) const;
+    /// Distance between positions at which heights are compared, in units of the coordinates.
+    [[nodiscard]] double step() const { return std::min(old_place_.cell_m, new_place_.cell_m) / metres_; }
 
     const SurveyedPlace& old_place_;
     const SurveyedPlace& new_place_;
@@ -172,6 +181,42 @@ ChangedBuilding ChangeFinder::building_of(const MatchedBuildings& match) const {
     return building;
 }
 
+double ChangeFinder::area_on_ground(const ChangedBuilding& building, bool in_new) const {
+    const auto outline = [](const SurveyedPlace& place, std::span<const std::size_t> indices) {
+        Polygons parts;
+        for (const std::size_t i : indices)
+            std::ranges::copy(place.buildings[i].outline, std::back_inserter(parts));
+        return parts;
+    };
+    std::vector<Position> inside = positions_in(outline(new_place_, building.new_indices), step());
+    std::vector<Position> other = positions_in(outline(old_place_, building.old_indices), step());
+    if (!in_new)
+        std::swap(inside, other);
+    const auto by_row = [](const Position& a, const Position& b) {
+        return a.y < b.y || (a.y == b.y && a.x < b.x);
+    };
+    std::ranges::sort(inside, by_row);
+    std::ranges::sort(other, by_row);
+    std::vector<Position> added;
+    std::ranges::set_difference(inside, other, std::back_inserter(added), by_row);
+    const SurveyHeights& heights = in_new ? *old_place_.heights : *new_place_.heights;
+    const auto low = std::ranges::count_if(heights.at(added), [](double h) { return h < ground_limit_m; });
+    const double side_m = step() * metres_;
+    return static_cast<double>(low) * side_m * side_m;
+}
+
+/// Trees at a wall make outlines larger and smaller. A building has grown where ground was, and it has shrunk
+/// where ground is.
+void ChangeFinder::confirm_growth(ChangedBuilding& building) const {
+    if (!old_place_.heights || !new_place_.heights)
+        return;
+    ChangedBuilding confirmed = building;
+    confirmed.area_new_m2 =
+        building.area_old_m2 + area_on_ground(building, true) - area_on_ground(building, false);
+    if (change_of(confirmed, wall_limit_m_) != building.change)
+        building.change = Change::same;
+}
+
 /// Looks for a building of one survey in the heights of the other.
 void ChangeFinder::look_for(ChangedBuilding& building) const {
     if (!old_place_.heights || !new_place_.heights)
@@ -180,8 +225,7 @@ void ChangeFinder::look_for(ChangedBuilding& building) const {
     const SurveyedPlace& place = gone ? old_place_ : new_place_;
     const SurveyedBuilding& own =
         place.buildings[(gone ? building.old_indices : building.new_indices).front()];
-    const double step = std::min(old_place_.cell_m, new_place_.cell_m) / metres_;
-    const std::vector<Position> positions = positions_in(own.outline, step);
+    const std::vector<Position> positions = positions_in(own.outline, step());
     const SurveyHeights& other = gone ? *new_place_.heights : *old_place_.heights;
     const StandsThere found = stands_there(place.heights->at(positions), other.at(positions), own.confidence);
     if (!found.stands)

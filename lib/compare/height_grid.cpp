@@ -73,7 +73,10 @@ void add_crossings(const WorldRing& ring, double y, std::vector<double>& crossin
 std::vector<Position> positions_in(const Polygons& outline, double step) {
     const Box box = box_of(outline);
     std::vector<Position> positions;
-    for (double y = (std::floor(box.low / step) + 0.5) * step; y < box.high; y += step) {
+    // Lines are counted, because sums of steps would differ from outline to outline.
+    const auto line = [step](double number) { return (number + 0.5) * step; };
+    for (double row = std::floor(box.low / step); line(row) < box.high; ++row) {
+        const double y = line(row);
         std::vector<double> crossings;
         for (const WorldPolygon& polygon : outline) {
             add_crossings(polygon.exterior, y, crossings);
@@ -82,9 +85,8 @@ std::vector<Position> positions_in(const Polygons& outline, double step) {
         }
         std::ranges::sort(crossings);
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-            for (double x = (std::ceil(crossings[i] / step - 0.5) + 0.5) * step; x < crossings[i + 1];
-                 x += step)
-                positions.push_back({x, y});
+            for (double col = std::ceil(crossings[i] / step - 0.5); line(col) < crossings[i + 1]; ++col)
+                positions.push_back({line(col), y});
     }
     return positions;
 }

@@ -40,7 +40,8 @@ struct SurveyHeights {
     [[nodiscard]] std::vector<double> at(std::span<const Position> positions) const;
 };
 
-/// Positions inside an outline, on a square lattice. @param step of the lattice, in units of the coordinates
+/// Positions inside an outline, on a square lattice that is the same for all outlines; by y, then by x.
+/// @param step of the lattice, in units of the coordinates
 [[nodiscard]] std::vector<Position> positions_in(const Polygons& outline, double step);
 
 }  // namespace d2b::compare

@@ -131,7 +131,7 @@ def main(words):
     parser = argparse.ArgumentParser(usage=__doc__)
     parser.add_argument("--build", default="build")
     parser.add_argument("--work")
-    parser.add_argument("--seed", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--seed", type=int, nargs="+", default=[1, 2, 3])
     parser.add_argument("--results", action="store_true")
     parser.add_argument("--least", type=float, default=0)
     parser.add_argument("pairs", nargs="*", default=PAIRS)

@@ -1,4 +1,4 @@
-"""Parts of run.py against values worked out by hand, and the command on one scene."""
+"""Parts of run.py and changes.py against values worked out by hand, and the commands on a scene or two."""
 import os
 import subprocess
 import tempfile
@@ -12,6 +12,7 @@ try:
 except ImportError as error:
     raise SystemExit(f"a package is missing: {error}") from error
 
+import changes
 import confidence
 import failures
 import learning
@@ -151,6 +152,47 @@ class Tables(unittest.TestCase):
             with open(page.name, encoding="utf-8") as written:
                 self.assertEqual(written.read(), "before\n<!-- table a -->\n\n| 1 |\n\n<!-- end -->\nafter\n"
                                                  "<!-- table b -->\nkept\n<!-- end -->\n")
+
+
+class Changes(unittest.TestCase):
+    def test_a_change_is_right_where_it_shares_half_of_the_smaller(self):
+        truth = [("new", box(0, 0, 10, 10)), ("gone", box(50, 0, 60, 10)), ("same", box(90, 0, 99, 9))]
+        found = [("new", box(5, 0, 15, 10)), ("new", box(6, 0, 16, 10)), ("gone", box(0, 0, 10, 10)),
+                 ("same", box(50, 0, 60, 10))]
+        counts = changes.count(found, truth)
+        self.assertEqual(dict(counts["new"]), {"true": 1, "found": 1, "reported": 2, "right": 1})
+        self.assertEqual(dict(counts["gone"]), {"true": 1, "found": 0, "reported": 1, "right": 0})
+        self.assertEqual(list(changes.rows("here", counts))[0], "| here | new | 1 | 2 | 0.500 | 1.000 |")
+
+    def test_polygons_are_displaced(self):
+        moved = changes.displaced(box(0, 0, 1, 1), 2, -3)
+        self.assertEqual(moved.GetEnvelope(), (2, 3, -3, -2))
+
+    def run_it(self, *words):
+        return subprocess.run([os.path.join(HERE, "changes.py"), "--build", os.environ["D2B_BUILD"], *words],
+                              capture_output=True, text=True, check=False)
+
+    def test_measures_rasters_and_results(self):
+        for words in ((), ("--results",)):
+            done = self.run_it("--seed", "1", "--least", "0.95", *words, "estate_lidar2+lidar2@1.6,-0.9")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for kind, count in (("new", 14), ("gone", 8), ("raised", 9), ("lowered", 10)):
+                self.assertIn(f"| all | {kind} | {count} | {count} | 1.000 | 1.000 |", done.stdout)
+            self.assertIn("town against itself: all same", done.stdout)
+
+    def test_fails_below_the_bound(self):
+        done = self.run_it("--seed", "1", "--least", "1.1", "rows_lidar2+lidar2@0,0")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("The lowest precision or recall is 1.000, not 1.1 or more.", done.stderr)
+
+    def test_says_what_is_missing(self):
+        for words, message in ((("moon",), "moon is no pair; give <place>_<survey>+<later survey>@<east>,<north>."),
+                               (("moon_lidar2+lidar2@0,0",), "There is no scene moon_lidar2; "),
+                               (("--build", "/no/such"), "There is no /no/such/sample_dems/d2b_make_scenes; build ")):
+            done = self.run_it(*words)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(message, done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
 
 
 class Command(unittest.TestCase):

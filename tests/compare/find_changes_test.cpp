@@ -154,5 +154,21 @@ TEST(FindChanges, looksForBuildingsInTheHeights) {
     EXPECT_EQ(names_of(find_changes(found, with_heights({}, 3), 1)), "lowered");
 }
 
+TEST(FindChanges, takesNoTreeForGrowth) {
+    // The building grows from 10 to 15 m; 5 m of its neighbourhood were ground, or already 4 m high.
+    const auto with_heights = [](double width, float beside) {
+        SurveyedPlace place = place_of({box_building(0, 0, width, 10, 6)});
+        HeightGrid grid(10, 20, {0, 1, 0, 10, 0, -1});
+        grid.set({0, 0, 10, 20}, std::vector<float>(200, beside));
+        grid.set({0, 0, 10, 10}, std::vector<float>(100, 6));
+        place.heights = SurveyHeights{std::move(grid)};
+        return place;
+    };
+    EXPECT_EQ(names_of(find_changes(with_heights(10, 0), with_heights(15, 6), 1)), "grown");
+    EXPECT_EQ(names_of(find_changes(with_heights(10, 4), with_heights(15, 6), 1)), "same");
+    EXPECT_EQ(names_of(find_changes(with_heights(15, 6), with_heights(10, 0), 1)), "shrunk");
+    EXPECT_EQ(names_of(find_changes(with_heights(15, 6), with_heights(10, 4), 1)), "same");
+}
+
 }  // namespace
 }  // namespace d2b::test
