@@ -110,6 +110,7 @@ std::unique_ptr<FeatureSink> open_destination(const SurveyRequest& request, cons
                           "\" exists; give -overwrite to replace the changes in it, or another name.");
     WriteOptions options;
     options.destination = request.destination;
+    options.format = request.format;
     options.overwrite = request.overwrite;
     return writing::open_layer_sink(options, "changes", callbacks);
 }

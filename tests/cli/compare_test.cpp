@@ -152,6 +152,15 @@ TEST_F(CompareTool, writesOtherFormats) {
     EXPECT_EQ(layer("out.shp", "out").records.size(), 11U);
 }
 
+TEST_F(CompareTool, writesAStream) {
+    write_changes();
+    const ToolResult done = compare({"-f", "GeoJSON", "old.gpkg", "new.gpkg", "/vsistdout/"});
+    EXPECT_EQ(done.status, 0) << done.err;
+    const json streamed = json::parse(done.out);
+    EXPECT_EQ(streamed["name"], "changes");
+    EXPECT_EQ(streamed["features"].size(), 11U);
+}
+
 TEST_F(CompareTool, findsAShift) {
     std::vector<ResultRow> before;
     std::vector<ResultRow> after;

@@ -17,10 +17,11 @@ std::string refusal_of_compare(const std::vector<std::string>& arguments) {
 
 TEST(CompareCommandLine, readsOptionsAnywhere) {
     const CompareCommand request =
-        parse_compare_command_line({"-q", "old.gpkg", "--json", "new.gpkg", "-overwrite", "out.gpkg"});
+        parse_compare_command_line({"-q", "old.gpkg", "--json", "new.gpkg", "-overwrite", "out", "-f=GPKG"});
     EXPECT_EQ(request.old_survey, "old.gpkg");
     EXPECT_EQ(request.new_survey, "new.gpkg");
-    EXPECT_EQ(request.destination, "out.gpkg");
+    EXPECT_EQ(request.destination, "out");
+    EXPECT_EQ(request.format, "GPKG");
     EXPECT_TRUE(request.json && request.quiet && request.overwrite);
 }
 
@@ -52,6 +53,9 @@ TEST(CompareCommandLine, refusesWrongFileNames) {
 TEST(CompareCommandLine, refusesOptionsWithoutEffect) {
     EXPECT_EQ(refusal_of_compare({"-overwrite", "a", "b"}),
               "-overwrite has no effect without a destination; give one, or leave it out.");
+    EXPECT_EQ(refusal_of_compare({"-f", "GPKG", "a", "b"}),
+              "-f has no effect without a destination; give one, or leave it out.");
+    EXPECT_EQ(refusal_of_compare({"a", "b", "c", "-f"}), "-f needs a value: -f <format>.");
     EXPECT_EQ(refusal_of_compare({"-json", "a", "b", "/vsistdout/"}),
               "-json cannot be used with a destination in /vsistdout/; both would write to stdout.");
     EXPECT_EQ(refusal_of_compare({"-jsn", "a", "b"}), "There is no option -jsn; did you mean -json?");

@@ -29,8 +29,9 @@ void take_file_names(const std::vector<std::string>& names, CompareCommand& requ
 }
 
 void check_destination(const CompareCommand& request) {
-    if (request.overwrite && request.destination.empty())
-        throw OptionError("-overwrite has no effect without a destination; give one, or leave it out.");
+    if (request.destination.empty() && (request.overwrite || !request.format.empty()))
+        throw OptionError(std::string(request.overwrite ? "-overwrite" : "-f") +
+                          " has no effect without a destination; give one, or leave it out.");
     if (request.destination.starts_with("/vsimem/"))
         throw OptionError("The destination '" + request.destination +
                           "' is in memory and lost when the program ends; give a file.");
@@ -42,17 +43,22 @@ void check_destination(const CompareCommand& request) {
 }  // namespace
 
 const std::vector<CompareOption>& compare_options() {
+    using Text = const std::string&;
     static const std::vector<CompareOption> options{
+        {{"f", "<format>", "text", "Format of the changes, by its GDAL name. Default: by the extension."},
+         [](CompareCommand& r, Text value) { r.format = value; }},
         {{"overwrite", "", "switch",
           "Replace the layer of changes if it exists; in a format of a single layer, the file."},
-         [](CompareCommand& r) { r.overwrite = true; }},
-        {{"json", "", "switch", "Print the summary as JSON."}, [](CompareCommand& r) { r.json = true; }},
+         [](CompareCommand& r, Text) { r.overwrite = true; }},
+        {{"json", "", "switch", "Print the summary as JSON."},
+         [](CompareCommand& r, Text) { r.json = true; }},
         {{"q", "", "switch", "Print only the numbers of changes, and no progress."},
-         [](CompareCommand& r) { r.quiet = true; }},
-        {{"help", "", "switch", "Print this help."}, [](CompareCommand& r) { r.help = true; }},
+         [](CompareCommand& r, Text) { r.quiet = true; }},
+        {{"help", "", "switch", "Print this help."}, [](CompareCommand& r, Text) { r.help = true; }},
         {{"version", "", "switch", "Print the versions of the program and of its libraries."},
-         [](CompareCommand& r) { r.version = true; }},
-        {{"man", "", "switch", "Print the man page as roff."}, [](CompareCommand& r) { r.man_page = true; }},
+         [](CompareCommand& r, Text) { r.version = true; }},
+        {{"man", "", "switch", "Print the man page as roff."},
+         [](CompareCommand& r, Text) { r.man_page = true; }},
     };
     return options;
 }
@@ -62,7 +68,7 @@ CompareCommand parse_compare_command_line(const std::vector<std::string>& argume
     const ToolLine line = take_apart(arguments, table, program);
     CompareCommand request;
     for (const auto& [option, value] : line.given)
-        compare_options()[option].apply(request);
+        compare_options()[option].apply(request, value);
     if (request.help || request.version || request.man_page)
         return request;
     if (line.unknown)

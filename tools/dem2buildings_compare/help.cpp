@@ -28,7 +28,12 @@ std::string compare_short_usage() {
 std::string compare_help() {
     std::string text = "Usage: dem2buildings_compare [options] <old> <new> [<changes>]\n\n" +
                        wrap(description, 0) + "\n" + wrap(inputs, 0) + "\n" +
-                       wrap("Options may stand anywhere and begin with one dash or two.", 0) + "\nOptions:\n";
+                       wrap(
+                           "Options may stand anywhere and begin with one dash or two; values follow after a "
+                           "blank or an equals "
+                           "sign.",
+                           0) +
+                       "\nOptions:\n";
     for (const CompareOption& option : compare_options())
         text += help_entry(option_heading(option), option.help);
     text += "\nGDAL:\n";
@@ -45,7 +50,8 @@ std::string compare_man_page() {
         roff_section("SYNOPSIS") + ".B dem2buildings_compare\n[options] <old> <new> [<changes>]\n" +
         roff_section("DESCRIPTION") + roff_paragraph(description) + roff_paragraph(inputs) +
         roff_paragraph(
-            "Options may stand anywhere and begin with one dash or two. After -- only file names follow.") +
+            "Options may stand anywhere and begin with one dash or two; values follow after a blank or an "
+            "equals sign. After -- only file names follow.") +
         roff_section("OPTIONS");
     for (const CompareOption& option : compare_options())
         text += roff_item(option_heading(option), option.help);

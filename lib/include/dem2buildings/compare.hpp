@@ -29,6 +29,7 @@ struct SurveyRequest {
     std::string old_survey;
     std::string new_survey;
     std::string destination;  ///< dataset of changes; "": none
+    std::string format;       ///< OGR short name; deduced from the extension if empty
     bool overwrite = false;
 };
 

@@ -12,7 +12,7 @@ std::unique_ptr<FeatureSink> open_layer_sink(WriteOptions options, const std::st
                                              const Callbacks& callbacks) {
     reading::register_formats();
     options.layers = Layers::buildings;
-    if (format_for(options).multiple_layers)
+    if (format_for(options).multiple_layers || is_stream(options.destination))
         options.layer_name = layer;
     return open_sink(options, callbacks);
 }
