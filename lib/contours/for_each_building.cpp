@@ -20,14 +20,20 @@ constexpr std::int64_t points_at_once = std::int64_t{1} << 23;
 struct GatheredRows {
     std::vector<std::pair<Label, BuildingCells::Run>> runs;
     std::vector<double> elevations;
+    std::vector<std::size_t> spires;
 };
 
 GatheredRows gather_rows(const ElevationBand& band, const LabelBand& labels) {
     GatheredRows gathered;
     for (std::int32_t row = 0; row < band.shape.rows; ++row) {
         const auto elevations = band.row(row);
+        const std::vector<std::int32_t> spires = band.spires_in_row(row);
         for_equal_runs(labels.row(row), [&](std::int32_t begin, std::int32_t end, Label label) {
             gathered.runs.push_back({label, {band.shape.first_row + row, begin, end}});
+            for (const std::int32_t spire : spires)
+                if (spire >= begin && spire < end)
+                    gathered.spires.push_back(gathered.elevations.size() +
+                                              static_cast<std::size_t>(spire - begin));
             gathered.elevations.insert(gathered.elevations.end(), elevations.begin() + begin,
                                        elevations.begin() + end);
         });
@@ -65,9 +71,13 @@ using OpenBuildings = std::map<Label, BuildingCells>;
 
 void add_to(OpenBuildings& open, const GatheredRows& rows) {
     auto next = rows.elevations.begin();
+    auto spire = rows.spires.begin();
     for (const auto& [label, run] : rows.runs) {
         BuildingCells& cells = open[label];
         cells.runs.push_back(run);
+        const auto first = static_cast<std::size_t>(next - rows.elevations.begin());
+        for (; spire != rows.spires.end() && *spire < first + run.size(); ++spire)
+            cells.spires.push_back(cells.elevations.size() + (*spire - first));
         const auto end = next + static_cast<std::ptrdiff_t>(run.size());
         cells.elevations.insert(cells.elevations.end(), next, end);
         next = end;

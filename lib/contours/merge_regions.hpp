@@ -18,6 +18,7 @@ struct BuildingCells {
     };
     std::vector<Run> runs;           ///< runs in scan order; those of a row do not touch
     std::vector<double> elevations;  ///< by cell of the runs; NaN if not valid
+    std::vector<std::size_t> spires{};  ///< ascending indices of cells that stand above their surroundings
 };
 
 /// Connected cells of a building that form one tier.

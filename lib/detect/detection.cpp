@@ -93,8 +93,9 @@ void apply_priors(const Scene& scene, double filled, Candidates& judged, std::op
     apply_spatial_prior(judged.regions, scene.cell, prior, judged.objects, threads);
 }
 
+/// @param smooth receives the limits of smoothness in the usual pass
 Candidates detect_candidates(const Scene& scene, const DetectOptions& options, double min_area_m2,
-                             Executor& threads) {
+                             SmoothnessThresholds& smooth, Executor& threads) {
     SceneCells cells = scene_cells(scene, options, threads);
     SurfaceQuality quality = surface_quality(scene, cells, threads);
     Candidates first = find_candidates(scene, cells, min_area_m2, quality, threads);
@@ -103,6 +104,7 @@ Candidates detect_candidates(const Scene& scene, const DetectOptions& options, d
     Candidates judged = quality.threshold_scale == 1
                             ? std::move(first)
                             : find_candidates(scene, cells, min_area_m2, quality, threads);
+    smooth = smoothness_thresholds(scene.side(), quality);
     judged.rejected.low =
         low_roofs(scene, cells.flags, options.min_height, cells_covering(min_area_m2, scene.cell), threads);
     if (needs_multi_threshold(scene.side(), quality.filled))
@@ -138,8 +140,10 @@ Detection sorted_by_confidence(Candidates&& judged, double least, Executor& thre
 Detection detect_buildings(const Scene& scene, const DetectOptions& options, double min_area_m2,
                            Context& context) {
     Executor& threads = *context.threads;
-    Detection result = sorted_by_confidence(detect_candidates(scene, options, min_area_m2, threads),
+    SmoothnessThresholds smooth{};
+    Detection result = sorted_by_confidence(detect_candidates(scene, options, min_area_m2, smooth, threads),
                                             options.min_confidence, threads);
+    result.smooth = smooth;
     if (scene.parcels != nullptr)
         cut_by_parcels(scene, options.split_width, cells_covering(min_area_m2, scene.cell), result, threads);
     if (options.split_height > 0)

@@ -9,6 +9,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/parcel_source.hpp"
 #include "detect/scene.hpp"
+#include "detect/smoothness.hpp"
 #include "raster/regions.hpp"
 
 namespace d2b::detect {
@@ -76,6 +77,7 @@ struct Detection {
     std::vector<detect::DetectedObject> objects;  ///< by label - 1
     Label buildings = 0;
     detect::RejectedObjects rejected;
+    SmoothnessThresholds smooth{};  ///< limits of smoothness in the usual pass
 
     [[nodiscard]] bool is_building(Label label) const { return label != 0 && label <= buildings; }
 };

@@ -83,6 +83,11 @@ class LabelRows {
     /// Relabels all units.
     /// @param number new label by old label
     void renumber(std::vector<Label> number) { number_ = std::move(number); }
+    /// Relabels all units again. @param number new label by the present one
+    void relabel(const std::vector<Label>& number) {
+        for (Label& label : number_)
+            label = number[label];
+    }
 
     /// Reads the labels of a band of the window. Callable from any thread after the last append().
     /// @throws OutputError if the spool cannot be read

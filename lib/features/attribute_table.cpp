@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -55,7 +57,8 @@ FieldValue reference(std::int64_t id) {
     return id > 0 ? FieldValue{id} : FieldValue{};
 }
 FieldValue nodata_share(const BuildingRecord& record) {
-    if (record.cells == 0 || record.points > record.cells || std::isnan(record.confidence))
+    const bool is_labelled = !std::isnan(record.confidence) || record.status == OutlineStatus::given;
+    if (record.cells == 0 || record.points > record.cells || !is_labelled)
         return {};
     return 1 - static_cast<double>(record.points) / static_cast<double>(record.cells);
 }
@@ -72,7 +75,7 @@ FieldValue floors(double height_m) {
 
 constexpr std::string_view status_words =
     "worst form of more than 5 % of the outline: regularized, simplified (through midpoints of cell borders, "
-    "or by -simplify), traced, kept_traced (other forms would be invalid) or repaired";
+    "or by -simplify), traced, kept_traced (other forms would be invalid) or repaired; given if the footprint is one of -footprints";
 
 constexpr std::array building_table{
     Attribute<BuildingRecord>{"id", "Building", FieldType::integer, Unit::none,
@@ -176,6 +179,32 @@ constexpr std::array roof_table{
                               "root mean square distance of the points from the faces",
                               [](const BuildingRecord& r) { return measure(r.roof_shape.rmse_m); }},
 };
+
+constexpr std::array fit_table{
+    Attribute<BuildingRecord>{
+        "seen", "Seen", FieldType::real, Unit::none,
+        "share of its cells that rise by -min_height; this field and the next two only with -footprints",
+        [](const BuildingRecord& r) { return number(round_to_hundredths(r.seen_share)); }},
+    Attribute<BuildingRecord>{
+        "tree", "Trees", FieldType::real, Unit::none,
+        "share of its cells that look like trees: they rise, are rough or green, and belong to no building "
+        "that was found",
+        [](const BuildingRecord& r) { return number(round_to_hundredths(r.tree_share)); }},
+    Attribute<BuildingRecord>{
+        "shift_m", "Shift", FieldType::real, Unit::metre,
+        "move, in whole cells and at most 5 m, that brings its edges onto walls; NULL if seen is below 0.3",
+        [](const BuildingRecord& r) { return measure(r.shift_m); }},
+};
+
+/// True for attributes that given footprints have, too.
+constexpr bool suits_given(std::string_view name) {
+    return name != "confidence" && name != "doubt" && name != "moved_m" && name != "area_chg";
+}
+
+/// True for attributes that need no elevations.
+constexpr bool is_of_shape(std::string_view name) {
+    return name == "id" || name == "area_m2" || name == "perim_m" || name == "status";
+}
 
 constexpr std::array parcel_table{
     Attribute<BuildingRecord>{
@@ -333,6 +362,28 @@ std::span<const Attribute<BuildingRecord>> building_attributes(bool with_roof, b
                                                   table(true, true)};
     return tables[(with_roof ? 2U : 0U) + (with_parcel ? 1U : 0U)];
 }
+std::span<const Attribute<BuildingRecord>> given_attributes(bool with_roof) {
+    using Attributes = std::vector<Attribute<BuildingRecord>>;
+    const auto table = [](bool roof) {
+        Attributes all;
+        std::ranges::copy_if(building_table, std::back_inserter(all), suits_given,
+                             &Attribute<BuildingRecord>::name);
+        if (roof)
+            all.insert(all.end(), roof_table.begin(), roof_table.end());
+        all.insert(all.end(), fit_table.begin(), fit_table.end());
+        return all;
+    };
+    static const std::array<Attributes, 2> tables{table(false), table(true)};
+    return tables[with_roof ? 1U : 0U];
+}
+std::vector<FieldValue> given_values(const Options& options, const BuildingRecord& record) {
+    const std::span<const Attribute<BuildingRecord>> attributes = given_attributes(options);
+    std::vector<FieldValue> values = field_values(attributes, record);
+    for (std::size_t i = 0; record.points == 0 && i < attributes.size(); ++i)
+        if (!is_of_shape(attributes[i].name))
+            values[i] = {};
+    return values;
+}
 std::span<const Attribute<RoofFaceRecord>> roof_face_attributes() {
     return roof_face_table;
 }
@@ -383,8 +434,22 @@ template std::vector<FieldValue> field_values(std::span<const Attribute<Building
 template std::vector<FieldValue> field_values(std::span<const Attribute<ContourRecord>>,
                                               const ContourRecord&);
 
+namespace {
+
+std::span<const Attribute<BuildingRecord>> all_building_attributes() {
+    static const auto all = [] {
+        const auto own = building_attributes(true, true);
+        std::vector<Attribute<BuildingRecord>> attributes(own.begin(), own.end());
+        attributes.insert(attributes.end(), fit_table.begin(), fit_table.end());
+        return attributes;
+    }();
+    return all;
+}
+
+}  // namespace
+
 std::string schema_markdown() {
-    return "## buildings\n\n" + markdown(building_attributes(true, true)) + "\n## contours\n\n" +
+    return "## buildings\n\n" + markdown(all_building_attributes()) + "\n## contours\n\n" +
            markdown(contour_attributes()) + "\n## roofs\n\n" + markdown(roof_face_attributes()) +
            "\n## rejected\n\n" + markdown(rejected_attributes()) + "\n## problems\n\n" +
            markdown(problem_attributes());

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
@@ -36,6 +37,15 @@ struct Attribute {
 [[nodiscard]] inline std::span<const Attribute<BuildingRecord>> building_attributes(const Options& options) {
     return building_attributes(options.write.roofs, options.detect.is_split_by());
 }
+/// Attributes of given footprints: those of buildings that do not concern the search and the outline, and
+/// those of the fit.
+[[nodiscard]] std::span<const Attribute<BuildingRecord>> given_attributes(bool with_roof);
+[[nodiscard]] inline std::span<const Attribute<BuildingRecord>> given_attributes(const Options& options) {
+    return given_attributes(options.write.roofs);
+}
+/// Returns the values of a given footprint. Without valid elevations only its id, area, perimeter and status
+/// are known.
+[[nodiscard]] std::vector<FieldValue> given_values(const Options& options, const BuildingRecord& record);
 [[nodiscard]] std::span<const Attribute<RoofFaceRecord>> roof_face_attributes();
 [[nodiscard]] std::span<const Attribute<ContourRecord>> contour_attributes();
 [[nodiscard]] std::span<const Attribute<RejectedRecord>> rejected_attributes();

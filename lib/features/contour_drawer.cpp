@@ -122,7 +122,20 @@ PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Dr
     if (!terms_.setup.plan.asked.outline.arcs)
         for (WorldPolygon& part : parts)
             part.arcs.clear();
-    return parts;
+    return area_ == nullptr ? parts : cut_off(std::move(parts));
+}
+
+PolygonMaker::Parts PolygonMaker::cut_off(Parts parts) {
+    if (!overlay_)
+        overlay_.emplace();
+    return overlay_->intersection(parts, *area_);
+}
+
+FeaturePolygon PolygonMaker::within(std::size_t contour, const std::vector<WorldPolygon>& area) {
+    area_ = &area;
+    FeaturePolygon made = make(contour, terms_.setup.plan.asked.outline.disjoint ? Form::tier : Form::whole);
+    area_ = nullptr;
+    return made;
 }
 
 /// Falls back to the whole contour if GEOS cannot subtract its children.
@@ -158,7 +171,7 @@ PolygonMaker::Parts PolygonMaker::in_target_crs(Parts parts) {
 /// (docs/method.md). Skipped because GEOS would need a fifth of the run time to confirm it, and for huge
 /// outlines time proportional to vertices times holes.
 bool PolygonMaker::is_valid_as_traced(const FeaturePolygon& made, Form form) const {
-    return made.status == OutlineStatus::traced && form != Form::tier && !to_target_ &&
+    return made.status == OutlineStatus::traced && form != Form::tier && !to_target_ && area_ == nullptr &&
            terms_.setup.georeference.is_exact(terms_.setup.dem.window);
 }
 
@@ -323,7 +336,8 @@ namespace {
 /// True if the stack error is measured on the drawn outlines. Not for the thesis preset: its outlines are
 /// drawn as traced, so the traced sums suffice, and reading the raster a second time may be expensive.
 bool measures_drawn(const RunPlan& plan) {
-    return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings;
+    return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings &&
+           !plan.asked.write.has_footprints();
 }
 
 outline::OutlineRules outline_rules(const RunSetup& setup) {

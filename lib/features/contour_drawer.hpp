@@ -19,6 +19,7 @@
 #include "features/reprojection.hpp"
 #include "features/write_features.hpp"
 #include "geometry/geos.hpp"
+#include "geometry/overlay.hpp"
 #include "outline/outline.hpp"
 #include "roofs/make_roof.hpp"
 
@@ -101,6 +102,10 @@ class PolygonMaker {
     /// Returns a contour minus the contours on top of it; no parts if they cover it completely.
     [[nodiscard]] FeaturePolygon tier(std::size_t contour) { return make(contour, Form::tier); }
 
+    /// Returns the part of a contour, or with disjoint contours of its tier, within an area; no parts if there
+    /// is none. @param area valid polygons in the CRS of the DEM
+    [[nodiscard]] FeaturePolygon within(std::size_t contour, const std::vector<WorldPolygon>& area);
+
     /// Converts a face of a roof, with the elevations of its corners. No parts if the output CRS tears it.
     [[nodiscard]] FeaturePolygon roof_face(const roofs::RoofFace& face);
 
@@ -121,12 +126,15 @@ class PolygonMaker {
     [[nodiscard]] FeaturePolygon make(std::size_t contour, Form form);
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
     [[nodiscard]] Parts traced_shape(std::size_t contour, bool tier);
+    [[nodiscard]] Parts cut_off(Parts parts);
     [[nodiscard]] Parts in_target_crs(Parts parts);
     [[nodiscard]] Geodesy::Measure measured(const FeaturePolygon& made, const Parts& drawn);
     [[nodiscard]] bool is_valid_as_traced(const FeaturePolygon& made, Form form) const;
 
     PolygonParameters terms_;
     Geos geos_;
+    std::optional<Overlay> overlay_;                  ///< made when it is needed
+    const std::vector<WorldPolygon>* area_ = nullptr;  ///< contours are cut off at it
     Geodesy geodesy_;
     std::optional<RingTransform> to_target_;  ///< nullopt if nothing is reprojected
     bool split_by_projection_ = false;        ///< state of the current feature

@@ -171,6 +171,8 @@ std::string_view status_name(OutlineStatus status) {
             return "kept_traced";
         case OutlineStatus::repaired:
             return "repaired";
+        case OutlineStatus::given:
+            return "given";
     }
     return "";
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "core/text.hpp"
@@ -13,8 +14,28 @@
 
 namespace d2b::features {
 
+namespace {
+
+/// Returns the fields of given footprints. One that the footprints have already, whatever its case, gets a
+/// prefix.
+std::vector<FieldSpec> given_fields(const Options& options, const std::string& vertical_unit,
+                                    const OriginalLayer* original) {
+    std::vector<FieldSpec> fields =
+        field_specs(given_attributes(options), vertical_unit, options.write.fields);
+    std::set<std::string> taken;
+    if (original != nullptr)
+        for (const std::string& name : original->field_names())
+            taken.insert(to_lower(name));
+    for (FieldSpec& field : fields)
+        while (taken.contains(to_lower(field.name)))
+            field.name = "d2b_" + field.name;
+    return fields;
+}
+
+}  // namespace
+
 LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std::string& vertical_unit,
-                       const FeatureSink& sink) {
+                       const FeatureSink& sink, const std::shared_ptr<const OriginalLayer>& original) {
     const Options& options = plan.asked;
     const WriteOptions& write = options.write;
     const bool with_arcs = options.outline.arcs;
@@ -26,15 +47,26 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
         return specs.layers.size() - 1;
     };
     const auto building_fields = field_specs(building_attributes(options), vertical_unit, write.fields);
-    if (plan.layers != Layers::contours)
-        specs.indices.buildings = add(LayerRole::buildings, "Buildings", "One polygon per building, from ",
-                                      building_fields, with_arcs);
+    std::optional<std::size_t>& own_buildings = specs.indices.buildings;
+    if (write.has_footprints()) {
+        specs.indices.given =
+            add(LayerRole::buildings, "Buildings", "Given footprints with heights, from ",
+                given_fields(options, vertical_unit, original.get()), false);
+        specs.layers.back().original = original;
+        specs.layers.back().with_z = false;
+    } else if (plan.layers != Layers::contours) {
+        own_buildings = add(LayerRole::buildings, "Buildings", "One polygon per building, from ",
+                            building_fields, with_arcs);
+    }
     if (plan.layers != Layers::buildings)
-        specs.indices.contours =
+        (write.has_footprints() ? specs.indices.given_contours : specs.indices.contours) =
             add(LayerRole::contours, "Contours",
                 options.outline.disjoint ? "Bands between thresholds that do not overlap, from "
                                          : "Stacked contours, low to high, from ",
-                field_specs(contour_attributes(), vertical_unit), with_arcs);
+                field_specs(contour_attributes(), vertical_unit), with_arcs && !write.has_footprints());
+    if (write.has_footprints() && sink.takes_points())  // that is, several layers
+        own_buildings = add(LayerRole::missing, "Missing", "Buildings without a given footprint, from ",
+                            building_fields, with_arcs);
     if (write.roofs) {
         specs.indices.roofs = add(LayerRole::roofs, "Roofs", "One polygon per face of a roof, from ",
                                   field_specs(roof_face_attributes(), vertical_unit), false);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ struct LayerIndices {
     std::optional<std::size_t> doubtful;
     std::optional<std::size_t> rejected;
     std::optional<std::size_t> problems;
+    // With given footprints, `buildings` are those that were found besides them, and `contours` is not set.
+    std::optional<std::size_t> given;
+    std::optional<std::size_t> given_contours;
 
     [[nodiscard]] std::optional<std::size_t> building_layer(bool is_low_confidence) const {
         return is_low_confidence ? doubtful : buildings;
@@ -35,9 +39,11 @@ struct LayerSpecs {
 };
 
 /// @param source name of the DEM @param vertical_unit its name
-/// @param sink gives the names of the layers in the destination
+/// @param sink gives the names of the layers in the destination @param original layer of the given footprints;
+/// null without
 [[nodiscard]] LayerSpecs layer_specs(const RunPlan& plan, const std::string& source,
-                                     const std::string& vertical_unit, const FeatureSink& sink);
+                                     const std::string& vertical_unit, const FeatureSink& sink,
+                                     const std::shared_ptr<const OriginalLayer>& original = nullptr);
 
 /// State of a run before any elevation is read: decided options, CRSs, geometry of the grid, layers.
 struct RunSetup {

@@ -52,6 +52,14 @@ double map_metres(const FeatureInput& input) {
     return unit && unit->metres > 0 ? unit->metres : 1;
 }
 
+/// Returns the name of a field of given footprints, which may have a prefix.
+std::string field_called(const std::string& name, const LayerSpec& layer) {
+    const auto found = std::ranges::find_if(layer.fields, [&](const FieldSpec& field) {
+        return field.name == name || field.name.ends_with("d2b_" + name);
+    });
+    return found == layer.fields.end() ? name : found->name;
+}
+
 /// Style of a layer of features with a reason but without a height.
 LayerStyle reason_style(const char* title, const char* field, double label_scale) {
     LayerStyle style;
@@ -111,8 +119,15 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
         if (!indices.contours)
             style.bottom = "ground";
     }
-    if (indices.contours)
-        layers[*indices.contours].style = contour_style(input.setup.plan.asked.outline.disjoint);
+    if (indices.given) {
+        LayerStyle& style = layers[*indices.given].style = building_style(input.setup.plan.asked.write.fields);
+        style.certainty.clear();
+        style.colour = style.label = style.height = field_called(style.height, layers[*indices.given]);
+        if (!indices.given_contours)
+            style.bottom = field_called("ground", layers[*indices.given]);
+    }
+    if (const auto contours = indices.contours ? indices.contours : indices.given_contours)
+        layers[*contours].style = contour_style(input.setup.plan.asked.outline.disjoint);
     if (indices.roofs)
         layers[*indices.roofs].style = roof_style();
     if (indices.doubtful)

@@ -23,6 +23,10 @@ constexpr std::string_view thesis_walls = "its outlines stay as traced unless -r
 constexpr std::string_view flow_roofs = "roofs are planes that meet, and have edges of any length";
 constexpr std::string_view flow_walls = "arcs are short walls, which are merged";
 
+constexpr std::string_view given_walls = "each footprint is a building already";
+constexpr std::string_view no_outlines = "blocks are made of outlines of found buildings";
+constexpr std::string_view kept_footprints = "footprints are written as they are";
+
 constexpr OptionCondition given(std::string_view name) {
     return {name};
 }
@@ -62,6 +66,21 @@ constexpr std::array rules{
     exclude(is("surface_of", "roofs"), given("min_gap"), flow_roofs),
     exclude(is("surface_of", "roofs"), given("min_wall"), flow_roofs),
     exclude(is_not("simplify", "0"), is_not("regularize", "off"), "straight walls need no simplification"),
+
+    // Footprints.
+    exclude(given("split_by"), given("footprints"), given_walls),
+    exclude(is_not("split_height", "0"), given("footprints"), given_walls),
+    exclude(given("mask"), given("footprints"), "all footprints are measured, so give those of the area"),
+    exclude(given("append"), given("footprints"), "write to another layer, with -overwrite if the file exists"),
+    exclude(is("layers", "contours"), given("footprints"), "the footprints are the layer of buildings"),
+    exclude(given("roofs"), given("footprints"), "run without -footprints for the faces of roofs"),
+    exclude(given("surface"), given("footprints"), no_outlines),
+    exclude(given("page"), given("footprints"), no_outlines),
+    exclude(given("flow_ready"), given("footprints"), kept_footprints),
+    exclude(given("min_gap"), given("footprints"), kept_footprints),
+    exclude(given("min_wall"), given("footprints"), kept_footprints),
+    exclude(given("write_rejected"), given("footprints"), "no footprint is left out"),
+    no_effect(given("footprints"), given("sweep"), no_layers),
 
     // Levels.
     no_effect(given("levels"), given("fl"), "the listed levels are the same for all buildings"),
@@ -145,6 +164,7 @@ constexpr std::array needs{
                      "it writes the problems of a surface or a flow solver",
                      {"flow_ready", "min_gap", "min_wall"}},
     OptionDependency{"mask_layer", "mask", "it names the layer of its polygons"},
+    OptionDependency{"footprints_layer", "footprints", "it names the layer of the footprints"},
     OptionDependency{"split_layer", "split_by", "it names the layer of the parcels"},
     OptionDependency{"split_field", "split_by", "it is a field of the parcels"},
     OptionDependency{"split_width", "split_by", "it is the width of parts that parcels cut off"},

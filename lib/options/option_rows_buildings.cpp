@@ -46,6 +46,25 @@ OptionRow ground() {
     return row;
 }
 
+std::vector<OptionRow> footprints() {
+    std::vector<OptionRow> rows;
+    rows.push_back(text_row("footprints", OptionKind::polygons, "<polygons>",
+                            [](auto& r) -> auto& { return r.options.write.footprints; },
+                            {.title = "Footprints that get heights",
+                             .section = DialogSection::detail,
+                             .help = "Give heights to footprints that exist, instead of outlining buildings.",
+                             .details = "In any CRS. They come back as they are, with their own fields, and "
+                                        "buildings found without a footprint go to the layer missing.",
+                             .scope = detection_scope(),
+                             .item = "FOOTPRINTS"}));
+    rows.push_back(text_row("footprints_layer", OptionKind::text, "<layer>",
+                            [](auto& r) -> auto& { return r.options.write.footprints_layer; },
+                            {.title = "Layer of the footprints",
+                             .help = "Layer of -footprints; by default the first with geometries.",
+                             .scope = detection_scope()}));
+    return rows;
+}
+
 std::vector<OptionRow> parcels() {
     std::vector<OptionRow> rows;
     rows.push_back(text_row("split_by", OptionKind::polygons, "<polygons or lines>",
@@ -127,6 +146,8 @@ std::vector<OptionRow> evidence() {
          .scope = detection_scope("0"),
          .item = "SPLIT_HEIGHT_M"}));
     for (OptionRow& row : parcels())
+        rows.push_back(std::move(row));
+    for (OptionRow& row : footprints())
         rows.push_back(std::move(row));
     return rows;
 }

@@ -17,6 +17,7 @@
 #include "elevations/filter_invalid.hpp"
 #include "options/provenance_text.hpp"
 #include "options/run_plan.hpp"
+#include "read/footprint_reader.hpp"
 #include "read/gdal_setup.hpp"
 #include "read/parcel_reader.hpp"
 #include "read/side_rasters.hpp"
@@ -101,6 +102,12 @@ AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& d
     if (!detect.split_by.empty())
         sources.parcels =
             reading::open_parcels({detect.split_by, detect.split_layer, detect.split_field}, grid, callbacks);
+    if (options.write.has_footprints()) {
+        const std::string& target = options.outline.target_crs;
+        sources.footprints = reading::open_footprints({options.write.footprints, options.write.footprints_layer,
+                                                       target.empty() ? "" : Crs(target).wkt()},
+                                                      grid, callbacks);
+    }
     return sources;
 }
 

@@ -243,6 +243,11 @@ FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit) {
     const std::vector<double> ground = detect::ground_levels(
         terrain, detection.labels, static_cast<Label>(detection.objects.size()), threads);
     found.objects = seen_objects(detection, ground, own, threads);
+    for (std::size_t layer = 0; search.given != nullptr && layer < search.given->layers.size(); ++layer) {
+        Grid<Label> labels = search.given->labels(layer, unit.seen, threads);
+        found.footprints.push_back(
+            detect::see_footprints(scene, detection, labels, own, options.detect.min_height, threads));
+    }
     found.labels = std::move(detection.labels);
     return found;
 }
@@ -309,6 +314,27 @@ std::int64_t min_cells(const RunPlan& plan, const detect::UnitGrid& units, const
     return units.count() > 1 ? detect::cells_covering(plan.building_m2, cell) : 1;
 }
 
+void FoundBuildings::drop(const std::vector<bool>& dropped) {
+    std::vector<Label> number(footprints.size(), 0);
+    Label kept = 0;
+    Label kept_buildings = 0;
+    for (Label label = 1; label < number.size(); ++label) {
+        if (dropped[label])
+            continue;
+        number[label] = ++kept;
+        footprints[kept] = footprints[label];
+        ground[kept] = ground[label];
+        if (label <= buildings)
+            kept_buildings = kept;
+    }
+    footprints.resize(kept + std::size_t{1});
+    ground.resize(kept + std::size_t{1});
+    for (features::Footprint& footprint : footprints)
+        footprint.whole = number[footprint.whole];
+    buildings = kept_buildings;
+    labels.relabel(number);
+}
+
 detect::UnitMerger::Merged merge_found_units(detect::UnitMerger& merger, const RunPlan& plan,
                                              const detect::UnitGrid& units, const CellSize& cell,
                                              RunReport& report) {
@@ -323,7 +349,8 @@ detect::UnitMerger::Merged merge_found_units(detect::UnitMerger& merger, const R
     return merged;
 }
 
-FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size) {
+FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size,
+                              GivenFootprints* given) {
     const RunPlan& plan = search.plan;
     const UnitFrame& frame = search.frame;
     Context& context = search.context;
@@ -339,7 +366,10 @@ FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& 
             const detect::Unit unit = units.unit(row, col);
             const double before = std::exchange(done, done + static_cast<double>(unit.own.points()));
             const ProgressSpan span(context, before / all, done / all);
-            sum.add(unit, col, find_in_unit(search, unit));
+            FoundInUnit here = find_in_unit(search, unit);
+            for (std::size_t layer = 0; layer < here.footprints.size(); ++layer)
+                given->add(layer, here.footprints[layer], frame.metres);
+            sum.add(unit, col, std::move(here));
         }
     if (plan.ground == GroundMode::given)
         context.report.count(Reason::terrain_outside_range, search.sources.terrain->cells_outside_range());

@@ -13,6 +13,7 @@
 #include "elevations/elevation_reader.hpp"
 #include "features/record_builder.hpp"
 #include "options/run_plan.hpp"
+#include "pipeline/given_footprints.hpp"
 
 namespace d2b::pipeline {
 
@@ -60,6 +61,7 @@ struct UnitSearch {
     ElevationReader& reader;
     UnitFrame frame;
     Context& context;
+    const GivenFootprints* given = nullptr;  ///< measured along the way
 };
 
 /// Detection result of one unit.
@@ -67,6 +69,7 @@ struct FoundInUnit {
     Grid<Label> labels;                       ///< labels of the unit's extent
     std::vector<detect::SeenObject> objects;  ///< by label - 1
     detect::SceneStatistics scene;            ///< of the unit's own cells
+    std::vector<std::vector<detect::SeenFootprint>> footprints{};  ///< by layer of given footprints
 };
 
 /// Estimates or reads the terrain, detects buildings above it, and writes the requested rasters. The result
@@ -88,6 +91,8 @@ struct FoundBuildings {
     detect::SceneStatistics scene;
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
+    /// Keeps some of the objects. @param dropped by label; [0] is not used
+    void drop(const std::vector<bool>& dropped);
     /// Returns the labels of a band of the window. Thread-safe.
     [[nodiscard]] LabelBand band(const BandShape& shape) const { return labels.band(shape); }
 };
@@ -111,7 +116,9 @@ inline constexpr double halo_widths = 5;
 
 /// Detects buildings in a window and merges objects that cross seams. Units are processed one after the other
 /// because that bounds memory.
+/// @param given receives what the units have seen of it; null without
 /// @throws InputError, OutputError, Cancelled
-[[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size = {});
+[[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size = {},
+                                            GivenFootprints* given = nullptr);
 
 }  // namespace d2b::pipeline

@@ -62,6 +62,7 @@ std::vector<std::string> take_warnings(const Sources& sources) {
     for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
         move_warnings(source, all);
     move_warnings(sources.parcels, all);
+    move_warnings(sources.footprints, all);
     return all;
 }
 

@@ -24,6 +24,7 @@
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
 #include "pipeline/trace_contours.hpp"
+#include "pipeline/write_footprints.hpp"
 #include "read/gdal_setup.hpp"
 
 namespace d2b::pipeline {
@@ -101,9 +102,10 @@ struct SearchResult {
 
 /// Runs all stages from the elevations to the levels of buildings. @param lattice null if no surface is asked
 /// for
+/// @param given null without given footprints; measured
 SearchResult search_levels(ElevationReader& reader, const features::RunSetup& setup, const Sources& sources,
                            const Sinks& sinks, const detect::UnitSize& size,
-                           features::SurfaceLattice* lattice, Context& context) {
+                           features::SurfaceLattice* lattice, GivenFootprints* given, Context& context) {
     const RunPlan& decided = setup.plan;
     const Window& window = setup.dem.window;
     const Milestones& at = milestones(decided);
@@ -121,8 +123,12 @@ SearchResult search_levels(ElevationReader& reader, const features::RunSetup& se
     if (!decided.detects_buildings())
         return result;
     result.found = with_progress(context, at.read, at.found, [&] {
-        return find_buildings({decided, sources, sinks, reader, {window, setup.cell, metres}, context}, size);
+        return find_buildings({decided, sources, sinks, reader, {window, setup.cell, metres}, context, given},
+                              size, given);
     });
+    if (given != nullptr)
+        result.found->drop(
+            covered_objects(*given, result.found->labels, result.found->count(), *context.threads));
     result.tiers = plan_tiers(reader, *result.found, window, setup, result.statistics.fixed_point(),
                               result.tiers.plan, context);
     return result;
@@ -188,15 +194,18 @@ void write_result(const features::FeatureInput& input, const features::RecordBui
 void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const PieceSizes& size,
                 CommitList& commit, Context& context) {
     const DemInfo& info = sources.dem.info();
-    const features::RunSetup setup = set_up_run(asked, info, sinks.features, context);
+    const features::RunSetup setup = set_up_run(asked, info, sinks.features, context, sources.footprints);
     const RunPlan& decided = setup.plan;
     RunReport& report = context.report;
     const double metres = report.units.vertical_metres;
 
     std::optional<features::SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
+    std::optional<GivenFootprints> given;
+    if (sources.footprints != nullptr)
+        given.emplace(place_footprints(*sources.footprints, setup, context));
     ElevationReader reader(sources.dem, context, size.bands);
-    SearchResult search =
-        search_levels(reader, setup, sources, sinks, size.units, lattice ? &*lattice : nullptr, context);
+    SearchResult search = search_levels(reader, setup, sources, sinks, size.units,
+                                        lattice ? &*lattice : nullptr, given ? &*given : nullptr, context);
     const contours::LevelPlan& plan = search.tiers.plan;
     FoundBuildings* const found = search.found ? &*search.found : nullptr;
     const contours::TraceFrame frame{info.window, plan.level_count(), search.statistics.fixed_point(),
@@ -232,6 +241,9 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
                                        roofs ? &*roofs : nullptr,
                                        has_tiers(sinks)};
     write_result(input, records, reader, sinks, {flow, lattice ? &*lattice : nullptr}, context);
+    if (given)
+        write_footprints(std::move(*given), reader, {frame.fixed, frame.range, search.tiers.plan}, setup,
+                         sinks.features, context);
     prepare_sinks(sinks, commit, context);
 }
 

@@ -46,9 +46,10 @@ Crs dem_crs(const Options& options, const DemInfo& dem) {
     return crs;
 }
 
-Crs target_crs(const Options& options, const Crs& crs) {
+/// Given footprints keep their CRS unless another one is asked for.
+Crs target_crs(const Options& options, const Crs& crs, const FootprintSource* footprints) {
     if (options.outline.target_crs.empty())
-        return {};
+        return footprints == nullptr ? Crs() : Crs(footprints->crs_wkt());
     if (crs.kind() == Crs::Kind::none)
         throw OptionError("-t_srs needs to know the CRS of the DEM, which has none; give it with -a_srs.");
     return Crs(options.outline.target_crs);
@@ -90,6 +91,18 @@ void require_memory(const RunPlan& plan, const Window& window, const CellSize& c
     diagnose::warn_unless_empty(diagnose::unit_memory_notice(seen), context);
 }
 
+/// Names the fields that given footprints have already.
+void warn_of_renamed_fields(const features::LayerSpecs& layers, Context& context) {
+    if (!layers.indices.given)
+        return;
+    std::string names;
+    for (const FieldSpec& field : layers.layers[*layers.indices.given].fields)
+        if (field.name.starts_with("d2b_"))
+            names += (names.empty() ? "" : ", ") + field.name;
+    if (!names.empty())
+        context.warn("The footprints have fields of the same names, so these are called " + names + ".");
+}
+
 void warn_of_scale(const features::RunSetup& setup, Context& context) {
     const bool on_ground = setup.crs.horizontal_unit() || setup.crs.on_ellipsoid();
     if (on_ground)
@@ -102,18 +115,21 @@ void warn_of_scale(const features::RunSetup& setup, Context& context) {
 
 }  // namespace
 
-features::RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink, Context& context) {
+features::RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink, Context& context,
+                              const FootprintSource* footprints) {
     check_options({asked, {}});
     const RunPlan plan = make_run_plan(asked, sink.layers(asked.write.layers));
     const Options& options = plan.asked;
     start_threads(options.run, context);
     const Crs crs = dem_crs(options, dem);
-    const Crs target = target_crs(options, crs);
+    const Crs target = target_crs(options, crs, footprints);
     RunReport& report = context.report;
     describe(dem, plan, crs, target, report);
     features::RunSetup setup{plan, dem, crs, target, Georeference(dem.transform, plan.trace), {}, {}, {}};
     const Position middle = features::require_projectable(dem, plan, crs, target);
-    setup.layers = features::layer_specs(plan, report.input, report.units.vertical, sink);
+    setup.layers = features::layer_specs(plan, report.input, report.units.vertical, sink,
+                                         footprints == nullptr ? nullptr : footprints->layer());
+    warn_of_renamed_fields(setup.layers, context);
     require_crs(options, crs, target, middle, sink);
     sink.preflight(setup.layers.layers, features::make_provenance(setup, report), middle);
     setup.area = make_square_area(setup.georeference, crs,

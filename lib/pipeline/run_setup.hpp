@@ -13,9 +13,10 @@ namespace d2b::pipeline {
 
 /// Validates the options, decides the open ones, starts the threads, and asks the destination whether it can
 /// hold the result, because an impossible request should fail before the work, not after it.
+/// @param footprints those given; null without
 /// @throws OptionError, InputError, OutputError
 [[nodiscard]] features::RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink,
-                                            Context& context);
+                                            Context& context, const FootprintSource* footprints = nullptr);
 
 /// Creates the lattice of the run's surfaces and asks the sinks whether they can hold it. @return nullopt if
 /// there are none

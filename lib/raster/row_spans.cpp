@@ -62,4 +62,26 @@ std::vector<RowSpan> row_spans(const FinePolygon& polygon) {
     return spans;
 }
 
+std::vector<RowSpan> row_spans(std::span<const WorldRing> rings, const Window& window) {
+    const IndexRange rows{window.row, window.end_row()};
+    const IndexRange cols{window.col, window.end_col()};
+    std::vector<std::pair<std::int32_t, std::int32_t>> crossings;  // row, and first cell right of an edge
+    for (const WorldRing& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Position& a = ring[i];
+            const Position& b = ring[i + 1 < ring.size() ? i + 1 : 0];
+            for_each_crossing({a.y, a.x}, {b.y, b.x}, rows, [&](std::int32_t row, double col) {
+                crossings.emplace_back(row, first_centre(col, cols));
+            });
+        }
+    std::ranges::sort(crossings);
+    std::vector<RowSpan> spans;
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+        const RowSpan span{crossings[i].first, crossings[i].second, crossings[i + 1].second};
+        if (span.begin < span.end)
+            spans.push_back(span);
+    }
+    return spans;
+}
+
 }  // namespace d2b

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/lattice.hpp"
+#include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/world_polygon.hpp"
 
 namespace d2b {
 
@@ -20,5 +26,36 @@ struct RowSpan {
 /// to the polygon on the right or below, so polygons that share a wall do not share cells. @param polygon
 /// valid
 [[nodiscard]] std::vector<RowSpan> row_spans(const FinePolygon& polygon);
+
+/// Half-open range of rows or columns [low, high).
+struct IndexRange {
+    std::int32_t low = 0;
+    std::int32_t high = 0;
+};
+
+/// Returns the first cell within limits whose centre is not less than `place`.
+[[nodiscard]] inline std::int32_t first_centre(double place, const IndexRange& limits) {
+    return static_cast<std::int32_t>(std::clamp(std::ceil(place - 0.5), static_cast<double>(limits.low),
+                                                static_cast<double>(limits.high)));
+}
+
+/// Calls use(step, place) for each line through cell centres, within limits, that an edge crosses, with the
+/// coordinate of the crossing along that line. Each crossing depends on the edge and the line alone, so it is
+/// the same from both sides. @param from, to ends of the edge: coordinate across the lines, then along them
+template <typename Use>
+void for_each_crossing(std::pair<double, double> from, std::pair<double, double> to, const IndexRange& limits,
+                       const Use& use) {
+    if (to < from)
+        std::swap(from, to);
+    const double rise = (to.second - from.second) / (to.first - from.first);
+    const std::int32_t end = first_centre(to.first, limits);
+    for (std::int32_t step = first_centre(from.first, limits); step < end; ++step)
+        use(step, from.second + (step + 0.5 - from.first) * rise);
+}
+
+/// Same for rings under the even-odd rule, in columns (x) and rows (y) of a raster, (0, 0) being the outer
+/// corner of the first cell. Polygons that share an edge leave no gap and do not overlap.
+/// @param rings may repeat their first position at the end @param window the cells beyond it are left out
+[[nodiscard]] std::vector<RowSpan> row_spans(std::span<const WorldRing> rings, const Window& window);
 
 }  // namespace d2b

@@ -9,6 +9,7 @@
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
+#include "raster/row_spans.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeferencing.hpp"
@@ -17,36 +18,6 @@
 
 namespace d2b::reading {
 namespace {
-
-/// Half-open range of rows or columns [low, high).
-struct IndexRange {
-    std::int32_t low = 0;
-    std::int32_t high = 0;
-};
-
-std::int32_t within(double value, const IndexRange& limits) {
-    return static_cast<std::int32_t>(
-        std::clamp(value, static_cast<double>(limits.low), static_cast<double>(limits.high)));
-}
-
-/// Returns the first cell whose centre is not less than `place`.
-std::int32_t first_centre(double place, const IndexRange& limits) {
-    return within(std::ceil(place - 0.5), limits);
-}
-
-/// Calls use(step, place) for each line through cell centres, within limits, that an edge crosses, with the
-/// coordinate of the crossing along that line. @param from, to ends of the edge: coordinate across the lines,
-/// then along them
-template <typename Use>
-void for_each_crossing(std::pair<double, double> from, std::pair<double, double> to, const IndexRange& limits,
-                       const Use& use) {
-    if (to < from)
-        std::swap(from, to);
-    const double rise = (to.second - from.second) / (to.first - from.first);
-    const std::int32_t end = first_centre(to.first, limits);
-    for (std::int32_t step = first_centre(from.first, limits); step < end; ++step)
-        use(step, from.second + (step + 0.5 - from.first) * rise);
-}
 
 class Burner {
   public:
@@ -69,16 +40,9 @@ class Burner {
 };
 
 void Burner::fill(const std::vector<WorldRing>& rings, const PixelParcel& parcel) {
-    std::vector<std::pair<std::int32_t, std::int32_t>> crossings;  // row, and first cell right of an edge
-    for (const WorldRing& ring : rings)
-        for (std::size_t i = 1; i < ring.size(); ++i)
-            for_each_crossing(
-                {ring[i - 1].y, ring[i - 1].x}, {ring[i].y, ring[i].x}, rows_,
-                [&](std::int32_t row, double col) { crossings.emplace_back(row, first_centre(col, cols_)); });
-    std::ranges::sort(crossings);
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-        for (std::int32_t col = crossings[i].second; col < crossings[i + 1].second; ++col) {
-            ParcelCell& here = cell(crossings[i].first, col);
+    for (const RowSpan& span : row_spans(rings, part_))
+        for (std::int32_t col = span.begin; col < span.end; ++col) {
+            ParcelCell& here = cell(span.row, col);
             if (here.parcel != ParcelCell::no_parcel && here.parcel != parcel.number) {
                 here.several = true;
                 continue;

@@ -102,6 +102,18 @@ Json parcels_of(const ParcelReport& parcels) {
             {"invalid_m2", parcels.invalid_m2}};
 }
 
+Json footprints_of(const FootprintReport& footprints) {
+    return {{"given", footprints.given},
+            {"measured", footprints.measured},
+            {"outside", footprints.outside},
+            {"without_cell", footprints.without_cell},
+            {"without_data", footprints.without_data},
+            {"without_polygon", footprints.without_polygon},
+            {"invalid", footprints.invalid},
+            {"flat", footprints.flat},
+            {"missing", footprints.missing}};
+}
+
 Json number_of(const std::optional<double>& number) {
     return number ? Json(*number) : Json();
 }
@@ -142,6 +154,8 @@ std::string json_report(const RunReport& report) {
         json["truncated_stacks"] = cuts_of(report.cuts);
     if (report.parcels)
         json["parcels"] = parcels_of(*report.parcels);
+    if (report.footprints)
+        json["footprints"] = footprints_of(*report.footprints);
     if (report.sampling)
         json["sampling"] = sampling_of(*report.sampling);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

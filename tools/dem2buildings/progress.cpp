@@ -104,6 +104,19 @@ std::string counts(const RunReport& report) {
     return text.empty() ? text : text + ")";
 }
 
+/// "160 footprints with heights of 163", and why the others have none.
+std::string footprints_text(const FootprintReport& report) {
+    std::string text = counted(report.measured, "footprint") + " with heights of " + grouped(report.given);
+    std::string others;
+    for (const auto& [n, words] : {std::pair{report.outside, "outside the raster"},
+                                   std::pair{report.without_cell, "smaller than a cell"},
+                                   std::pair{report.without_data, "without data"},
+                                   std::pair{report.without_polygon, "without a polygon"}})
+        if (n > 0)
+            others += (others.empty() ? "" : ", ") + grouped(n) + " " + words;
+    return text + (others.empty() ? "" : " (" + others + ")");
+}
+
 }  // namespace
 
 TerminalProgress::~TerminalProgress() {
@@ -142,10 +155,14 @@ void TerminalProgress::interrupt(bool shared, const std::function<void()>& say) 
 
 std::string summary(const RunReport& report, Layers layers, const std::string& destination) {
     std::vector<std::string> written;
-    if (layers != Layers::contours)
+    if (report.footprints)
+        written.push_back(footprints_text(*report.footprints));
+    else if (layers != Layers::contours)
         written.push_back(counted(report.buildings, "building"));
     if (layers != Layers::buildings)
         written.push_back(counted(report.contours, "contour"));
+    if (report.footprints && layers != Layers::buildings)
+        written.push_back(counted(report.footprints->missing, "building") + " without a footprint");
     if (report.roofs)
         written.push_back(counted(report.roofs->faces(), "face") + " of roofs");
     std::string text;

@@ -8,6 +8,7 @@
 
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/footprint_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/parcel_source.hpp"
 
@@ -52,6 +53,7 @@ struct AuxiliarySources {
     std::unique_ptr<DemSource> mask;
     std::unique_ptr<DemSource> ndvi;
     std::unique_ptr<ParcelSource> parcels;
+    std::unique_ptr<FootprintSource> footprints;
 };
 
 /// Rasters in memory that replace those named by the options: one value per cell of the whole DEM, with its
@@ -62,7 +64,7 @@ struct AuxiliaryArrays {
     std::optional<ElevationArray> ndvi;
 };
 
-/// Opens a terrain model, a mask, an NDVI and parcels on the grid of the DEM. @throws InputError;
+/// Opens a terrain model, a mask, an NDVI and parcels on the grid of the DEM, and footprints. @throws InputError;
 /// OptionError, also if an array differs in size from the DEM
 [[nodiscard]] AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& dem,
                                                       const Callbacks& callbacks = {},

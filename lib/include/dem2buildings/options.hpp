@@ -114,7 +114,7 @@ struct RoofOptions {
 };
 
 enum class Layers { both, buildings, contours };
-enum class LayerRole { buildings, contours, roofs, doubtful, rejected, problems };
+enum class LayerRole { buildings, contours, roofs, doubtful, rejected, problems, missing };
 
 /// Model of a surface: one block per building, the tiers of its stack, or the planes of its roof.
 enum class SurfaceOf { buildings, contours, roofs };
@@ -133,6 +133,8 @@ enum class FieldNames { own, urock, city4cfd, osm };
 
 struct WriteOptions {
     std::string destination;
+    std::string footprints;        ///< existing polygons that get heights; "": buildings are outlined
+    std::string footprints_layer;  ///< their layer; "": the first with geometries
     std::string format;                        ///< OGR short name; deduced from the extension if empty
     std::vector<std::string> dataset_options;  ///< NAME=VALUE
     std::vector<std::string> layer_options;    ///< NAME=VALUE
@@ -164,6 +166,8 @@ struct WriteOptions {
     bool landscape = false;               ///< the longer side of the paper is its width
     std::string title;                    ///< of the page and the picture; "": none
     std::string credit;                   ///< source and licence of the data, on the page and the picture
+
+    [[nodiscard]] bool has_footprints() const { return !footprints.empty(); }
 };
 
 struct RunOptions {

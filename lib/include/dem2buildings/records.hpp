@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string_view>
 #include <variant>
 
@@ -10,8 +11,8 @@
 
 namespace d2b {
 
-/// Processing state of an outline between trace and file.
-enum class OutlineStatus { traced, simplified, regularized, kept_traced, repaired };
+/// Processing state of an outline between trace and file, or that it was given.
+enum class OutlineStatus { traced, simplified, regularized, kept_traced, repaired, given };
 
 /// Percentiles of a building's elevations that are recorded, as shares of its points.
 inline constexpr std::array<double, 4> percentile_shares{0.50, 0.70, 0.90, 0.95};
@@ -74,6 +75,11 @@ struct BuildingRecord {
     double deviation_m = 0;  ///< largest distance between the outline and its trace
     double area_change = 0;  ///< change by regularisation, share of the traced area
     RoofRecord roof_shape;   ///< with -roofs
+    double seen_share = unknown_share;  ///< cells of a given footprint that rise by -min_height
+    double tree_share = unknown_share;  ///< cells of a given footprint that look like trees
+    double shift_m = unknown_share;     ///< move that brings a given footprint onto walls
+
+    static constexpr double unknown_share = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Attributes of an object that was dropped, filled or changed.

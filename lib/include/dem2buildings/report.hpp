@@ -167,6 +167,19 @@ struct ParcelReport {
     double invalid_m2 = 0;                  ///< building area in invalid parcels
 };
 
+/// Existing footprints that got heights.
+struct FootprintReport {
+    std::int64_t given = 0;            ///< features of their layer, all of which are written
+    std::int64_t measured = 0;         ///< with at least one valid elevation
+    std::int64_t outside = 0;          ///< beyond the used part of the raster
+    std::int64_t without_cell = 0;     ///< inside, but without the centre of a cell
+    std::int64_t without_data = 0;     ///< with cells, none of which is valid
+    std::int64_t without_polygon = 0;  ///< features without a polygon
+    std::int64_t invalid = 0;          ///< measured on a repaired copy
+    std::int64_t flat = 0;             ///< measured, less than a tenth of which rises by -min_height
+    std::int64_t missing = 0;          ///< buildings found of which footprints cover less than half
+};
+
 /// Resolution of the raster, estimated from its own values.
 struct SamplingReport {
     double interpolated_fraction =
@@ -233,6 +246,7 @@ struct RunReport : Tally {
     std::optional<SurfaceReport> surface;    ///< if requested
     std::vector<CutStack> cuts;              ///< level 1 first; only if a sink gets the tiers of stacks
     std::optional<ParcelReport> parcels;     ///< if parcels cut buildings
+    std::optional<FootprintReport> footprints;  ///< if existing footprints got heights
     std::optional<SamplingReport> sampling;  ///< if buildings were detected
     int threads = 1;                         ///< number used
     std::vector<std::string> warnings;

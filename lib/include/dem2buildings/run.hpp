@@ -5,6 +5,7 @@
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/dem_source.hpp"
+#include "dem2buildings/footprint_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/parcel_source.hpp"
 #include "dem2buildings/report.hpp"
@@ -20,6 +21,7 @@ struct Sources {
     DemSource* mask = nullptr;     ///< buildings are searched in cells that are neither 0 nor invalid
     DemSource* ndvi = nullptr;
     ParcelSource* parcels = nullptr;  ///< cut buildings
+    FootprintSource* footprints = nullptr;  ///< get heights, instead of outlines of found buildings
 };
 
 /// Outputs of a run. Rasters are in metres.

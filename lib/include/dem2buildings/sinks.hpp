@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -69,6 +70,18 @@ struct LayerStyle {
     double metre_scale = 1;     ///< units of the map in a metre
 };
 
+/// Definition of a layer of another dataset, whose features are written again as they are. Made by
+/// open_footprints(); only sinks that open_sink() makes can read the features.
+class OriginalLayer {
+  public:
+    OriginalLayer() = default;
+    OriginalLayer(const OriginalLayer&) = delete;
+    OriginalLayer& operator=(const OriginalLayer&) = delete;
+    virtual ~OriginalLayer() = default;
+
+    [[nodiscard]] virtual std::vector<std::string> field_names() const = 0;
+};
+
 struct LayerSpec {
     std::string name;
     std::string title;
@@ -78,6 +91,8 @@ struct LayerSpec {
     bool with_arcs = false;         ///< write circular arcs as curves if the format supports them
     LayerStyle style = {};
     bool points = false;  ///< features are points, otherwise polygons
+    /// Features have the geometry, number and fields of this layer, and then those above; null for others.
+    std::shared_ptr<const OriginalLayer> original = {};
 };
 
 /// Value of a field. std::monostate is NULL.
@@ -89,6 +104,8 @@ struct Feature {
     double z = 0;
     FeatureRecord record = {};           ///< typed attributes
     std::optional<Position> place = {};  ///< position in a layer of points, instead of the parts
+    /// Feature of LayerSpec::original, written instead of the parts; empty in other layers.
+    std::vector<std::byte> original = {};
 };
 
 /// Rounding of coordinates by a destination.
@@ -172,6 +189,7 @@ class FeatureSink {
                : role == LayerRole::roofs    ? "roofs"
                : role == LayerRole::doubtful ? "doubtful"
                : role == LayerRole::rejected ? "rejected"
+               : role == LayerRole::missing  ? "missing"
                                              : "problems";
     }
 };

@@ -29,7 +29,7 @@ std::uint8_t number_of(std::string_view doubt) {
 
 OutlineStatus load_status(ByteReader& reader) {
     const auto status = reader.take<std::uint8_t>();
-    if (status > static_cast<std::uint8_t>(OutlineStatus::repaired))
+    if (status > static_cast<std::uint8_t>(OutlineStatus::given))
         throw CorruptRecord("an outline has an unknown status");
     return static_cast<OutlineStatus>(status);
 }

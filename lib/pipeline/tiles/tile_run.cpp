@@ -160,6 +160,7 @@ void require_tileable(const Options& options) {
     refuse(!write.preview.empty(), "-preview", "a picture needs the whole area");
     refuse(!write.surfaces.empty(), "-surface", "a surface needs the whole area");
     refuse(!write.page.empty(), "-page", "a page needs the whole area");
+    refuse(write.has_footprints(), "-footprints", "the features of one file cannot be divided among tiles");
     const std::string flow = "changes of outlines depend on others that may be far away";
     refuse(options.outline.flow_ready > 0, "-flow_ready", flow);
     refuse(options.outline.min_gap.has_value(), "-min_gap", flow);

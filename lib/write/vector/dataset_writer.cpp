@@ -235,8 +235,10 @@ void DatasetWriter::defer_indices() {
     const NameValueList chosen(options_.layer_options);
     if (format_.name != "GPKG" || !transactions_ || mode_ == Mode::extend || chosen.has("SPATIAL_INDEX"))
         return;
-    for (LayerWriter& layer : layers_)
-        layer.defer_index(dataset_.get());
+    // Boxes of features that are copied are not known here.
+    for (std::size_t i = 0; i < layers_.size(); ++i)
+        if (specs_[i].original == nullptr)
+            layers_[i].defer_index(dataset_.get());
 }
 
 void DatasetWriter::remove_layers() {

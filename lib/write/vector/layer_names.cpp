@@ -139,6 +139,8 @@ std::string suffix_of(LayerRole role, Layers layers) {
             return "_rejected";
         case LayerRole::problems:
             return "_problems";
+        case LayerRole::missing:
+            return "_missing";
         case LayerRole::roofs:
             return "_roofs";
         case LayerRole::contours:
@@ -185,6 +187,8 @@ std::string name_of(const WriteOptions& options, const VectorFormat& format, Lay
             return "doubtful";
         case LayerRole::rejected:
             return "rejected";
+        case LayerRole::missing:
+            return "missing";
         case LayerRole::problems:
             break;
     }
@@ -197,6 +201,8 @@ std::vector<std::string> names_of(const WriteOptions& options, const VectorForma
         names.push_back(name_of(options, format, LayerRole::buildings, layers));
     if (layers != Layers::buildings)
         names.push_back(name_of(options, format, LayerRole::contours, layers));
+    if (options.has_footprints() && format.multiple_layers)
+        names.push_back(name_of(options, format, LayerRole::missing, layers));
     if (options.roofs)
         names.push_back(name_of(options, format, LayerRole::roofs, layers));
     if (options.doubtful)

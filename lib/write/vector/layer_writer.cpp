@@ -19,6 +19,27 @@ namespace d2b::writing {
 
 namespace {
 
+/// @return null if the features of the layer come from no other one, or from one that is not of OGR
+const reading::OgrOriginalLayer* original_of(const LayerSpec& spec) {
+    return dynamic_cast<const reading::OgrOriginalLayer*>(spec.original.get());
+}
+
+/// Creates the fields of the layer that features come from.
+/// @return layer field index per field of that layer
+std::vector<int> create_copied_fields(OGRLayerH layer, const LayerSpec& spec, const LayerSettings& setting) {
+    std::vector<int> indices;
+    const reading::OgrOriginalLayer* const original = original_of(spec);
+    for (int i = 0; original != nullptr && i < OGR_FD_GetFieldCount(original->definition()); ++i) {
+        OGRFieldDefnH const field = OGR_FD_GetFieldDefn(original->definition(), i);
+        OgrCall call(setting.target);
+        const bool done = OGR_L_CreateField(layer, field, TRUE) == OGRERR_NONE;
+        call.check(done, "creating field \"" + std::string(OGR_Fld_GetNameRef(field)) + "\" of layer \"" +
+                             spec.name + "\"");
+        indices.push_back(OGR_FD_GetFieldCount(OGR_L_GetLayerDefn(layer)) - 1);
+    }
+    return indices;
+}
+
 std::int64_t largest_fid(OGRLayerH layer) {
     std::int64_t largest = 0;
     OGR_L_ResetReading(layer);
@@ -37,7 +58,8 @@ LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSett
       fields_(std::move(fields)),
       has_geometry_(OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) > 0),
       feature_(OGR_F_Create(OGR_L_GetLayerDefn(layer))),
-      wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface) {
+      wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface),
+      original_(original_of(spec)) {
     const auto height = std::ranges::find(spec.fields, spec.style.colour, &FieldSpec::name);
     if (!spec.style.colour.empty() && height != spec.fields.end())
         height_field_ = static_cast<std::size_t>(height - spec.fields.begin());
@@ -45,7 +67,9 @@ LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSett
 
 LayerWriter LayerWriter::create(GDALDatasetH dataset, const LayerSpec& spec, const LayerSettings& setting) {
     OGRLayerH layer = create_layer(dataset, spec, setting);
+    std::vector<int> copied = create_copied_fields(layer, spec, setting);
     LayerWriter writer(layer, spec, setting, create_fields(layer, spec, setting));
+    writer.copied_fields_ = std::move(copied);
     writer.is_new_ = true;
     return writer;
 }
@@ -102,11 +126,14 @@ void LayerWriter::add(const Feature& feature) {
                           "\" has " + std::to_string(feature.values.size()) + " values for " +
                           std::to_string(fields_.size()) + " fields.");
     OgrCall call(*target_);
+    feature_.reset(original_ == nullptr ? feature_.release() : OGR_F_Create(OGR_L_GetLayerDefn(layer_)));
     OGR_F_SetFID(feature_.get(), next_fid_ == OGRNullFID ? OGRNullFID : next_fid_++);
     for (std::size_t i = 0; i < fields_.size(); ++i)
         set(fields_[i], feature.values[i]);
     bool done = true;
-    if (has_geometry_) {
+    if (original_ != nullptr) {
+        copy_original(feature);
+    } else if (has_geometry_) {
         const auto bytes = wkb_.encode(feature);
         OGRGeometryH geometry = nullptr;
         done = OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())) ==
@@ -127,6 +154,14 @@ void LayerWriter::add(const Feature& feature) {
         if (const double* height = std::get_if<double>(&feature.values[*height_field_]);
             height != nullptr && std::isfinite(*height))
             heights_.push_back(*height);
+}
+
+void LayerWriter::copy_original(const Feature& feature) {
+    if (feature.original.empty())
+        return;  // a trial
+    const reading::FeatureOwner original = original_->decode(feature.original);
+    OGR_F_SetFromWithMap(feature_.get(), original.get(), TRUE, copied_fields_.data());
+    OGR_F_SetFID(feature_.get(), OGR_F_GetFID(original.get()));
 }
 
 namespace {
@@ -173,6 +208,10 @@ NameValueList layer_options(GDALDatasetH dataset, const LayerSpec& spec, const L
     };
     offer("IDENTIFIER", title_exists(dataset, spec.title) ? spec.title + " (" + spec.name + ")" : spec.title);
     offer("DESCRIPTION", spec.description);
+    if (const reading::OgrOriginalLayer* const original = original_of(spec)) {
+        offer("FID", original->fid_column());
+        offer("GEOMETRY_NAME", original->geometry_column());
+    }
     // Temporary files belong next to the result, not into the working directory.
     offer("TEMPORARY_DIR", setting.target.hidden_folder);
     // By default these drivers silently drop geometries and characters.
@@ -197,6 +236,8 @@ FieldOwner field_of(const FieldSpec& spec, GDALDriverH driver) {
 OGRwkbGeometryType geometry_type(const LayerSpec& spec, GDALDriverH driver) {
     if (spec.points)
         return wkbPoint;
+    if (const reading::OgrOriginalLayer* const original = original_of(spec))
+        return original->geometry_type();
     const bool curves =
         spec.with_arcs && GDALGetMetadataItem(driver, GDAL_DCAP_CURVE_GEOMETRIES, nullptr) != nullptr;
     if (curves)

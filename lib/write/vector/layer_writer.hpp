@@ -10,6 +10,7 @@
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "dem2buildings/wkb.hpp"
+#include "read/original_layer.hpp"
 #include "write/geopackage/spatial_index.hpp"
 #include "write/ogr_util.hpp"
 #include "write/vector/vector_format.hpp"
@@ -55,6 +56,8 @@ class LayerWriter {
     LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSettings& setting,
                 std::vector<int> fields);
     void set(int field, const FieldValue& value);
+    /// Gives the next feature the geometry, number and fields of an original.
+    void copy_original(const Feature& feature);
     /// Describes a feature in messages.
     [[nodiscard]] std::string text_of(const Feature& feature) const;
 
@@ -70,6 +73,8 @@ class LayerWriter {
     std::int64_t next_fid_ = OGRNullFID;  ///< set if the driver does not append new features by itself
     reading::FeatureOwner feature_;
     MultiPolygonWkb wkb_;
+    const reading::OgrOriginalLayer* original_;  ///< null if features are drawn here
+    std::vector<int> copied_fields_;             ///< layer field index per field of the original
     std::optional<SpatialIndex> index_;
 };
 

@@ -7,6 +7,7 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "read/config_option.hpp"
+#include "read/footprint_reader.hpp"
 #include "read/gdal_setup.hpp"
 #include "write/destination.hpp"
 #include "write/qgis/qgis_style.hpp"
@@ -220,6 +221,30 @@ std::optional<ExistingDataset> find_existing(Destination& destination, VectorFor
     return std::nullopt;
 }
 
+/// True if both names are the same file, also by way of links.
+bool is_same_dataset(const std::string& one, const std::string& other) {
+    std::error_code error;
+    return one == other || std::filesystem::equivalent(one, other, error);
+}
+
+/// Refuses to replace the footprints that are read: their layer, or their file if -overwrite replaces it whole.
+/// @throws OptionError
+void keep_footprints(const WriteOptions& options, const VectorFormat& format, Layers layers) {
+    if (!options.has_footprints() || !options.overwrite ||
+        !is_same_dataset(options.footprints, options.destination))
+        return;
+    if (!format.transactions)
+        throw OptionError("\"" + options.destination +
+                          "\" holds the footprints, and -overwrite would replace all of it; write to another "
+                          "file.");
+    const std::string source = reading::footprint_layer_name(options.footprints, options.footprints_layer);
+    for (const std::string& name : names_of(options, format, layers))
+        if (EQUAL(name.c_str(), source.c_str()))
+            throw OptionError("The layer \"" + source + "\" of \"" + options.destination +
+                              "\" holds the footprints, which -overwrite would replace; give another name "
+                              "with -nln.");
+}
+
 }  // namespace
 }  // namespace d2b::writing
 
@@ -230,6 +255,7 @@ std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callba
     writing::VectorFormat format = writing::format_for(options);
     const Layers layers = writing::resolve_layers(options, format);
     writing::Destination destination = writing::locate(options, format);
+    writing::keep_footprints(options, format, layers);
     std::optional<writing::ExistingDataset> existing =
         writing::find_existing(destination, format, options, layers);
     if (callbacks.on_warning && !options.layers && layers == Layers::buildings)

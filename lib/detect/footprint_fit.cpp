@@ -1,0 +1,207 @@
+#include "detect/footprint_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "detect/ground_level.hpp"
+#include "detect/smoothness.hpp"
+
+namespace d2b::detect {
+namespace {
+
+/// Renumbers the labels of a grid from 1, in ascending order, so that tables by label are short.
+/// @return the labels, in ascending order
+std::vector<Label> renumber_present(Grid<Label>& labels, Executor& threads) {
+    const std::vector<RowBand> bands = row_bands(labels.rows, labels.cols);
+    std::vector<std::vector<Label>> here(bands.size());
+    const auto sort_unique = [](std::vector<Label>& list) {
+        std::ranges::sort(list);
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    };
+    threads.for_each(bands.size(), [&](std::size_t i) {
+        for (std::int32_t r = bands[i].begin; r < bands[i].end; ++r)
+            for_equal_runs(labels.row(r), [&](std::int32_t, std::int32_t, Label label) {
+                here[i].push_back(label);
+            });
+        sort_unique(here[i]);
+    });
+    std::vector<Label> present;
+    for (const std::vector<Label>& some : here)
+        present.insert(present.end(), some.begin(), some.end());
+    sort_unique(present);
+    threads.for_each(bands.size(), [&](std::size_t i) {
+        for (std::int32_t r = bands[i].begin; r < bands[i].end; ++r) {
+            const std::span<Label> row = labels.row(r);
+            for_equal_runs(row, [&](std::int32_t begin, std::int32_t end, Label label) {
+                const auto number = std::ranges::lower_bound(present, label) - present.begin() + 1;
+                std::fill(row.begin() + begin, row.begin() + end, static_cast<Label>(number));
+            });
+        }
+    });
+    return present;
+}
+
+/// Returns the runs of each label, in scan order.
+std::vector<std::vector<RowSpan>> runs_by_label(const Grid<Label>& labels, std::size_t count) {
+    std::vector<std::vector<RowSpan>> runs(count + 1);
+    for (std::int32_t r = 0; r < labels.rows; ++r)
+        for_equal_runs(labels.row(r), [&](std::int32_t begin, std::int32_t end, Label label) {
+            runs[label].push_back({r, begin, end});
+        });
+    return runs;
+}
+
+/// Tells which cells rise, and which of these look like trees.
+class CellKinds {
+  public:
+    CellKinds(const Scene& scene, const Detection& detection, double min_height, Executor& threads)
+        : scene_(scene),
+          detection_(detection),
+          min_height_(static_cast<float>(min_height)),
+          flags_(smoothness(scene.surface, detection.smooth, threads)) {}
+
+    [[nodiscard]] bool is_elevated(std::size_t i) const { return scene_.height(i) > min_height_; }
+    /// @pre is_elevated(i)
+    [[nodiscard]] bool is_tree(std::size_t i) const {
+        if (detection_.is_building(detection_.labels.values[i]))
+            return false;
+        const bool green = scene_.greenness != nullptr && scene_.greenness->values[i] > vegetation_ndvi;
+        return green || (flags_.values[i] & smooth_enough) == 0;
+    }
+
+  private:
+    const Scene& scene_;
+    const Detection& detection_;
+    float min_height_;
+    Grid<std::uint8_t> flags_;
+};
+
+void count_own(const Scene& scene, const CellKinds& kinds, std::span<const RowSpan> runs, const Window& own,
+               SeenFootprint& seen) {
+    for (const RowSpan& run : runs) {
+        if (run.row < own.row || run.row >= own.end_row())
+            continue;
+        const std::int32_t end = std::min(run.end, own.end_col());
+        for (std::int32_t c = std::max(run.begin, own.col); c < end; ++c) {
+            const std::size_t i = scene.surface.index(run.row, c);
+            ++seen.own_cells;
+            if (!kinds.is_elevated(i))
+                continue;
+            ++seen.elevated;
+            seen.trees += kinds.is_tree(i) ? 1 : 0;
+        }
+    }
+}
+
+constexpr double farthest_m = 5;
+constexpr int most_moves = 12;
+constexpr float full_fall_m = 3;
+constexpr std::size_t most_edges = 160;
+
+/// Edge between a cell of a footprint and one outside.
+struct FootprintEdge {
+    std::int32_t row = 0;  ///< of the cell inside
+    std::int32_t col = 0;
+    std::int32_t down = 0;  ///< from there to the cell outside
+    std::int32_t right = 0;
+};
+
+std::vector<FootprintEdge> outer_edges(const Grid<Label>& labels, Label label, std::span<const RowSpan> cells) {
+    std::vector<FootprintEdge> edges;
+    const auto add = [&](std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right) {
+        if (labels.holds(r + down, c + right) && labels.at(r + down, c + right) != label)
+            edges.push_back({r, c, down, right});
+    };
+    for (const RowSpan& run : cells) {
+        add(run.row, run.begin, 0, -1);
+        add(run.row, run.end - 1, 0, 1);
+        for (std::int32_t c = run.begin; c < run.end; ++c) {
+            add(run.row, c, -1, 0);
+            add(run.row, c, 1, 0);
+        }
+    }
+    if (edges.size() <= most_edges)
+        return edges;
+    std::vector<FootprintEdge> some;  // evenly spread, because all walls must count
+    for (std::size_t i = 0; i < most_edges; ++i)
+        some.push_back(edges[i * edges.size() / most_edges]);
+    return some;
+}
+
+/// Fall of the surface between two neighbours, limited; 0 if it rises, or without data.
+float fall(const Scene& scene, std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right) {
+    const MetreGrid& surface = scene.surface;
+    if (!surface.holds(r, c) || !surface.holds(r + down, c + right))
+        return 0;
+    const float drop = scene.height(surface.index(r, c)) - scene.height(surface.index(r + down, c + right));
+    return drop > 0 ? std::min(drop, full_fall_m) : 0;  // also if it is NaN
+}
+
+double fall_at(const Scene& scene, std::span<const FootprintEdge> edges, std::int32_t down,
+               std::int32_t right) {
+    double sum = 0;
+    for (const FootprintEdge& edge : edges) {
+        const std::int32_t r = edge.row + down;
+        const std::int32_t c = edge.col + right;
+        const float here = fall(scene, r, c, edge.down, edge.right);
+        const float inside = fall(scene, r - edge.down, c - edge.right, edge.down, edge.right);
+        const float outside = fall(scene, r + edge.down, c + edge.right, edge.down, edge.right);
+        sum += static_cast<double>(2 * here + inside + outside);
+    }
+    return sum;
+}
+
+std::int32_t steps_within(double step_m) {
+    return static_cast<std::int32_t>(std::clamp(farthest_m / step_m, 0.0, static_cast<double>(most_moves)));
+}
+
+}  // namespace
+
+double wall_shift(const Scene& scene, const Grid<Label>& labels, Label label,
+                  std::span<const RowSpan> cells) {
+    constexpr double worth_a_move = 1.02;
+    const std::vector<FootprintEdge> edges = outer_edges(labels, label, cells);
+    const std::int32_t most_down = steps_within(scene.cell.down);
+    const std::int32_t most_right = steps_within(scene.cell.across);
+    double most = fall_at(scene, edges, 0, 0) * worth_a_move;
+    double nearest = 0;
+    for (std::int32_t down = -most_down; down <= most_down; ++down)
+        for (std::int32_t right = -most_right; right <= most_right; ++right) {
+            const double distance = std::hypot(down * scene.cell.down, right * scene.cell.across);
+            if (distance > farthest_m || (down == 0 && right == 0))
+                continue;
+            const double sum = fall_at(scene, edges, down, right);
+            if (sum > most || (sum == most && distance < nearest)) {
+                most = sum;
+                nearest = distance;
+            }
+        }
+    return nearest;
+}
+
+std::vector<SeenFootprint> see_footprints(const Scene& scene, const Detection& detection, Grid<Label>& labels,
+                                          const Window& own, double min_height, Executor& threads) {
+    const std::vector<Label> present = renumber_present(labels, threads);
+    if (present.empty())
+        return {};
+    const std::vector<double> ground =
+        ground_levels(scene.terrain, labels, static_cast<Label>(present.size()), threads);
+    const std::vector<std::vector<RowSpan>> runs = runs_by_label(labels, present.size());
+    const CellKinds kinds(scene, detection, min_height, threads);
+    std::vector<SeenFootprint> seen(present.size());
+    threads.for_each(present.size(), [&](std::size_t i) {
+        const auto number = static_cast<Label>(i + 1);
+        seen[i].label = present[i];
+        seen[i].ground = ground[number];
+        count_own(scene, kinds, runs[number], own, seen[i]);
+        if (static_cast<double>(seen[i].elevated) >= least_seen_share * static_cast<double>(seen[i].own_cells))
+            seen[i].shift_m = wall_shift(scene, labels, number, runs[number]);
+    });
+    std::erase_if(seen, [](const SeenFootprint& one) { return one.own_cells == 0; });
+    return seen;
+}
+
+}  // namespace d2b::detect

@@ -1,0 +1,251 @@
+#include "pipeline/write_footprints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contours/for_each_building.hpp"
+#include "core/byte_stream.hpp"
+#include "features/attribute_table.hpp"
+#include "features/contour_drawer.hpp"
+#include "features/record_builder.hpp"
+#include "pipeline/find_buildings.hpp"
+#include "pipeline/trace_contours.hpp"
+
+namespace d2b::pipeline {
+namespace {
+
+/// Outlines in given footprints follow the cells, because their walls are those of the footprints.
+features::RunSetup setup_of_contours(const features::RunSetup& setup) {
+    features::RunSetup traced = setup;
+    traced.plan.walls = Walls::off;
+    traced.plan.asked.outline.arcs = false;
+    traced.plan.asked.detect.min_building_height = 0;
+    return traced;
+}
+
+/// Labels of given footprints in the form that found buildings have.
+FoundBuildings as_found(const GivenFootprints& given, FootprintLayer& layer) {
+    FoundBuildings found;
+    found.labels = std::move(layer.labels);
+    found.buildings = layer.count();
+    for (Label label = 1; label <= layer.count(); ++label) {
+        const double ground = given.all[layer.footprints[label]].ground;
+        found.ground.push_back(ground);
+        found.footprints.push_back({ground, RoofElevations::unknown, {}, ParcelCell::no_parcel, 0});
+    }
+    return found;
+}
+
+/// Measures the elevations of the cells of each footprint.
+void measure_cells(GivenFootprints& given, const FootprintLayer& layer, const FoundBuildings& labels,
+                   ElevationReader& reader, const ElevationFrame& frame, Context& context) {
+    contours::for_each_building(
+        reader, labels.labels, labels.count(), given.window, Stage::attributes, context,
+        [&](Label label, contours::BuildingCells&& cells) {
+            PlacedFootprint& placed = given.all[layer.footprints[label]];
+            PointStats stats;
+            for (const double z : cells.elevations)
+                if (!std::isnan(z))
+                    stats.add(z, frame.fixed);
+            placed.points = stats.n;
+            if (stats.n > 0)
+                placed.mean = frame.fixed.mean(stats.sum, stats.n);
+            for (const std::size_t spire : cells.spires)
+                cells.elevations[spire] = RoofElevations::unknown;
+            ElevationSample sample;
+            sample.add(cells.elevations, frame.range);
+            placed.roof = summarize_roof(sample, frame.range);
+        });
+}
+
+/// Contour cut off at its footprint.
+struct CutContour {
+    ContourRecord record;
+    std::int64_t parent = -1;
+    PointStats own;
+    features::FeaturePolygon made;
+};
+
+/// Writes the contours of one layer of footprints after another.
+class CutContours {
+  public:
+    CutContours(GivenFootprints& given, const features::RunSetup& setup, const ElevationFrame& frame,
+                FeatureSink& sink, Context& context)
+        : given_(given),
+          setup_(setup),
+          frame_(frame),
+          sink_(sink),
+          context_(context),
+          layer_(setup.layers.indices.given_contours) {}
+
+    /// @param footprints index of the footprint by label
+    void write(const contours::StoredContours& contours, const features::RecordBuilder& records,
+               const outline::Outliner& outliner, const std::vector<std::size_t>& footprints);
+    [[nodiscard]] double rmse() const { return rmse_.value(); }
+
+  private:
+    [[nodiscard]] CutContour draw(const contours::StoredContours& contours,
+                                  const features::RecordBuilder& records, std::size_t i,
+                                  std::size_t footprint, features::PolygonMaker& maker) const;
+    void add(CutContour&& cut);
+
+    GivenFootprints& given_;
+    const features::RunSetup& setup_;
+    const ElevationFrame& frame_;
+    FeatureSink& sink_;
+    Context& context_;
+    std::optional<std::size_t> layer_;
+    std::int64_t next_id_ = 1;
+    features::StackRmse rmse_;
+};
+
+CutContour CutContours::draw(const contours::StoredContours& contours, const features::RecordBuilder& records,
+                             std::size_t i, std::size_t footprint, features::PolygonMaker& maker) const {
+    const contours::Contour contour = contours.fetch(i);
+    CutContour cut;
+    cut.record = records.contour(i, contour);
+    cut.record.building_id = static_cast<std::int64_t>(footprint) + 1;
+    cut.parent = contours.head(i).parent;
+    cut.own = contour.own;
+    if (layer_)
+        cut.made = maker.within(i, given_.shape(footprint));
+    return cut;
+}
+
+void CutContours::add(CutContour&& cut) {
+    RunReport& report = context_.report;
+    while (report.levels.size() <= static_cast<std::size_t>(cut.record.level))
+        report.levels.push_back({static_cast<int>(report.levels.size()), RoofElevations::unknown, 0, 0});
+    LevelReport& level = report.levels[static_cast<std::size_t>(cut.record.level)];
+    ++level.contours;
+    level.points += cut.record.points;
+    rmse_.add(cut.own, frame_.fixed);
+    if (!layer_)
+        return;
+    ++report.contours;
+    report.contour_outlines.traced += cut.made.measure.perimeter_m;
+    report.vertices += features::vertices_of(cut.made.parts);
+    cut.record.area_m2 = cut.made.measure.area_m2;
+    cut.record.perimeter_m = cut.made.measure.perimeter_m;
+    cut.record.status = cut.made.status;
+    const StageClock clock(report, Stage::write);
+    sink_.add(*layer_, {features::field_values(features::contour_attributes(), cut.record),
+                        std::move(cut.made.parts), cut.record.threshold, cut.record});
+}
+
+void CutContours::write(const contours::StoredContours& contours, const features::RecordBuilder& records,
+                        const outline::Outliner& outliner, const std::vector<std::size_t>& footprints) {
+    const features::ContourChildren children = setup_.plan.asked.outline.disjoint
+                                                   ? features::ContourChildren(contours)
+                                                   : features::ContourChildren();
+    std::vector<features::PolygonMaker> makers;
+    for (int thread = 0; thread < context_.threads->threads(); ++thread)
+        makers.emplace_back(features::PolygonParameters{setup_, outliner, children, context_.threads->stop(),
+                                                        false, context_.report.units.vertical_metres});
+    std::vector<std::int64_t> ids;  // by contour; if it is not written, that of the one below
+    features::draw_in_order(
+        *context_.threads, contours.size(),
+        [&](std::size_t i, std::size_t thread) {
+            return draw(contours, records, i, footprints[contours.head(i).label], makers[thread]);
+        },
+        [&](std::size_t i, CutContour&& cut) {
+            PlacedFootprint& placed = given_.all[footprints[contours.head(i).label]];
+            const std::int64_t below = cut.parent < 0 ? 0 : ids[static_cast<std::size_t>(cut.parent)];
+            if (layer_ && cut.made.parts.empty()) {
+                ids.push_back(below);
+                return;
+            }
+            ++placed.parts;
+            placed.levels = std::max(placed.levels, cut.record.level);
+            cut.record.parent_id = below;
+            cut.record.id = next_id_++;
+            ids.push_back(cut.record.id);
+            add(std::move(cut));
+        });
+    for (features::PolygonMaker& maker : makers)
+        context_.report.merge(maker.tally());
+}
+
+BuildingRecord given_record(const PlacedFootprint& placed, std::int64_t id, double metres) {
+    BuildingRecord record;
+    record.id = id;
+    record.ground = placed.ground;
+    record.roof = placed.roof.highest;
+    record.height_m = (record.roof - record.ground) * metres;
+    record.heights_m = heights_above(record.ground, placed.roof, metres);
+    record.parts = placed.parts;
+    record.levels = placed.levels;
+    record.points = placed.points;
+    record.cells = placed.cell_count;
+    record.mean_m = (placed.mean - placed.ground) * metres;
+    record.confidence = RoofElevations::unknown;
+    record.at_edge = placed.at_edge;
+    record.area_m2 = placed.measure.area_m2;
+    record.perimeter_m = placed.measure.perimeter_m;
+    record.status = OutlineStatus::given;
+    record.roof_shape = placed.roof_shape;
+    if (placed.cell_count == 0)
+        return record;
+    const auto cells = static_cast<double>(placed.cell_count);
+    record.seen_share = static_cast<double>(placed.elevated) / cells;
+    record.tree_share = static_cast<double>(placed.trees) / cells;
+    if (record.seen_share >= detect::least_seen_share)
+        record.shift_m = placed.shift_m;
+    return record;
+}
+
+void write_features_of(const GivenFootprints& given, const features::RunSetup& setup, FeatureSink& sink,
+                    Context& context) {
+    FootprintReport& report = *context.report.footprints;
+    const std::size_t layer = *setup.layers.indices.given;
+    constexpr double flat_share = 0.1;
+    for (std::size_t i = 0; i < given.all.size(); ++i) {
+        context.check_stop();
+        const PlacedFootprint& placed = given.all[i];
+        const BuildingRecord record =
+            given_record(placed, static_cast<std::int64_t>(i) + 1, context.report.units.vertical_metres);
+        report.measured += placed.points > 0 ? 1 : 0;
+        report.without_data += placed.cell_count > 0 && placed.points == 0 ? 1 : 0;
+        report.flat += placed.points > 0 && record.seen_share < flat_share ? 1 : 0;
+        ByteReader reader(*given.spool, placed.feature);
+        Feature feature{features::given_values(setup.plan.asked, record), load_polygons(reader), 0, record};
+        feature.original = reader.take_list<std::byte>();
+        const StageClock clock(context.report, Stage::write);
+        sink.add(layer, feature);
+    }
+}
+
+}  // namespace
+
+void write_footprints(GivenFootprints&& given, ElevationReader& reader, const ElevationFrame& frame,
+                      const features::RunSetup& setup, FeatureSink& sink, Context& context) {
+    const features::RunSetup traced = setup_of_contours(setup);
+    CutContours contours_out(given, traced, frame, sink, context);
+    for (FootprintLayer& layer : given.layers) {
+        const FoundBuildings labels = as_found(given, layer);
+        measure_cells(given, layer, labels, reader, frame, context);
+        const Tiers tiers =
+            plan_tiers(reader, labels, given.window, traced, frame.fixed, frame.global, context);
+        const contours::TraceFrame trace_frame{given.window, tiers.plan.level_count(), frame.fixed,
+                                               frame.range};
+        const auto contours = trace_contours(reader, trace_frame, tiers, &labels, traced, context);
+        const features::RecordBuilder records(
+            *contours, {tiers.plan, frame.fixed, labels.footprints, context.report.units.vertical_metres,
+                        features::lattice_frame(given.window, traced.plan.trace)});
+        const outline::Outliner outliner = features::draw_outlines(*contours, traced, context);
+        contours_out.write(*contours, records, outliner, layer.footprints);
+    }
+    RunReport& report = context.report;
+    report.stack_rmse_m = contours_out.rmse() * report.units.vertical_metres;
+    report.footprints->missing = report.buildings;
+    report.buildings = report.footprints->given;
+    write_features_of(given, setup, sink, context);
+}
+
+}  // namespace d2b::pipeline
