@@ -131,50 +131,71 @@ std::vector<FootprintEdge> outer_edges(const Grid<Label>& labels, Label label, s
     return some;
 }
 
-/// Fall of the surface between two neighbours, limited; 0 if it rises, or without data.
-float fall(const Scene& scene, std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right) {
-    const MetreGrid& surface = scene.surface;
-    if (!surface.holds(r, c) || !surface.holds(r + down, c + right))
-        return 0;
-    const float drop = scene.height(surface.index(r, c)) - scene.height(surface.index(r + down, c + right));
-    return drop > 0 ? std::min(drop, full_fall_m) : 0;  // also if it is NaN
-}
+/// Walls of the surface: falls between neighbours, of which the lower one is open ground. Steps between roofs
+/// do not count, because a house in a row would slide along it to the next step.
+class OuterWalls {
+  public:
+    OuterWalls(const Scene& scene, double min_height)
+        : scene_(scene), open_ground_(static_cast<float>(min_height)) {}
 
-double fall_at(const Scene& scene, std::span<const FootprintEdge> edges, std::int32_t down,
-               std::int32_t right) {
-    double sum = 0;
-    for (const FootprintEdge& edge : edges) {
-        const std::int32_t r = edge.row + down;
-        const std::int32_t c = edge.col + right;
-        const float here = fall(scene, r, c, edge.down, edge.right);
-        const float inside = fall(scene, r - edge.down, c - edge.right, edge.down, edge.right);
-        const float outside = fall(scene, r + edge.down, c + edge.right, edge.down, edge.right);
-        sum += static_cast<double>(2 * here + inside + outside);
+    /// Sum over the edges of a footprint that is moved.
+    [[nodiscard]] double fall(std::span<const FootprintEdge> edges, std::int32_t down,
+                              std::int32_t right) const {
+        double sum = 0;
+        for (const FootprintEdge& edge : edges) {
+            const std::int32_t r = edge.row + down;
+            const std::int32_t c = edge.col + right;
+            const float here = fall(r, c, edge);
+            const float inside = fall(r - edge.down, c - edge.right, edge);
+            const float outside = fall(r + edge.down, c + edge.right, edge);
+            sum += static_cast<double>(2 * here + inside + outside);
+        }
+        return sum;
     }
-    return sum;
-}
 
-std::int32_t steps_within(double step_m) {
-    return static_cast<std::int32_t>(std::clamp(farthest_m / step_m, 0.0, static_cast<double>(most_moves)));
+  private:
+    /// Fall from a cell across an edge, limited; 0 if it is no wall.
+    [[nodiscard]] float fall(std::int32_t r, std::int32_t c, const FootprintEdge& edge) const {
+        const MetreGrid& surface = scene_.surface;
+        if (!surface.holds(r, c) || !surface.holds(r + edge.down, c + edge.right))
+            return 0;
+        const float low = scene_.height(surface.index(r + edge.down, c + edge.right));
+        const float drop = scene_.height(surface.index(r, c)) - low;
+        return drop > 0 && low <= open_ground_ ? std::min(drop, full_fall_m) : 0;  // 0 also if it is NaN
+    }
+
+    const Scene& scene_;
+    float open_ground_;
+};
+
+std::int32_t steps_within(double distance_m, double step_m) {
+    return static_cast<std::int32_t>(std::clamp(distance_m / step_m, 0.0, static_cast<double>(most_moves)));
 }
 
 }  // namespace
 
-double wall_shift(const Scene& scene, const Grid<Label>& labels, Label label,
-                  std::span<const RowSpan> cells) {
+double wall_shift(const Scene& scene, const Grid<Label>& labels, Label label, std::span<const RowSpan> cells,
+                  double min_height) {
     constexpr double worth_a_move = 1.02;
     const std::vector<FootprintEdge> edges = outer_edges(labels, label, cells);
-    const std::int32_t most_down = steps_within(scene.cell.down);
-    const std::int32_t most_right = steps_within(scene.cell.across);
-    double most = fall_at(scene, edges, 0, 0) * worth_a_move;
+    const OuterWalls walls(scene, min_height);
+    std::int64_t size = 0;
+    for (const RowSpan& run : cells)
+        size += run.end - run.begin;
+    // A move by more than half the footprint may bring it onto the next building.
+    const double farthest =
+        std::min(farthest_m, std::sqrt(static_cast<double>(size) * scene.cell_area()) / 2);
+    const std::int32_t most_down = steps_within(farthest, scene.cell.down);
+    const std::int32_t most_right = steps_within(farthest, scene.cell.across);
+    double most = walls.fall(edges, 0, 0) * worth_a_move;
     double nearest = 0;
     for (std::int32_t down = -most_down; down <= most_down; ++down)
         for (std::int32_t right = -most_right; right <= most_right; ++right) {
             const double distance = std::hypot(down * scene.cell.down, right * scene.cell.across);
-            if (distance > farthest_m || (down == 0 && right == 0))
+            if (distance > farthest || (down == 0 && right == 0))
                 continue;
-            const double sum = fall_at(scene, edges, down, right);
-            if (sum > most || (sum == most && distance < nearest)) {
+            const double sum = walls.fall(edges, down, right);
+            if (sum > most || (!(sum < most) && nearest > 0 && distance < nearest)) {
                 most = sum;
                 nearest = distance;
             }
@@ -198,7 +219,7 @@ std::vector<SeenFootprint> see_footprints(const Scene& scene, const Detection& d
         seen[i].ground = ground[number];
         count_own(scene, kinds, runs[number], own, seen[i]);
         if (static_cast<double>(seen[i].elevated) >= least_seen_share * static_cast<double>(seen[i].own_cells))
-            seen[i].shift_m = wall_shift(scene, labels, number, runs[number]);
+            seen[i].shift_m = wall_shift(scene, labels, number, runs[number], min_height);
     });
     std::erase_if(seen, [](const SeenFootprint& one) { return one.own_cells == 0; });
     return seen;

@@ -221,7 +221,8 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
                                                       features::lattice_frame(info.window, decided.trace)});
     report_levels(plan, plan.level_count(), report);
     const Label last_building = found != nullptr ? found->buildings : std::numeric_limits<Label>::max();
-    warn_of_result(setup, plan, buildings_up_to(last_building, *contours),
+    const std::size_t measured = given ? given->all.size() : 0;
+    warn_of_result(setup, plan, buildings_up_to(last_building, *contours) + measured,
                    found != nullptr ? &found->scene : nullptr, sources.terrain, context);
     outline::Outliner outliner = features::draw_outlines(*contours, setup, context);
     const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);

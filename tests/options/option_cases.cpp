@@ -37,6 +37,8 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"split_layer", {{"halves"}}},
         {"split_field", {{"owner"}}},
         {"split_width", {{"30"}}},
+        {"footprints", {{"/vsimem/scene/footprints.gpkg"}}},
+        {"footprints_layer", {{"high"}}},
         {"ground", {{"none"}, {"/vsimem/scene/dtm.tif"}}},
         {"lod", {{"2"}}},
         {"detail", {{"6"}, {"0"}}},
@@ -96,6 +98,7 @@ const std::map<std::string, Texts>& needs() {
         {"split_layer", {"-split_by", "/vsimem/scene/parcels.gpkg"}},
         {"split_field", {"-split_by", "/vsimem/scene/parcels.gpkg"}},
         {"split_width", {"-split_by", "/vsimem/scene/parcels.gpkg"}},
+        {"footprints_layer", {"-footprints", "/vsimem/scene/footprints.gpkg"}},
         {"off", {"-i", "2.5"}}};
     return all;
 }

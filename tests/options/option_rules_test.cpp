@@ -149,6 +149,30 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
              {{"-split_width", "2"},
               "-split_width needs -split_by <polygons or lines>; it is the width of parts that parcels cut "
               "off."},
+             {{"-footprints_layer", "roofs"},
+              "-footprints_layer needs -footprints <polygons>; it names the layer of the footprints."},
+             {{"-split_by", "p.gpkg", "-footprints", "f.gpkg"},
+              "-split_by cannot be used together with -footprints; each footprint is a building "
+              "already."},
+             {{"-split_height", "3", "-footprints", "f.gpkg"},
+              "-split_height 3 cannot be used together with -footprints; each footprint is a building "
+              "already."},
+             {{"-mask", "m.gpkg", "-footprints", "f.gpkg"},
+              "-mask cannot be used together with -footprints; all footprints are measured, so give those of "
+              "the area."},
+             {{"-append", "-footprints", "f.gpkg"},
+              "-append cannot be used together with -footprints; write to another layer, with -overwrite if "
+              "the file exists."},
+             {{"-layers", "contours", "-footprints", "f.gpkg"},
+              "-layers contours cannot be used together with -footprints; the footprints are the layer of "
+              "buildings."},
+             {{"-surface", "s.obj", "-footprints", "f.gpkg"},
+              "-surface cannot be used together with -footprints; blocks are made of outlines of found "
+              "buildings."},
+             {{"-flow_ready", "3", "-footprints", "f.gpkg"},
+              "-flow_ready cannot be used together with -footprints; footprints are written as they are."},
+             {{"-write_rejected", "-footprints", "f.gpkg"},
+              "-write_rejected cannot be used together with -footprints; no footprint is left out."},
              {{"-split_by", "p.gpkg", "-split_field", "no", "-layers", "contours"},
               "-split_field has no effect with -layers contours; only buildings have the field parcel."}})
         EXPECT_EQ(refusal_of(words), message);

@@ -264,7 +264,8 @@ void run_into(Writer& writer, const Texts& words) {
     MemorySurface tiers(SurfaceForm::tiers);
     if (!options.write.page.empty())
         surfaces.push_back(&tiers);
-    run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get(), sides.parcels.get()},
+    run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get(), sides.parcels.get(),
+                  sides.footprints.get()},
         {sink, &ground_raster, &height, &canopy, nullptr, surfaces});
     const auto given = sink.provenance.metadata.find("D2B_OPTIONS");
     if (given != sink.provenance.metadata.end())
@@ -288,6 +289,7 @@ void OptionScene::SetUpTestSuite() {
     write_rasters(folder);
     write_areas(folder + "areas.gpkg", {{"west", {0, 0, 100, 72}}, {"north", {0, 0, 58, 120}}});
     write_parcels(folder + "parcels.gpkg");
+    write_areas(folder + "footprints.gpkg", {{"low", flat}, {"high", podium}});
     write_areas(folder + "masks.gpkg", {{"east", {0, 12, 100, 108}}, {"middle", {4, 0, 76, 120}}});
 }
 
