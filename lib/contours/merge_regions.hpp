@@ -16,8 +16,8 @@ struct BuildingCells {
         std::int32_t end = 0;
         [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end - begin); }
     };
-    std::vector<Run> runs;           ///< runs in scan order; those of a row do not touch
-    std::vector<double> elevations;  ///< by cell of the runs; NaN if not valid
+    std::vector<Run> runs;              ///< runs in scan order; those of a row do not touch
+    std::vector<double> elevations;     ///< by cell of the runs; NaN if not valid
     std::vector<std::size_t> spires{};  ///< ascending indices of cells that stand above their surroundings
 };
 

@@ -23,9 +23,8 @@ std::vector<Label> renumber_present(Grid<Label>& labels, Executor& threads) {
     };
     threads.for_each(bands.size(), [&](std::size_t i) {
         for (std::int32_t r = bands[i].begin; r < bands[i].end; ++r)
-            for_equal_runs(labels.row(r), [&](std::int32_t, std::int32_t, Label label) {
-                here[i].push_back(label);
-            });
+            for_equal_runs(labels.row(r),
+                           [&](std::int32_t, std::int32_t, Label label) { here[i].push_back(label); });
         sort_unique(here[i]);
     });
     std::vector<Label> present;
@@ -109,7 +108,8 @@ struct FootprintEdge {
     std::int32_t right = 0;
 };
 
-std::vector<FootprintEdge> outer_edges(const Grid<Label>& labels, Label label, std::span<const RowSpan> cells) {
+std::vector<FootprintEdge> outer_edges(const Grid<Label>& labels, Label label,
+                                       std::span<const RowSpan> cells) {
     std::vector<FootprintEdge> edges;
     const auto add = [&](std::int32_t r, std::int32_t c, std::int32_t down, std::int32_t right) {
         if (labels.holds(r + down, c + right) && labels.at(r + down, c + right) != label)
@@ -218,7 +218,8 @@ std::vector<SeenFootprint> see_footprints(const Scene& scene, const Detection& d
         seen[i].label = present[i];
         seen[i].ground = ground[number];
         count_own(scene, kinds, runs[number], own, seen[i]);
-        if (static_cast<double>(seen[i].elevated) >= least_seen_share * static_cast<double>(seen[i].own_cells))
+        if (static_cast<double>(seen[i].elevated) >=
+            least_seen_share * static_cast<double>(seen[i].own_cells))
             seen[i].shift_m = wall_shift(scene, labels, number, runs[number], min_height);
     });
     std::erase_if(seen, [](const SeenFootprint& one) { return one.own_cells == 0; });

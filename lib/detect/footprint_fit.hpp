@@ -35,8 +35,8 @@ inline constexpr double least_seen_share = 0.3;
                                                         Grid<Label>& labels, const Window& own,
                                                         double min_height, Executor& threads);
 
-/// Returns the distance in m of the move, in whole cells, at which the surface falls most from the inside of a
-/// footprint to open ground outside; the smallest of equally good moves. At most 5 m and half the side of a
+/// Returns the distance in m of the move, in whole cells, at which the surface falls most from the inside of
+/// a footprint to open ground outside; the smallest of equally good moves. At most 5 m and half the side of a
 /// square of the same area. A fall of 3 m counts in full, a cell away from the edge by half, so that a
 /// footprint that is a cell smaller than its roof on all sides stays.
 /// @param cells runs of the label, in scan order @param min_height open ground is not higher, in m

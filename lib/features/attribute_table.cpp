@@ -75,7 +75,8 @@ FieldValue floors(double height_m) {
 
 constexpr std::string_view status_words =
     "worst form of more than 5 % of the outline: regularized, simplified (through midpoints of cell borders, "
-    "or by -simplify), traced, kept_traced (other forms would be invalid) or repaired; given if the footprint is one of -footprints";
+    "or by -simplify), traced, kept_traced (other forms would be invalid) or repaired; given if the "
+    "footprint is one of -footprints";
 
 constexpr std::array building_table{
     Attribute<BuildingRecord>{"id", "Building", FieldType::integer, Unit::none,

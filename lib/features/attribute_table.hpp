@@ -35,7 +35,9 @@ struct Attribute {
 [[nodiscard]] std::span<const Attribute<BuildingRecord>> building_attributes(bool with_roof,
                                                                              bool with_parcel);
 [[nodiscard]] inline std::span<const Attribute<BuildingRecord>> building_attributes(const Options& options) {
-    return building_attributes(options.write.roofs, options.detect.is_split_by());
+    // With given footprints, only these have roofs.
+    return building_attributes(options.write.roofs && !options.write.has_footprints(),
+                               options.detect.is_split_by());
 }
 /// Attributes of given footprints: those of buildings that do not concern the search and the outline, and
 /// those of the fit.

@@ -102,8 +102,8 @@ class PolygonMaker {
     /// Returns a contour minus the contours on top of it; no parts if they cover it completely.
     [[nodiscard]] FeaturePolygon tier(std::size_t contour) { return make(contour, Form::tier); }
 
-    /// Returns the part of a contour, or with disjoint contours of its tier, within an area; no parts if there
-    /// is none. @param area valid polygons in the CRS of the DEM
+    /// Returns the part of a contour, or with disjoint contours of its tier, within an area; no parts if
+    /// there is none. @param area valid polygons in the CRS of the DEM
     [[nodiscard]] FeaturePolygon within(std::size_t contour, const std::vector<WorldPolygon>& area);
 
     /// Converts a face of a roof, with the elevations of its corners. No parts if the output CRS tears it.
@@ -133,7 +133,7 @@ class PolygonMaker {
 
     PolygonParameters terms_;
     Geos geos_;
-    std::optional<Overlay> overlay_;                  ///< made when it is needed
+    std::optional<Overlay> overlay_;                   ///< made when it is needed
     const std::vector<WorldPolygon>* area_ = nullptr;  ///< contours are cut off at it
     Geodesy geodesy_;
     std::optional<RingTransform> to_target_;  ///< nullopt if nothing is reprojected

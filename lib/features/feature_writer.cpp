@@ -177,7 +177,7 @@ void FeatureWriter::begin() {
     if (indices().rejected)
         rejected_.emplace(input_, *indices().rejected);
     if (indices().roofs)
-        roofs_.emplace(input_, *indices().roofs);
+        roofs_.emplace(input_.setup, *input_.roofs, *indices().roofs);
     give_styles(layers, input_, context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, make_provenance(input_.setup, context_.report));
@@ -269,8 +269,9 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
     if (made.parts.empty())
         return;
-    if (roofs_ && !doubtful)
-        roofs_->note(contour, drawn.building_record, made);
+    // Faces tile the outline as it was drawn.
+    if (roofs_ && !doubtful && made.invalid_reason.empty())
+        roofs_->note(contour, drawn.building_record, drawn.building_record.area_m2);
     round(RoundedPolygons::Layer::buildings, drawn.building_record.id, 0, made);
     drawn.building_record.status = made.status;
     ++(doubtful ? context_.report.doubtful : context_.report.buildings);

@@ -49,15 +49,9 @@ void count(const RoofFaceRecord& face, RunReport& report) {
 
 }  // namespace
 
-void RoofLayer::note(std::size_t contour, const BuildingRecord& record, const FeaturePolygon& made) {
-    // Faces tile the outline as it was drawn.
-    if (made.invalid_reason.empty())
-        buildings_.push_back({contour, record.id, record.whole, record.area_m2});
-}
-
 std::vector<RoofLayer::Face> RoofLayer::draw(const Building& building, PolygonMaker& maker) const {
     std::vector<Face> faces;
-    const std::optional<roofs::Roof> roof = input_.roofs->roof(building.contour);
+    const std::optional<roofs::Roof> roof = roofs_.roof(building.roof);
     if (!roof)
         return faces;
     for (const roofs::RoofFace& face : roof->faces) {
@@ -70,9 +64,9 @@ std::vector<RoofLayer::Face> RoofLayer::draw(const Building& building, PolygonMa
         record.whole = building.whole;
         record.slope = measure.kind == roofs::FaceKind::doubtful ? no_value : slope;
         record.azimuth = measure.kind == roofs::FaceKind::pitched
-                             ? maker.azimuth(input_.setup.georeference.position(face.outline.exterior.front(),
-                                                                                roofs::roof_steps),
-                                             fall_of(measure, input_.setup))
+                             ? maker.azimuth(setup_.georeference.position(face.outline.exterior.front(),
+                                                                          roofs::roof_steps),
+                                             fall_of(measure, setup_))
                              : no_value;
         record.area_m2 = measure.area * building.area_m2;
         record.roof_m2 = record.area_m2 / std::cos(slope * std::numbers::pi / 180);
@@ -88,7 +82,7 @@ std::vector<RoofLayer::Face> RoofLayer::draw(const Building& building, PolygonMa
 
 void RoofLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const {
     std::int64_t id = sink.first_id();
-    context.report.roofs.emplace().level = input_.roofs->are_level();
+    context.report.roofs.emplace().level = roofs_.are_level();
     draw_in_order(
         *context.threads, buildings_.size(),
         [&](std::size_t i, std::size_t thread) { return draw(buildings_[i], makers[thread]); },

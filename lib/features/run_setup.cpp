@@ -49,9 +49,8 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
     const auto building_fields = field_specs(building_attributes(options), vertical_unit, write.fields);
     std::optional<std::size_t>& own_buildings = specs.indices.buildings;
     if (write.has_footprints()) {
-        specs.indices.given =
-            add(LayerRole::buildings, "Buildings", "Given footprints with heights, from ",
-                given_fields(options, vertical_unit, original.get()), false);
+        specs.indices.given = add(LayerRole::buildings, "Buildings", "Given footprints with heights, from ",
+                                  given_fields(options, vertical_unit, original.get()), false);
         specs.layers.back().original = original;
         specs.layers.back().with_z = false;
     } else if (plan.layers != Layers::contours) {
@@ -68,8 +67,9 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
         own_buildings = add(LayerRole::missing, "Missing", "Buildings without a given footprint, from ",
                             building_fields, with_arcs);
     if (write.roofs) {
-        specs.indices.roofs = add(LayerRole::roofs, "Roofs", "One polygon per face of a roof, from ",
-                                  field_specs(roof_face_attributes(), vertical_unit), false);
+        (write.has_footprints() ? specs.indices.given_roofs : specs.indices.roofs) =
+            add(LayerRole::roofs, "Roofs", "One polygon per face of a roof, from ",
+                field_specs(roof_face_attributes(), vertical_unit), false);
         specs.layers.back().with_z = true;
     }
     if (write.doubtful)

@@ -26,6 +26,7 @@ struct LayerIndices {
     // With given footprints, `buildings` are those that were found besides them, and `contours` is not set.
     std::optional<std::size_t> given;
     std::optional<std::size_t> given_contours;
+    std::optional<std::size_t> given_roofs;
 
     [[nodiscard]] std::optional<std::size_t> building_layer(bool is_low_confidence) const {
         return is_low_confidence ? doubtful : buildings;
@@ -39,8 +40,8 @@ struct LayerSpecs {
 };
 
 /// @param source name of the DEM @param vertical_unit its name
-/// @param sink gives the names of the layers in the destination @param original layer of the given footprints;
-/// null without
+/// @param sink gives the names of the layers in the destination @param original layer of the given
+/// footprints; null without
 [[nodiscard]] LayerSpecs layer_specs(const RunPlan& plan, const std::string& source,
                                      const std::string& vertical_unit, const FeatureSink& sink,
                                      const std::shared_ptr<const OriginalLayer>& original = nullptr);

@@ -120,7 +120,8 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
             style.bottom = "ground";
     }
     if (indices.given) {
-        LayerStyle& style = layers[*indices.given].style = building_style(input.setup.plan.asked.write.fields);
+        LayerStyle& style = layers[*indices.given].style =
+            building_style(input.setup.plan.asked.write.fields);
         style.certainty.clear();
         style.colour = style.label = style.height = field_called(style.height, layers[*indices.given]);
         if (!indices.given_contours)
@@ -128,8 +129,8 @@ void give_styles(std::vector<LayerSpec>& layers, const FeatureInput& input, doub
     }
     if (const auto contours = indices.contours ? indices.contours : indices.given_contours)
         layers[*contours].style = contour_style(input.setup.plan.asked.outline.disjoint);
-    if (indices.roofs)
-        layers[*indices.roofs].style = roof_style();
+    if (const auto roofs = indices.roofs ? indices.roofs : indices.given_roofs)
+        layers[*roofs].style = roof_style();
     if (indices.doubtful)
         layers[*indices.doubtful].style = reason_style("May be buildings", "doubt", building_label_scale);
     if (indices.rejected)

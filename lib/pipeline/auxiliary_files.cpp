@@ -104,9 +104,10 @@ AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& d
             reading::open_parcels({detect.split_by, detect.split_layer, detect.split_field}, grid, callbacks);
     if (options.write.has_footprints()) {
         const std::string& target = options.outline.target_crs;
-        sources.footprints = reading::open_footprints({options.write.footprints, options.write.footprints_layer,
-                                                       target.empty() ? "" : Crs(target).wkt()},
-                                                      grid, callbacks);
+        sources.footprints =
+            reading::open_footprints({options.write.footprints, options.write.footprints_layer,
+                                      target.empty() ? "" : Crs(target).wkt()},
+                                     grid, callbacks);
     }
     return sources;
 }

@@ -12,23 +12,26 @@
 #include "roofs/make_roof.hpp"
 
 namespace d2b::pipeline {
-namespace {
 
-/// @param level true if no face gets a slope
-roofs::RoofParameters parameters(const features::RunSetup& setup, double metres, bool level) {
+roofs::RoofParameters roof_parameters(const features::RunSetup& setup, const RunReport& report) {
+    const double metres = report.units.vertical_metres;
     const double detail = setup.plan.detail;
     roofs::RoofParameters parameters;
     parameters.segments.price_m3 = 2 * detail * detail * std::max(1.0, setup.cell_m());
     parameters.segments.min_area_m2 = setup.plan.asked.roofs.min_area_m2;
     parameters.cell = setup.cell;
     parameters.metres = metres;
-    if (level)
+    if (roofs_are_level(report))
         parameters.tiers = contours::region_options(detail, setup.cell, metres);
     parameters.cell_centre = setup.plan.trace == TraceMode::points ? 0 : 0.5;
     return parameters;
 }
 
-RoofRecord record_of(const roofs::Roof& roof, double metres) {
+bool roofs_are_level(const RunReport& report) {
+    return report.sampling && diagnose::is_blurred(*report.sampling);
+}
+
+RoofRecord roof_record(const roofs::Roof& roof, double metres) {
     RoofRecord record;
     record.type = roof.type;
     record.rmse_m = roof.rmse_m;
@@ -42,6 +45,8 @@ RoofRecord record_of(const roofs::Roof& roof, double metres) {
     }
     return record;
 }
+
+namespace {
 
 /// Contours of level 1, by the label of their building.
 std::vector<std::vector<std::size_t>> footprints_by_label(const contours::ContourList& contours,
@@ -59,9 +64,8 @@ features::StoredRoofs extract_roofs(ElevationReader& reader, const FoundBuilding
                                     const contours::ContourList& contours, const outline::Outliner& outliner,
                                     const features::RunSetup& setup, Context& context) {
     const double metres = context.report.units.vertical_metres;
-    const bool level = context.report.sampling && diagnose::is_blurred(*context.report.sampling);
-    const roofs::RoofParameters asked = parameters(setup, metres, level);
-    features::StoredRoofs roofs(context.make_spool(), contours.size(), level);
+    const roofs::RoofParameters asked = roof_parameters(setup, context.report);
+    features::StoredRoofs roofs(context.make_spool(), contours.size(), roofs_are_level(context.report));
     const auto footprints = footprints_by_label(contours, found.buildings);
     const StopToken& stop = context.threads->stop();
     contours::for_each_building(reader, found.labels, found.count(), setup.dem.window, Stage::roofs, context,
@@ -72,7 +76,7 @@ features::StoredRoofs extract_roofs(ElevationReader& reader, const FoundBuilding
                                     for (const std::size_t contour : footprints[label]) {
                                         const roofs::Roof roof = roofs::make_roof(
                                             cells, outliner.footprint(contour), asked, geos, stop);
-                                        roofs.put(contour, roof, record_of(roof, metres));
+                                        roofs.put(contour, roof, roof_record(roof, metres));
                                     }
                                 });
     return roofs;

@@ -17,4 +17,10 @@ namespace d2b::pipeline {
                                                   const outline::Outliner& outliner,
                                                   const features::RunSetup& setup, Context& context);
 
+/// True if walls are so blurred that no face gets a slope.
+[[nodiscard]] bool roofs_are_level(const RunReport& report);
+[[nodiscard]] roofs::RoofParameters roof_parameters(const features::RunSetup& setup, const RunReport& report);
+/// Returns the attributes of a building as a whole. @param metres per vertical unit
+[[nodiscard]] RoofRecord roof_record(const roofs::Roof& roof, double metres);
+
 }  // namespace d2b::pipeline

@@ -66,9 +66,9 @@ struct UnitSearch {
 
 /// Detection result of one unit.
 struct FoundInUnit {
-    Grid<Label> labels;                       ///< labels of the unit's extent
-    std::vector<detect::SeenObject> objects;  ///< by label - 1
-    detect::SceneStatistics scene;            ///< of the unit's own cells
+    Grid<Label> labels;                                            ///< labels of the unit's extent
+    std::vector<detect::SeenObject> objects;                       ///< by label - 1
+    detect::SceneStatistics scene;                                 ///< of the unit's own cells
     std::vector<std::vector<detect::SeenFootprint>> footprints{};  ///< by layer of given footprints
 };
 

@@ -37,6 +37,12 @@ std::vector<WorldPolygon> load_polygons(ByteReader& reader) {
     return polygons;
 }
 
+AffineTransform inverse_of(const AffineTransform& g) {
+    const double determinant = g[1] * g[5] - g[2] * g[4];
+    return {(g[2] * g[3] - g[0] * g[5]) / determinant, g[5] / determinant,  -g[2] / determinant,
+            (g[0] * g[4] - g[1] * g[3]) / determinant, -g[4] / determinant, g[1] / determinant};
+}
+
 namespace {
 
 constexpr std::int64_t most_invalid_named = 5;
@@ -61,17 +67,6 @@ struct PixelBox {
         return left > window.col && right < window.end_col() && top > window.row && bottom < window.end_row();
     }
 };
-
-/// Returns the transform from the CRS of the DEM to columns and rows. @pre not singular
-AffineTransform inverse_of(const AffineTransform& g) {
-    const double determinant = g[1] * g[5] - g[2] * g[4];
-    return {(g[2] * g[3] - g[0] * g[5]) / determinant,
-            g[5] / determinant,
-            -g[2] / determinant,
-            (g[0] * g[4] - g[1] * g[3]) / determinant,
-            -g[4] / determinant,
-            g[1] / determinant};
-}
 
 /// Projects polygons of the footprints' CRS to that of the DEM.
 class ToDem {
@@ -103,7 +98,8 @@ ToDem::ToDem(const std::string& wkt, const features::RunSetup& setup, const Stop
     std::erase_if(corners, [](const Position& p) { return !std::isfinite(p.x + p.y); });
     if (corners.size() < 2)
         return;
-    const double across = std::hypot(corners.back().x - corners.front().x, corners.back().y - corners.front().y);
+    const double across =
+        std::hypot(corners.back().x - corners.front().x, corners.back().y - corners.front().y);
     const double longest = longest_cells * across / std::max(window.rows, window.cols);
     transform_.emplace(own, setup.crs, corners, longest > 0 ? longest : 1, stop);
 }
@@ -158,8 +154,8 @@ std::vector<WorldPolygon> FootprintPlacer::valid_copy(const GivenFootprint& give
     if (++report_.invalid <= most_invalid_named)
         invalid_ += (invalid_.empty() ? "" : ", ") + std::to_string(given.fid) + " (" + reason + ")";
     const auto is_broken = [](const WorldRing& ring) {
-        return ring.size() < 3 || std::ranges::any_of(
-                                      ring, [](const Position& p) { return !std::isfinite(p.x + p.y); });
+        return ring.size() < 3 ||
+               std::ranges::any_of(ring, [](const Position& p) { return !std::isfinite(p.x + p.y); });
     };
     std::erase_if(polygons, [&](const WorldPolygon& polygon) { return is_broken(polygon.exterior); });
     for (WorldPolygon& polygon : polygons)
@@ -175,9 +171,10 @@ void FootprintPlacer::warn_of_invalid(Context& context) const {
     if (report_.invalid == 0)
         return;
     const std::int64_t more = report_.invalid - most_invalid_named;
-    context.warn((report_.invalid == 1 ? "1 footprint is" : std::to_string(report_.invalid) + " footprints are") +
-                 " not valid, written as given and measured on a repaired copy: feature " + invalid_ +
-                 (more > 0 ? " and " + std::to_string(more) + " more" : "") + ".");
+    context.warn(
+        (report_.invalid == 1 ? "1 footprint is" : std::to_string(report_.invalid) + " footprints are") +
+        " not valid, written as given and measured on a repaired copy: feature " + invalid_ +
+        (more > 0 ? " and " + std::to_string(more) + " more" : "") + ".");
 }
 
 void FootprintPlacer::find_cells(std::vector<WorldPolygon>&& polygons, PlacedFootprint& placed) {
@@ -236,7 +233,8 @@ PlacedFootprint FootprintPlacer::place(GivenFootprint&& given) {
         placed.measure.perimeter_m += one.perimeter_m;
     }
     if (polygons.empty() || !to_dem_.apply(polygons))
-        placed.place = polygons.empty() ? PlacedFootprint::Place::without_cell : PlacedFootprint::Place::outside;
+        placed.place =
+            polygons.empty() ? PlacedFootprint::Place::without_cell : PlacedFootprint::Place::outside;
     else
         find_cells(std::move(polygons), placed);
     return placed;
@@ -261,7 +259,8 @@ class TakenCells {
     [[nodiscard]] bool take(std::span<const RowSpan> spans) {
         const auto is_free = [&](const RowSpan& span) {
             const auto row = static_cast<std::size_t>(span.row - first_);
-            return row >= rows_.size() || std::find(at(row, span.begin), at(row, span.end), true) == at(row, span.end);
+            return row >= rows_.size() ||
+                   std::find(at(row, span.begin), at(row, span.end), true) == at(row, span.end);
         };
         if (!std::ranges::all_of(spans, is_free))
             return false;
@@ -333,9 +332,8 @@ FootprintLayer label_cells(const GivenFootprints& given, std::vector<std::size_t
                     std::fill_n(labels.row(span.row - strip.row).begin() + (span.begin - window.col),
                                 span.end - span.begin, label);
         layer.labels.append({strip, strip}, labels, *context.threads);
-        std::erase_if(open, [&](Label label) {
-            return given.all[layer.footprints[label]].end_row <= strip.end_row();
-        });
+        std::erase_if(
+            open, [&](Label label) { return given.all[layer.footprints[label]].end_row <= strip.end_row(); });
     }
     std::vector<Label> number(layer.footprints.size());
     std::iota(number.begin(), number.end(), Label{0});
@@ -399,6 +397,8 @@ Grid<Label> GivenFootprints::labels(std::size_t layer, const Window& part, Execu
 }
 
 std::vector<WorldPolygon> GivenFootprints::shape(std::size_t footprint) const {
+    if (all[footprint].cell_count == 0)
+        return {};
     ByteReader reader(*spool, all[footprint].shape);
     return load_polygons(reader);
 }

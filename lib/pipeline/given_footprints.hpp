@@ -35,7 +35,7 @@ struct PlacedFootprint {
     // From the units.
     std::int64_t elevated = 0;
     std::int64_t trees = 0;
-    std::int64_t most_own_cells = 0;  ///< in the unit that gave the next two
+    std::int64_t most_own_cells = 0;          ///< in the unit that gave the next two
     double ground = RoofElevations::unknown;  ///< in the vertical unit
     double shift_m = RoofElevations::unknown;
     // From its cells and contours.
@@ -67,6 +67,7 @@ struct GivenFootprints {
     void add(std::size_t layer, std::span<const detect::SeenFootprint> seen, double metres);
     /// Returns the labels of a layer in a part of the window.
     [[nodiscard]] Grid<Label> labels(std::size_t layer, const Window& part, Executor& threads) const;
+    /// Returns its valid polygons in the CRS of the DEM; none if it has no cell.
     [[nodiscard]] std::vector<WorldPolygon> shape(std::size_t footprint) const;
 };
 
@@ -79,6 +80,9 @@ struct GivenFootprints {
 /// @param labels objects, from 1 to `count`
 [[nodiscard]] std::vector<bool> covered_objects(const GivenFootprints& given, const detect::LabelRows& labels,
                                                 Label count, Executor& threads);
+
+/// Returns the transform from coordinates to columns and rows. @pre not singular
+[[nodiscard]] AffineTransform inverse_of(const AffineTransform& g);
 
 /// Writes polygons to bytes and back.
 void save(const std::vector<WorldPolygon>& polygons, ByteWriter& writer);

@@ -227,7 +227,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     outline::Outliner outliner = features::draw_outlines(*contours, setup, context);
     const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
     std::optional<features::StoredRoofs> roofs;
-    if (setup.plan.needs_roofs())
+    if (setup.plan.needs_roofs() && !given)
         roofs.emplace(extract_roofs(reader, *found, *contours, outliner, setup, context));
     std::optional<features::BuildingRecords> building_records;
     if (lattice)

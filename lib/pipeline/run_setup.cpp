@@ -100,8 +100,8 @@ void warn_of_renamed_fields(const features::LayerSpecs& layers, Context& context
         if (field.name.starts_with("d2b_"))
             names += (names.empty() ? "" : ", ") + field.name;
     if (!names.empty())
-        context.warn("The footprints have fields with names of new ones, so the new ones are called " + names +
-                     ".");
+        context.warn("The footprints have fields with names of new ones, so the new ones are called " +
+                     names + ".");
 }
 
 void warn_of_scale(const features::RunSetup& setup, Context& context) {

@@ -14,6 +14,8 @@
 #include "features/attribute_table.hpp"
 #include "features/contour_drawer.hpp"
 #include "features/record_builder.hpp"
+#include "features/roof_layer.hpp"
+#include "pipeline/extract_roofs.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/trace_contours.hpp"
 
@@ -45,23 +47,165 @@ FoundBuildings as_found(const GivenFootprints& given, FootprintLayer& layer) {
 /// Measures the elevations of the cells of each footprint.
 void measure_cells(GivenFootprints& given, const FootprintLayer& layer, const FoundBuildings& labels,
                    ElevationReader& reader, const ElevationFrame& frame, Context& context) {
-    contours::for_each_building(
-        reader, labels.labels, labels.count(), given.window, Stage::attributes, context,
-        [&](Label label, contours::BuildingCells&& cells) {
-            PlacedFootprint& placed = given.all[layer.footprints[label]];
-            PointStats stats;
-            for (const double z : cells.elevations)
-                if (!std::isnan(z))
-                    stats.add(z, frame.fixed);
-            placed.points = stats.n;
-            if (stats.n > 0)
-                placed.mean = frame.fixed.mean(stats.sum, stats.n);
-            for (const std::size_t spire : cells.spires)
-                cells.elevations[spire] = RoofElevations::unknown;
-            ElevationSample sample;
-            sample.add(cells.elevations, frame.range);
-            placed.roof = summarize_roof(sample, frame.range);
-        });
+    contours::for_each_building(reader, labels.labels, labels.count(), given.window, Stage::attributes,
+                                context, [&](Label label, contours::BuildingCells&& cells) {
+                                    PlacedFootprint& placed = given.all[layer.footprints[label]];
+                                    PointStats stats;
+                                    for (const double z : cells.elevations)
+                                        if (!std::isnan(z))
+                                            stats.add(z, frame.fixed);
+                                    placed.points = stats.n;
+                                    if (stats.n > 0)
+                                        placed.mean = frame.fixed.mean(stats.sum, stats.n);
+                                    for (const std::size_t spire : cells.spires)
+                                        cells.elevations[spire] = RoofElevations::unknown;
+                                    ElevationSample sample;
+                                    sample.add(cells.elevations, frame.range);
+                                    placed.roof = summarize_roof(sample, frame.range);
+                                });
+}
+
+/// Signed area in squared fine steps, positive if the ring is counter-clockwise with y up.
+double signed_area(const FineRing& ring) {
+    double sum = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const FinePoint& a = ring[i];
+        const FinePoint& b = ring[i + 1 < ring.size() ? i + 1 : 0];
+        sum += static_cast<double>(b.col - a.col) * static_cast<double>(a.row + b.row) / 2;
+    }
+    return sum;
+}
+
+/// Roofs of given footprints, one per polygon.
+class GivenRoofs {
+  public:
+    GivenRoofs(GivenFootprints& given, const features::RunSetup& setup, Context& context)
+        : given_(given),
+          setup_(setup),
+          context_(context),
+          parameters_(roof_parameters(setup, context.report)),
+          to_lattice_(inverse_of(setup.dem.transform)),
+          shift_(setup.plan.trace == TraceMode::points ? 0.5 : 0) {
+        std::size_t polygons = 0;
+        for (std::size_t i = 0; i < given.all.size(); ++i) {
+            first_.push_back(polygons);
+            polygons += given.shape(i).size();
+        }
+        first_.push_back(polygons);
+        roofs_.emplace(context.make_spool(), polygons, roofs_are_level(context.report));
+        areas_.resize(polygons);
+    }
+
+    /// Makes the roofs of a layer of footprints.
+    void extract(const FootprintLayer& layer, const FoundBuildings& labels, ElevationReader& reader);
+    void write(const features::PolygonParameters& parameters, FeatureSink& sink);
+
+  private:
+    [[nodiscard]] FinePolygon on_lattice(const WorldPolygon& polygon) const;
+    [[nodiscard]] FineRing on_lattice(const WorldRing& ring, bool exterior) const;
+    void make(std::size_t footprint, const contours::BuildingCells& cells);
+
+    GivenFootprints& given_;
+    const features::RunSetup& setup_;
+    Context& context_;
+    roofs::RoofParameters parameters_;
+    AffineTransform to_lattice_;
+    double shift_;
+    std::vector<std::size_t> first_;  ///< index of the first polygon by footprint
+    std::vector<double> areas_;       ///< of the polygons, in cells
+    std::optional<features::StoredRoofs> roofs_;
+};
+
+FineRing GivenRoofs::on_lattice(const WorldRing& ring, bool exterior) const {
+    const AffineTransform& g = to_lattice_;
+    FineRing fine;
+    for (const Position& p : ring) {
+        const double col = g[0] + p.x * g[1] + p.y * g[2] - shift_;
+        const double row = g[3] + p.x * g[4] + p.y * g[5] - shift_;
+        const FinePoint point{std::llround(row * FinePoint::steps), std::llround(col * FinePoint::steps)};
+        if (fine.empty() || fine.back() != point)
+            fine.push_back(point);
+    }
+    while (fine.size() > 1 && fine.front() == fine.back())
+        fine.pop_back();
+    if ((signed_area(fine) > 0) != exterior)
+        std::ranges::reverse(fine);
+    return fine;
+}
+
+FinePolygon GivenRoofs::on_lattice(const WorldPolygon& polygon) const {
+    constexpr std::size_t least_corners = 3;
+    FinePolygon fine{on_lattice(polygon.exterior, true), {}};
+    for (const WorldRing& ring : polygon.interiors)
+        if (FineRing hole = on_lattice(ring, false); hole.size() >= least_corners)
+            fine.interiors.push_back(std::move(hole));
+    return fine;
+}
+
+/// The type is that of the largest polygon.
+void GivenRoofs::make(std::size_t footprint, const contours::BuildingCells& cells) {
+    const StopToken& stop = context_.threads->stop();
+    Geos geos(stop);
+    RoofRecord whole;
+    whole.ridge_z = RoofElevations::unknown;
+    double all = 0;
+    double largest = 0;
+    std::size_t index = first_[footprint];
+    for (const WorldPolygon& polygon : given_.shape(footprint)) {
+        const std::size_t at = index++;
+        const FinePolygon outline = on_lattice(polygon);
+        double area = signed_area(outline.exterior);
+        for (const FineRing& ring : outline.interiors)
+            area += signed_area(ring);
+        areas_[at] = area;
+        try {
+            const roofs::Roof roof = roofs::make_roof(cells, outline, parameters_, geos, stop);
+            if (roof.faces.empty())
+                continue;
+            const RoofRecord record = roof_record(roof, context_.report.units.vertical_metres);
+            roofs_->put(at, roof, record);
+            if (area > largest)
+                whole.type = record.type;
+            largest = std::max(largest, area);
+            whole.ridge_z = std::fmax(whole.ridge_z, record.ridge_z);
+            whole.flat_share += area * record.flat_share;
+            whole.eave_z += area * record.eave_z;
+            whole.rmse_m += area * record.rmse_m * record.rmse_m;
+            all += area;
+        } catch (const GeometryError&) {
+            continue;  // it stays without faces
+        }
+    }
+    // Without faces all of these are unknown.
+    whole.flat_share /= all;
+    whole.eave_z /= all;
+    whole.rmse_m = std::sqrt(whole.rmse_m / all);
+    given_.all[footprint].roof_shape = whole;
+}
+
+void GivenRoofs::extract(const FootprintLayer& layer, const FoundBuildings& labels, ElevationReader& reader) {
+    contours::for_each_building(reader, labels.labels, labels.count(), given_.window, Stage::roofs, context_,
+                                [&](Label label, contours::BuildingCells&& cells) {
+                                    if (given_.all[layer.footprints[label]].points > 0)
+                                        make(layer.footprints[label], cells);
+                                });
+}
+
+void GivenRoofs::write(const features::PolygonParameters& parameters, FeatureSink& sink) {
+    features::RoofLayer faces(setup_, *roofs_, *setup_.layers.indices.given_roofs);
+    for (std::size_t i = 0; i < given_.all.size(); ++i) {
+        BuildingRecord record;
+        record.id = static_cast<std::int64_t>(i) + 1;
+        double all = 0;
+        for (std::size_t polygon = first_[i]; polygon < first_[i + 1]; ++polygon)
+            all += areas_[polygon];
+        for (std::size_t polygon = first_[i]; polygon < first_[i + 1]; ++polygon)
+            faces.note(polygon, record, all > 0 ? given_.all[i].measure.area_m2 * areas_[polygon] / all : 0);
+    }
+    std::vector<features::PolygonMaker> makers;
+    for (int thread = 0; thread < context_.threads->threads(); ++thread)
+        makers.emplace_back(parameters);
+    faces.write(makers, sink, context_);
 }
 
 /// Contour cut off at its footprint.
@@ -201,7 +345,7 @@ BuildingRecord given_record(const PlacedFootprint& placed, std::int64_t id, doub
 }
 
 void write_features_of(const GivenFootprints& given, const features::RunSetup& setup, FeatureSink& sink,
-                    Context& context) {
+                       Context& context) {
     FootprintReport& report = *context.report.footprints;
     const std::size_t layer = *setup.layers.indices.given;
     constexpr double flat_share = 0.1;
@@ -227,6 +371,9 @@ void write_footprints(GivenFootprints&& given, ElevationReader& reader, const El
                       const features::RunSetup& setup, FeatureSink& sink, Context& context) {
     const features::RunSetup traced = setup_of_contours(setup);
     CutContours contours_out(given, traced, frame, sink, context);
+    std::optional<GivenRoofs> roofs;
+    if (setup.plan.asked.write.roofs)
+        roofs.emplace(given, setup, context);
     for (FootprintLayer& layer : given.layers) {
         const FoundBuildings labels = as_found(given, layer);
         measure_cells(given, layer, labels, reader, frame, context);
@@ -240,6 +387,12 @@ void write_footprints(GivenFootprints&& given, ElevationReader& reader, const El
                         features::lattice_frame(given.window, traced.plan.trace)});
         const outline::Outliner outliner = features::draw_outlines(*contours, traced, context);
         contours_out.write(*contours, records, outliner, layer.footprints);
+        if (roofs)
+            roofs->extract(layer, labels, reader);
+        if (roofs && &layer == &given.layers.back())
+            roofs->write(
+                {traced, outliner, {}, context.threads->stop(), false, context.report.units.vertical_metres},
+                sink);
     }
     RunReport& report = context.report;
     report.stack_rmse_m = contours_out.rmse() * report.units.vertical_metres;

@@ -123,7 +123,7 @@ std::vector<std::byte> OgrOriginalLayer::encode(OGRFeatureH feature, OGRGeometry
     }
     writer.put_list(wkb);
     for (int i = 0; i < OGR_FD_GetFieldCount(definition_.get()); ++i) {
-        const FieldState state = OGR_F_IsFieldSet(feature, i) == FALSE   ? FieldState::unset
+        const FieldState state = OGR_F_IsFieldSet(feature, i) == FALSE    ? FieldState::unset
                                  : OGR_F_IsFieldNull(feature, i) != FALSE ? FieldState::null
                                                                           : FieldState::value;
         writer.put(state);

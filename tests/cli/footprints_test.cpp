@@ -20,8 +20,8 @@ std::string corner(double col, double row) {
 std::string ring_around(const Box& box) {
     const double right = box.col + box.cols;
     const double bottom = box.row + box.rows;
-    return "(" + corner(box.col, box.row) + "," + corner(box.col, bottom) + "," + corner(right, bottom) + "," +
-           corner(right, box.row) + "," + corner(box.col, box.row) + ")";
+    return "(" + corner(box.col, box.row) + "," + corner(box.col, bottom) + "," + corner(right, bottom) +
+           "," + corner(right, box.row) + "," + corner(box.col, box.row) + ")";
 }
 std::string polygon(const Box& box) {
     return "POLYGON(" + ring_around(box) + ")";
@@ -85,8 +85,9 @@ TEST_F(Footprints, comeBackAsTheyAre) {
             EXPECT_EQ(after.records[i].text(field), before.records[i].text(field)) << i << field;
         }
     EXPECT_EQ(sql_value(path("out.gpkg"), "SELECT group_concat(fid) FROM buildings"), "1,2,3,4");
-    EXPECT_EQ(sql_value(path("out.gpkg"), "SELECT type FROM pragma_table_info('buildings') WHERE name = 'built'"),
-              "DATE");
+    EXPECT_EQ(
+        sql_value(path("out.gpkg"), "SELECT type FROM pragma_table_info('buildings') WHERE name = 'built'"),
+        "DATE");
 }
 
 TEST_F(Footprints, getHeights) {
@@ -112,7 +113,8 @@ TEST_F(Footprints, areCounted) {
     EXPECT_NE(result.out.find("2 footprints with heights of 4 (1 outside the raster, 1 without a polygon), "),
               std::string::npos)
         << result.out;
-    EXPECT_NE(result.out.find(" and 1 building without a footprint in out.gpkg"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find(" and 1 building without a footprint in out.gpkg"), std::string::npos)
+        << result.out;
 }
 
 TEST_F(Footprints, reportAsJson) {
@@ -133,10 +135,11 @@ TEST_F(Footprints, mayLieInTheFileOfTheResult) {
 }
 
 TEST_F(Footprints, areNeverReplaced) {
-    expect_error(2,
-                 "The layer \"cadastre\" of \"mine.gpkg\" holds the footprints, which -overwrite would replace; "
-                 "give another name with -nln.",
-                 with({"-overwrite", "-nln", "cadastre"}, "mine.gpkg"));
+    expect_error(
+        2,
+        "The layer \"cadastre\" of \"mine.gpkg\" holds the footprints, which -overwrite would replace; "
+        "give another name with -nln.",
+        with({"-overwrite", "-nln", "cadastre"}, "mine.gpkg"));
     run_well({"-preset", "buildings", "-q", "-layers", "buildings", "--", "town.tif", "mine.geojson"});
     expect_error(2,
                  "\"mine.geojson\" holds the footprints, and -overwrite would replace all of it; write to "
@@ -176,10 +179,11 @@ TEST_F(Footprints, withMistakes) {
     RasterSpec plain;
     plain.cols = plain.rows = 30;
     write(path("plain.tif"), plain);
-    expect_error(1,
-                 "The footprint dataset 'mine.gpkg' has a coordinate reference system and 'plain.tif' has none; "
-                 "give the DEM's with -a_srs.",
-                 {"-preset", "buildings", "-q", "-footprints", "mine.gpkg", "--", "plain.tif", "out.gpkg"}, {}, 2);
+    expect_error(
+        1,
+        "The footprint dataset 'mine.gpkg' has a coordinate reference system and 'plain.tif' has none; "
+        "give the DEM's with -a_srs.",
+        {"-preset", "buildings", "-q", "-footprints", "mine.gpkg", "--", "plain.tif", "out.gpkg"}, {}, 2);
 }
 
 }  // namespace

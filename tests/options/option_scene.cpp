@@ -264,8 +264,9 @@ void run_into(Writer& writer, const Texts& words) {
     MemorySurface tiers(SurfaceForm::tiers);
     if (!options.write.page.empty())
         surfaces.push_back(&tiers);
-    run(options, {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get(), sides.parcels.get(),
-                  sides.footprints.get()},
+    run(options,
+        {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get(), sides.parcels.get(),
+         sides.footprints.get()},
         {sink, &ground_raster, &height, &canopy, nullptr, surfaces});
     const auto given = sink.provenance.metadata.find("D2B_OPTIONS");
     if (given != sink.provenance.metadata.end())

@@ -34,7 +34,7 @@ class MadeFootprints final : public FootprintSource {
 
 /// 80 x 120 cells of 1 m. Heights above the ground, exact: a hall, a house of two heights, one that nobody
 /// has mapped, and one of which half has no data.
-struct Scene {
+struct FootprintScene {
     static constexpr Box hall{10, 10, 10, 20};
     static constexpr Box high{10, 50, 10, 5};
     static constexpr Box low{10, 55, 10, 5};
@@ -72,19 +72,30 @@ WorldPolygon around(const Box& box) {
     return rectangle(box.col, box.row, box.cols, box.rows);
 }
 
-enum Given : std::size_t { the_hall, two_parts, with_hole, outside, crossing, tiny, nothing, half_known, shifted, bare };
+enum Given : std::size_t {
+    the_hall,
+    two_parts,
+    with_hole,
+    outside,
+    crossing,
+    tiny,
+    nothing,
+    half_known,
+    shifted,
+    bare
+};
 
 std::vector<std::vector<WorldPolygon>> footprints() {
     WorldPolygon holed = rectangle(50, 10, 10, 10);
     holed.interiors = {ring({{52, 12}, {56, 12}, {56, 16}, {52, 16}})};
-    return {{around(Scene::hall)},
-            {rectangle(10, 10, 10, 10), around(Scene::high)},
+    return {{around(FootprintScene::hall)},
+            {rectangle(10, 10, 10, 10), around(FootprintScene::high)},
             {holed},
             {rectangle(500, 500, 10, 10)},
             {{ring({{10, 10}, {30, 20}, {30, 10}, {10, 20}}), {}}},
             {rectangle(70.6, 70.6, 0.3, 0.3)},
             {},
-            {around(Scene::half)},
+            {around(FootprintScene::half)},
             {rectangle(13, 10, 20, 10)},
             {rectangle(90, 60, 10, 10)}};
 }
@@ -95,11 +106,11 @@ struct FootprintRun {
         place_in_utm(dem, 1);
         options.ground.mode = GroundMode::none;
         options.write.footprints = "given";
+        options.run.threads = 2;
     }
-    FootprintRun& run(const detect::UnitSize& units = {}) {
-        result.report = pipeline::run_in_units(
-            options, {dem, nullptr, nullptr, nullptr, nullptr, &source}, {result.sink}, {}, units);
-        return *this;
+    void run(const detect::UnitSize& units = {}) {
+        result.report = pipeline::run_in_units(options, {dem, nullptr, nullptr, nullptr, nullptr, &source},
+                                               {result.sink}, {}, units);
     }
     [[nodiscard]] double number(std::size_t footprint, const std::string& field) const {
         return result.sink.number(buildings, footprint, field);
@@ -111,15 +122,23 @@ struct FootprintRun {
         return std::holds_alternative<std::monostate>(result.sink.value(buildings, footprint, field));
     }
 
-    MemorySource dem = Scene::source();
+    MemorySource dem = FootprintScene::source();
     MadeFootprints source;
     Options options;
     Result result;
 };
 
+struct Measured : FootprintRun {
+    explicit Measured(std::vector<std::vector<WorldPolygon>> given = footprints(),
+                      const detect::UnitSize& units = {})
+        : FootprintRun(std::move(given)) {
+        run(units);
+    }
+};
+
 /// The values are worked out by hand.
 TEST(GivenFootprints, haveTheHeightsOfTheirCells) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     EXPECT_EQ(run.whole(the_hall, "n_cells"), 200);
     for (const char* field : {"height", "p50", "p70", "p90", "p95"})
         EXPECT_EQ(run.number(the_hall, field), 7) << field;
@@ -141,7 +160,7 @@ TEST(GivenFootprints, haveTheHeightsOfTheirCells) {
 
 /// 100 cells of 7 m and 50 of 12 m; those of the hall count for both.
 TEST(GivenFootprints, mayOverlapAndHaveParts) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     EXPECT_EQ(run.whole(two_parts, "n_cells"), 150);
     EXPECT_EQ(run.number(two_parts, "p50"), 7);
     EXPECT_EQ(run.number(two_parts, "p70"), 12);
@@ -152,7 +171,7 @@ TEST(GivenFootprints, mayOverlapAndHaveParts) {
 
 /// Without the hole 38 cells of 12 m and 46 of 6 m are left.
 TEST(GivenFootprints, mayHaveHoles) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     EXPECT_EQ(run.whole(with_hole, "n_cells"), 84);
     EXPECT_EQ(run.number(with_hole, "p50"), 6);
     EXPECT_EQ(run.number(with_hole, "p70"), 12);
@@ -162,7 +181,7 @@ TEST(GivenFootprints, mayHaveHoles) {
 }
 
 TEST(GivenFootprints, comeBackOnceEachAlsoWithoutHeights) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     ASSERT_EQ(run.result.sink.features[buildings].size(), footprints().size());
     for (std::size_t i = 0; i < footprints().size(); ++i) {
         EXPECT_EQ(run.whole(i, "id"), static_cast<std::int64_t>(i) + 1);
@@ -186,20 +205,21 @@ TEST(GivenFootprints, comeBackOnceEachAlsoWithoutHeights) {
 
 /// Its lines cross in the middle of the hall; the repaired copy has two triangles of 50 m2.
 TEST(GivenFootprints, thatAreInvalidAreMeasuredOnARepairedCopy) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     EXPECT_NEAR(run.number(crossing, "area_m2"), 100, 0.1);
     EXPECT_EQ(run.number(crossing, "p50"), 7);
     EXPECT_EQ(run.result.sink.features[buildings][crossing].parts[0].exterior,
               footprints()[crossing][0].exterior);
     ASSERT_FALSE(run.result.report.warnings.empty());
-    EXPECT_EQ(run.result.report.warnings.front().find(
-                  "1 footprint is not valid, written as given and measured on a repaired copy: feature 104 (Self-"),
-              0U)
+    EXPECT_EQ(
+        run.result.report.warnings.front().find(
+            "1 footprint is not valid, written as given and measured on a repaired copy: feature 104 (Self-"),
+        0U)
         << run.result.report.warnings.front();
 }
 
 TEST(GivenFootprints, knowTheirShareWithoutData) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     EXPECT_EQ(run.whole(half_known, "n_points"), 50);
     EXPECT_EQ(run.number(half_known, "nodata"), 0.5);
     EXPECT_EQ(run.number(half_known, "p50"), 5);
@@ -208,7 +228,7 @@ TEST(GivenFootprints, knowTheirShareWithoutData) {
 
 /// Three of its 20 columns lie beside the hall.
 TEST(GivenFootprints, knowHowFarTheyMustMove) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     EXPECT_EQ(run.number(shifted, "seen"), 0.85);
     EXPECT_NEAR(run.number(shifted, "shift_m"), 3, 0.003);
     EXPECT_EQ(run.number(bare, "seen"), 0);
@@ -217,7 +237,7 @@ TEST(GivenFootprints, knowHowFarTheyMustMove) {
 }
 
 TEST(GivenFootprints, leaveTheOthersToTheLayerMissing) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     ASSERT_EQ(run.result.sink.layers[missing].name, "missing");
     ASSERT_EQ(run.result.sink.features[missing].size(), 1U);
     EXPECT_NEAR(run.result.sink.number(missing, 0, "area_m2"), 400, 4);
@@ -226,13 +246,13 @@ TEST(GivenFootprints, leaveTheOthersToTheLayerMissing) {
 
 /// A footprint of less than half of an object does not cover it.
 TEST(GivenFootprints, coverObjectsByHalf) {
-    const Box& box = Scene::unmapped;
-    EXPECT_EQ(FootprintRun({{rectangle(box.col, box.row, 9, box.rows)}}).run().result.report.footprints->missing, 3);
-    EXPECT_EQ(FootprintRun({{rectangle(box.col, box.row, 11, box.rows)}}).run().result.report.footprints->missing, 2);
+    const Box& box = FootprintScene::unmapped;
+    EXPECT_EQ(Measured({{rectangle(box.col, box.row, 9, box.rows)}}).result.report.footprints->missing, 3);
+    EXPECT_EQ(Measured({{rectangle(box.col, box.row, 11, box.rows)}}).result.report.footprints->missing, 2);
 }
 
 TEST(GivenFootprints, cutContoursOff) {
-    const FootprintRun run = FootprintRun().run();
+    const Measured run;
     double hall_area = 0;
     double crossing_area = 0;
     for (std::size_t i = 0; i < run.result.sink.features[contours].size(); ++i) {
@@ -251,12 +271,13 @@ TEST(GivenFootprints, cutContoursOff) {
 
 /// The seams of units pass through the buildings.
 TEST(GivenFootprints, doNotDependOnUnits) {
-    const FootprintRun whole = FootprintRun().run();
-    const FootprintRun divided = FootprintRun().run({.most_whole = 100, .most_side = 24});
+    const Measured whole;
+    const Measured divided(footprints(), {.most_whole = 100, .most_side = 24});
     for (std::size_t layer = 0; layer < whole.result.sink.features.size(); ++layer) {
         ASSERT_EQ(whole.result.sink.features[layer].size(), divided.result.sink.features[layer].size());
         for (std::size_t i = 0; i < whole.result.sink.features[layer].size(); ++i)
-            EXPECT_EQ(whole.result.sink.features[layer][i].values, divided.result.sink.features[layer][i].values)
+            EXPECT_EQ(whole.result.sink.features[layer][i].values,
+                      divided.result.sink.features[layer][i].values)
                 << layer << " " << i;
     }
 }
@@ -280,6 +301,28 @@ TEST(GivenFootprints, mayBeInAnotherCrs) {
     EXPECT_EQ(run.result.sink.provenance.crs_wkt, run.source.crs);
     for (const Feature& contour : run.result.sink.features[contours])
         EXPECT_LT(std::abs(contour.parts[0].exterior[0].x), 180);
+}
+
+/// Those of the house of two heights are flat; the invalid one has two triangles.
+TEST(GivenFootprints, haveRoofs) {
+    FootprintRun run;
+    run.options.write.roofs = true;
+    run.run();
+    EXPECT_EQ(std::get<std::string>(run.result.sink.value(buildings, the_hall, "roof_type")), "flat");
+    EXPECT_NEAR(run.number(the_hall, "ridge_z"), 7, 0.01);
+    EXPECT_NEAR(run.number(the_hall, "flat_m2"), 200, 0.3);
+    EXPECT_TRUE(run.is_null(outside, "roof_type"));
+    double hall_area = 0;
+    double crossing_area = 0;
+    ASSERT_EQ(run.result.sink.layers[3].name, "roofs");
+    for (std::size_t i = 0; i < run.result.sink.features[3].size(); ++i) {
+        const std::int64_t building = run.result.sink.whole(3, i, "bldg_id");
+        const double area = run.result.sink.number(3, i, "area_m2");
+        hall_area += building == the_hall + 1 ? area : 0;
+        crossing_area += building == crossing + 1 ? area : 0;
+    }
+    EXPECT_NEAR(hall_area, 200, 0.2);
+    EXPECT_NEAR(crossing_area, 100, 0.2);
 }
 
 /// Rough cells beside the buildings look like trees.

@@ -15,7 +15,11 @@ struct Inputs {
     AuxiliarySources side;
 
     [[nodiscard]] Sources sources() const {
-        return {*dem, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get(),
+        return {*dem,
+                side.terrain.get(),
+                side.mask.get(),
+                side.ndvi.get(),
+                side.parcels.get(),
                 side.footprints.get()};
     }
 };

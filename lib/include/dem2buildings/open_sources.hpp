@@ -64,8 +64,8 @@ struct AuxiliaryArrays {
     std::optional<ElevationArray> ndvi;
 };
 
-/// Opens a terrain model, a mask, an NDVI and parcels on the grid of the DEM, and footprints. @throws InputError;
-/// OptionError, also if an array differs in size from the DEM
+/// Opens a terrain model, a mask, an NDVI and parcels on the grid of the DEM, and footprints. @throws
+/// InputError; OptionError, also if an array differs in size from the DEM
 [[nodiscard]] AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& dem,
                                                       const Callbacks& callbacks = {},
                                                       const AuxiliaryArrays& arrays = {});

@@ -135,7 +135,7 @@ struct WriteOptions {
     std::string destination;
     std::string footprints;        ///< existing polygons that get heights; "": buildings are outlined
     std::string footprints_layer;  ///< their layer; "": the first with geometries
-    std::string format;                        ///< OGR short name; deduced from the extension if empty
+    std::string format;            ///< OGR short name; deduced from the extension if empty
     std::vector<std::string> dataset_options;  ///< NAME=VALUE
     std::vector<std::string> layer_options;    ///< NAME=VALUE
     std::string layer_name;

@@ -72,9 +72,9 @@ struct BuildingRecord {
     double area_m2 = 0;
     double perimeter_m = 0;
     OutlineStatus status = OutlineStatus::traced;
-    double deviation_m = 0;  ///< largest distance between the outline and its trace
-    double area_change = 0;  ///< change by regularisation, share of the traced area
-    RoofRecord roof_shape;   ///< with -roofs
+    double deviation_m = 0;             ///< largest distance between the outline and its trace
+    double area_change = 0;             ///< change by regularisation, share of the traced area
+    RoofRecord roof_shape;              ///< with -roofs
     double seen_share = unknown_share;  ///< cells of a given footprint that rise by -min_height
     double tree_share = unknown_share;  ///< cells of a given footprint that look like trees
     double shift_m = unknown_share;     ///< move that brings a given footprint onto walls

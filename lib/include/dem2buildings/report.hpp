@@ -242,13 +242,13 @@ struct RunReport : Tally {
                                 ///< written), closing ones not counted
     OutlineLength building_outlines;  ///< lengths as written; 0 if the layer is not written
     OutlineLength contour_outlines;
-    std::optional<RoofReport> roofs;         ///< if requested
-    std::optional<SurfaceReport> surface;    ///< if requested
-    std::vector<CutStack> cuts;              ///< level 1 first; only if a sink gets the tiers of stacks
-    std::optional<ParcelReport> parcels;     ///< if parcels cut buildings
+    std::optional<RoofReport> roofs;            ///< if requested
+    std::optional<SurfaceReport> surface;       ///< if requested
+    std::vector<CutStack> cuts;                 ///< level 1 first; only if a sink gets the tiers of stacks
+    std::optional<ParcelReport> parcels;        ///< if parcels cut buildings
     std::optional<FootprintReport> footprints;  ///< if existing footprints got heights
-    std::optional<SamplingReport> sampling;  ///< if buildings were detected
-    int threads = 1;                         ///< number used
+    std::optional<SamplingReport> sampling;     ///< if buildings were detected
+    int threads = 1;                            ///< number used
     std::vector<std::string> warnings;
 };
 

@@ -20,7 +20,7 @@ struct Sources {
     DemSource* terrain = nullptr;  ///< needed for GroundMode::given, in the DEM's vertical unit
     DemSource* mask = nullptr;     ///< buildings are searched in cells that are neither 0 nor invalid
     DemSource* ndvi = nullptr;
-    ParcelSource* parcels = nullptr;  ///< cut buildings
+    ParcelSource* parcels = nullptr;        ///< cut buildings
     FootprintSource* footprints = nullptr;  ///< get heights, instead of outlines of found buildings
 };
 

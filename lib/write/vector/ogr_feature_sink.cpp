@@ -227,7 +227,8 @@ bool is_same_dataset(const std::string& one, const std::string& other) {
     return one == other || std::filesystem::equivalent(one, other, error);
 }
 
-/// Refuses to replace the footprints that are read: their layer, or their file if -overwrite replaces it whole.
+/// Refuses to replace the footprints that are read: their layer, or their file if -overwrite replaces it
+/// whole.
 /// @throws OptionError
 void keep_footprints(const WriteOptions& options, const VectorFormat& format, Layers layers) {
     if (!options.has_footprints() || !options.overwrite ||
