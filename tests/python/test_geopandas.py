@@ -1,9 +1,12 @@
 """A line makes a GeoDataFrame of a layer."""
 
+import pathlib
+import tempfile
 import unittest
+import warnings
 
 import dem2buildings
-from python_case import SAMPLES, PythonCase
+from python_case import PLACE, SAMPLES, PythonCase, block, write_grid
 
 try:
     import geopandas
@@ -46,6 +49,54 @@ class GeoPandas(PythonCase):
         self.assert_is_the_layer(frame, self.found.buildings)
         geometry = shapely.geometry.shape(self.found.buildings[0]["geometry"])
         self.assertEqual(geometry.wkb, frame.geometry.iloc[0].wkb)
+
+
+@unittest.skipIf(geopandas is None, "GeoPandas is not installed")
+class Footprints(PythonCase):
+    """A block of 15 x 20 cells that is 14 m high, and footprints on it, beside it, and without a geometry."""
+
+    def frame(self):
+        box = shapely.geometry.box
+        return geopandas.GeoDataFrame(
+            {"name": ["on it", "beside it", "nowhere"], "Height": [1.5, 2.5, 3.5]}, index=[7, 3, 9],
+            geometry=[box(391015, 5820015, 391035, 5820030), box(391100, 5820015, 391110, 5820030), None], crs=25833)
+
+    def extract(self, **options):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return dem2buildings.extract(block(), ground="none", footprints=self.frame(), **PLACE, **options)
+
+    def test_a_frame_gets_columns(self):
+        found = self.extract()
+        frame, given = found.footprints, self.frame()
+        self.assertEqual(list(frame.index), [7, 3, 9])
+        self.assertEqual(list(frame.name), list(given.name))
+        self.assertEqual(list(frame.Height), list(given.Height))
+        self.assertEqual(frame.geometry.iloc[0].wkb, given.geometry.iloc[0].wkb)
+        self.assertEqual(frame.p50.iloc[0], 14)
+        self.assertEqual(frame.d2b_height.iloc[0], 14)
+        self.assertTrue(frame.p50.isna().iloc[1:].all())
+        self.assertEqual(frame.num_floors.iloc[0], 5)
+        self.assertEqual(list(frame.status), ["given"] * 3)
+        self.assertEqual(found.report["footprints"]["outside"], 1)
+        self.assertEqual(found.metadata["D2B_FOOTPRINTS"], "GeoDataFrame")
+
+    def test_another_crs(self):
+        frame = self.extract(t_srs="EPSG:4326").footprints
+        self.assertEqual(frame.crs.to_epsg(), 4326)
+        self.assertLess(frame.total_bounds[2], 180)
+
+    def test_a_file_has_its_columns(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = write_grid(pathlib.Path(folder, "block.asc"), block())
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                dem2buildings.extract_file(source, pathlib.Path(folder, "out.gpkg"), ground="none",
+                                           footprints=self.frame())
+            frame = geopandas.read_file(pathlib.Path(folder, "out.gpkg"), layer="buildings")
+        self.assertEqual(list(frame.name), ["on it", "beside it", "nowhere"])
+        self.assertEqual(list(frame.Height), [1.5, 2.5, 3.5])
+        self.assertEqual(frame.p50.iloc[0], 14)
 
 
 if __name__ == "__main__":

@@ -179,7 +179,7 @@ void define_layer(py::module_& module) {
         .def("__repr__", &repr)
         .def_property_readonly(
             "name", [](const CollectedLayer& layer) { return layer.spec.name; },
-            "buildings, contours, roofs, doubtful, rejected or problems")
+            "buildings, contours, roofs, doubtful, rejected, problems or missing")
         .def_property_readonly(
             "crs",
             [](const CollectedLayer& layer) -> py::object {

@@ -8,6 +8,7 @@ import warnings
 from . import _core
 from ._dem import elevations, is_array, six_terms
 from ._errors import Error
+from ._footprints import with_columns, written
 from ._options import EXTRACT, EXTRACT_FILE, SCORE
 from ._result import Result
 
@@ -45,6 +46,7 @@ def extract(dem, *, transform=None, progress=None, **options):
         calls it. If it returns False, or another false value except None, the run ends with Cancelled.
     ground, mask, ndvi: a path, or an array with the shape of the DEM and its transform; ground in the DEM's vertical
         unit. They are copied.
+    footprints: a path, or a GeoDataFrame; the result then has footprints, a copy of it with the columns of buildings
 
     Paths are str, bytes or os.PathLike. If the name of a file is not UTF-8, texts of the result have U+FFFD for its
     invalid bytes.
@@ -62,14 +64,20 @@ def extract(dem, *, transform=None, progress=None, **options):
     array([12.])
     """
     arrays = _beside(options)
-    given = EXTRACT.given(options)
     ears = _Ears(EXTRACT, progress)
-    with ears.errors():
+    with written(options) as (frame, named), ears.errors():
+        given = EXTRACT.given(options)
         if isinstance(dem, (str, bytes, os.PathLike)):
             if transform is not None:
                 raise TypeError("transform is for an array; a path has its own")
-            return Result(*_core.extract_path(os.fsencode(dem), given, arrays, ears))
-        return Result(*_core.extract_array(*elevations(dem), six_terms(transform), given, arrays, ears))
+            found = _core.extract_path(os.fsencode(dem), given, arrays, ears)
+        else:
+            found = _core.extract_array(*elevations(dem), six_terms(transform), given, arrays, ears)
+    layers, crs, metadata, report = found
+    result = Result(layers, crs, {name: named(text) for name, text in metadata.items()}, named(report))
+    if frame is not None:
+        result.footprints = with_columns(frame, result.buildings, result.crs)
+    return result
 
 
 @EXTRACT_FILE.describe
@@ -80,6 +88,7 @@ def extract_file(src, dst, *, progress=None, **options):
     dst: a path of any format that GDAL writes, by its extension. It keeps its old content or gets the new one, never
         a part of it. An existing dataset is refused without overwrite or append.
     progress, ground, mask, ndvi: as for extract()
+    footprints: a path, or a GeoDataFrame, whose columns are written, too
 
     Returns the report, a dict. Warnings, Ctrl-C and other threads are as in extract().
 
@@ -90,9 +99,9 @@ def extract_file(src, dst, *, progress=None, **options):
     3
     """
     arrays = _beside(options)
-    given = EXTRACT_FILE.given(options)
     ears = _Ears(EXTRACT_FILE, progress)
-    with ears.errors():
+    with written(options), ears.errors():
+        given = EXTRACT_FILE.given(options)
         return json.loads(_core.extract_file(os.fsencode(src), os.fsencode(dst), given, arrays, ears))
 
 

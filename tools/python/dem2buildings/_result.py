@@ -6,7 +6,8 @@ import json
 class Result:
     """Buildings and contours in memory.
 
-    buildings, contours, roofs, doubtful, rejected, problems: a Layer, or None if it was not requested
+    buildings, contours, roofs, doubtful, rejected, problems, missing: a Layer, or None if it was not requested
+    footprints: with footprints= a GeoDataFrame, its copy with the columns of buildings; otherwise None
     crs: the coordinate reference system as WKT; None if unknown
     metadata: how the result was made, a dict of texts: source, options, thresholds, units, version
     report: the report of the run, a dict, as dem2buildings -json prints it
@@ -20,11 +21,14 @@ class Result:
         self.doubtful = by_name.get("doubtful")
         self.rejected = by_name.get("rejected")
         self.problems = by_name.get("problems")
+        self.missing = by_name.get("missing")
+        self.footprints = None
         self.crs = crs or None
         self.metadata = metadata
         self.report = json.loads(report)
 
     def __repr__(self):
-        layers = (self.buildings, self.contours, self.roofs, self.doubtful, self.rejected, self.problems)
+        layers = (self.buildings, self.contours, self.roofs, self.doubtful, self.rejected, self.problems,
+                  self.missing)
         counts = ", ".join(f"{len(layer)} {layer.name}" for layer in layers if layer is not None)
         return f"<dem2buildings.Result: {counts}>"

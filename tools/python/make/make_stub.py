@@ -19,6 +19,9 @@ import numpy
 class _HasWkt(Protocol):
     def to_wkt(self) -> str: ...
 
+class _Frame(Protocol):
+    def to_file(self, filename: Any, **options: Any) -> None: ...
+
 class _HasGdalTerms(Protocol):
     def to_gdal(self) -> tuple[float, float, float, float, float, float]: ...
 
@@ -68,6 +71,8 @@ class Result:
     doubtful: Layer | None
     rejected: Layer | None
     problems: Layer | None
+    missing: Layer | None
+    footprints: Any
     crs: str | None
     metadata: dict[str, str]
     report: dict[str, Any]
@@ -82,6 +87,7 @@ OWN = {
     "ground": "_Raster | None",
     "mask": "_Raster | None",
     "ndvi": "_Raster | None",
+    "footprints": "_Path | _Frame | None",
     "found": "_Path | Result",
     "reference": "_Path | Result",
 }
