@@ -64,14 +64,23 @@ class CellKinds {
 
     [[nodiscard]] bool is_elevated(std::size_t i) const { return scene_.height(i) > min_height_; }
     /// @pre is_elevated(i)
-    [[nodiscard]] bool is_tree(std::size_t i) const {
-        if (detection_.is_building(detection_.labels.values[i]))
-            return false;
+    [[nodiscard]] bool is_tree(std::int32_t r, std::int32_t c) const {
+        const std::size_t i = flags_.index(r, c);
         const bool green = scene_.greenness != nullptr && scene_.greenness->values[i] > vegetation_ndvi;
-        return green || (flags_.values[i] & smooth_enough) == 0;
+        return (green || (flags_.values[i] & smooth_enough) == 0) && !is_at_building(r, c);
     }
 
   private:
+    /// True also for the cells along a found building, because corners are cut off from it.
+    [[nodiscard]] bool is_at_building(std::int32_t r, std::int32_t c) const {
+        const Grid<Label>& labels = detection_.labels;
+        for (std::int32_t row = std::max(r - 1, 0); row <= std::min(r + 1, labels.rows - 1); ++row)
+            for (std::int32_t col = std::max(c - 1, 0); col <= std::min(c + 1, labels.cols - 1); ++col)
+                if (detection_.is_building(labels.at(row, col)))
+                    return true;
+        return false;
+    }
+
     const Scene& scene_;
     const Detection& detection_;
     float min_height_;
@@ -90,7 +99,7 @@ void count_own(const Scene& scene, const CellKinds& kinds, std::span<const RowSp
             if (!kinds.is_elevated(i))
                 continue;
             ++seen.elevated;
-            seen.trees += kinds.is_tree(i) ? 1 : 0;
+            seen.trees += kinds.is_tree(run.row, c) ? 1 : 0;
         }
     }
 }
@@ -98,7 +107,7 @@ void count_own(const Scene& scene, const CellKinds& kinds, std::span<const RowSp
 constexpr double farthest_m = 5;
 constexpr int most_moves = 12;
 constexpr float full_fall_m = 3;
-constexpr std::size_t most_edges = 160;
+constexpr std::size_t most_edges = 96;
 
 /// Edge between a cell of a footprint and one outside.
 struct FootprintEdge {
@@ -153,6 +162,15 @@ class OuterWalls {
         return sum;
     }
 
+    /// True if nearly all edges are walls where they are.
+    [[nodiscard]] bool fit(std::span<const FootprintEdge> edges) const {
+        constexpr double nearly_all = 0.95;
+        const auto count = std::ranges::count_if(edges, [&](const FootprintEdge& edge) {
+            return fall(edge.row, edge.col, edge) >= full_fall_m / 2;
+        });
+        return static_cast<double>(count) >= nearly_all * static_cast<double>(edges.size());
+    }
+
   private:
     /// Fall from a cell across an edge, limited; 0 if it is no wall.
     [[nodiscard]] float fall(std::int32_t r, std::int32_t c, const FootprintEdge& edge) const {
@@ -179,6 +197,8 @@ double wall_shift(const Scene& scene, const Grid<Label>& labels, Label label, st
     constexpr double worth_a_move = 1.02;
     const std::vector<FootprintEdge> edges = outer_edges(labels, label, cells);
     const OuterWalls walls(scene, min_height);
+    if (walls.fit(edges))
+        return 0;
     std::int64_t size = 0;
     for (const RowSpan& run : cells)
         size += run.end - run.begin;

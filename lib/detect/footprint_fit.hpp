@@ -28,7 +28,7 @@ struct SeenFootprint {
 inline constexpr double least_seen_share = 0.3;
 
 /// Measures the footprints of a unit against the surface. A cell looks like a tree if it is elevated and
-/// rough, or green, and belongs to no building that was found.
+/// rough, or green, and neither it nor a neighbour belongs to a building that was found.
 /// @param labels footprints by cell; changed @param own core of the unit within the scene
 /// @param min_height in m @return one per label with own cells, in ascending order
 [[nodiscard]] std::vector<SeenFootprint> see_footprints(const Scene& scene, const Detection& detection,

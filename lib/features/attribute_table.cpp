@@ -188,8 +188,8 @@ constexpr std::array fit_table{
         [](const BuildingRecord& r) { return number(round_to_hundredths(r.seen_share)); }},
     Attribute<BuildingRecord>{
         "tree", "Trees", FieldType::real, Unit::none,
-        "share of its cells that look like trees: they rise, are rough or green, and belong to no building "
-        "that was found",
+        "share of its cells that look like trees: they rise, are rough or green, and lie at no building that "
+        "was found",
         [](const BuildingRecord& r) { return number(round_to_hundredths(r.tree_share)); }},
     Attribute<BuildingRecord>{
         "shift_m", "Shift", FieldType::real, Unit::metre,

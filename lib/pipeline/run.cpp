@@ -38,6 +38,7 @@ struct Milestones {
     double drawn;
 };
 constexpr Milestones building_milestones{0.1, 0.55, 0.7, 0.97};
+constexpr double share_of_others = 0.6;  ///< of a run with given footprints
 constexpr Milestones thesis_milestones{0.3, 0.3, 0.6, 0.97};
 const Milestones& milestones(const RunPlan& plan) {
     return plan.detects_buildings() ? building_milestones : thesis_milestones;
@@ -203,6 +204,10 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     std::optional<GivenFootprints> given;
     if (sources.footprints != nullptr)
         given.emplace(place_footprints(*sources.footprints, setup, context));
+    // Given footprints are measured and written after the others are found.
+    std::optional<ProgressSpan> others;
+    if (given)
+        others.emplace(context, 0, share_of_others);
     ElevationReader reader(sources.dem, context, size.bands);
     SearchResult search = search_levels(reader, setup, sources, sinks, size.units,
                                         lattice ? &*lattice : nullptr, given ? &*given : nullptr, context);
@@ -242,9 +247,12 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
                                        roofs ? &*roofs : nullptr,
                                        has_tiers(sinks)};
     write_result(input, records, reader, sinks, {flow, lattice ? &*lattice : nullptr}, context);
+    others.reset();
     if (given)
-        write_footprints(std::move(*given), reader, {frame.fixed, frame.range, search.tiers.plan}, setup,
-                         sinks.features, context);
+        with_progress(context, share_of_others, building_milestones.drawn, [&] {
+            write_footprints(std::move(*given), reader, {frame.fixed, frame.range, search.tiers.plan}, setup,
+                             sinks.features, context);
+        });
     prepare_sinks(sinks, commit, context);
 }
 

@@ -374,7 +374,10 @@ void write_footprints(GivenFootprints&& given, ElevationReader& reader, const El
     std::optional<GivenRoofs> roofs;
     if (setup.plan.asked.write.roofs)
         roofs.emplace(given, setup, context);
+    const auto count = static_cast<double>(given.layers.size());
     for (FootprintLayer& layer : given.layers) {
+        const auto before = static_cast<double>(&layer - given.layers.data());
+        const ProgressSpan span(context, before / (count + 1), (before + 1) / (count + 1));
         const FoundBuildings labels = as_found(given, layer);
         measure_cells(given, layer, labels, reader, frame, context);
         const Tiers tiers =

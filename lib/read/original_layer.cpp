@@ -100,8 +100,13 @@ OgrOriginalLayer::OgrOriginalLayer(OGRLayerH layer)
     OGR_FD_Reference(definition_.get());
     const OGRFeatureDefnH own = OGR_L_GetLayerDefn(layer);
     OGR_FD_SetGeomType(definition_.get(), OGR_L_GetGeomType(layer));
-    for (int i = 0; i < OGR_FD_GetFieldCount(own); ++i)
+    for (int i = 0; i < OGR_FD_GetFieldCount(own); ++i) {
         OGR_FD_AddFieldDefn(definition_.get(), OGR_FD_GetFieldDefn(own, i));
+        // The destination is tried with an empty feature, and has no domains.
+        OGRFieldDefnH const field = OGR_FD_GetFieldDefn(definition_.get(), i);
+        OGR_Fld_SetNullable(field, TRUE);
+        OGR_Fld_SetDomainName(field, nullptr);
+    }
 }
 
 std::vector<std::string> OgrOriginalLayer::field_names() const {

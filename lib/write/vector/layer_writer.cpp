@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <utility>
 #include <variant>
 
@@ -200,6 +201,18 @@ bool title_exists(GDALDatasetH dataset, const std::string& title) {
     return false;
 }
 
+/// Returns the first name that is no field of a layer; "" if that would be the driver's own choice.
+std::string free_name(const reading::OgrOriginalLayer& original, std::initializer_list<std::string> names) {
+    const std::vector<std::string> fields = original.field_names();
+    const auto is_free = [&](const std::string& name) {
+        return !name.empty() && std::ranges::none_of(fields, [&](const std::string& field) {
+            return EQUAL(field.c_str(), name.c_str());
+        });
+    };
+    const auto found = std::ranges::find_if(names, is_free);
+    return found == names.end() || found == names.begin() + 1 ? "" : *found;
+}
+
 NameValueList layer_options(GDALDatasetH dataset, const LayerSpec& spec, const LayerSettings& setting) {
     NameValueList options(setting.options);
     const auto offer = [&](const char* name, const std::string& value) {
@@ -209,8 +222,9 @@ NameValueList layer_options(GDALDatasetH dataset, const LayerSpec& spec, const L
     offer("IDENTIFIER", title_exists(dataset, spec.title) ? spec.title + " (" + spec.name + ")" : spec.title);
     offer("DESCRIPTION", spec.description);
     if (const reading::OgrOriginalLayer* const original = original_of(spec)) {
-        offer("FID", original->fid_column());
-        offer("GEOMETRY_NAME", original->geometry_column());
+        offer("FID", free_name(*original, {original->fid_column(), "fid", "ogc_fid", "d2b_fid"}));
+        offer("GEOMETRY_NAME",
+              free_name(*original, {original->geometry_column(), "geom", "geometry", "d2b_geom"}));
     }
     // Temporary files belong next to the result, not into the working directory.
     offer("TEMPORARY_DIR", setting.target.hidden_folder);
