@@ -1,3 +1,4 @@
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -43,10 +44,22 @@ RowLayer cadastre() {
     return layer;
 }
 
+RasterSpec surveyed_town() {
+    RasterSpec spec;
+    spec.cols = MadeTown::cols;
+    spec.rows = MadeTown::rows;
+    spec.type = GDT_Float32;
+    spec.transform = std::array<double, 6>{391000, 1, 0, 5820000, 0, -1};
+    spec.crs = "EPSG:25833";
+    spec.values = MadeTown::surface();
+    return spec;
+}
+
 class Footprints : public OptionEffect {
   protected:
     void SetUp() override {
         OptionEffect::SetUp();
+        write(path("town.tif"), surveyed_town());
         write_rows(path("mine.gpkg"), cadastre());
     }
     [[nodiscard]] std::vector<std::string> wkts(const Layer& layer) const {
@@ -155,6 +168,35 @@ TEST_F(Footprints, fitIntoAGeoJson) {
     ASSERT_EQ(after.records.size(), 4U);
     EXPECT_NEAR(after.records[0].number("p50"), MadeTown::flat_height, 0.3);
     EXPECT_EQ(after.records[0].text("name"), "Rathaus");
+}
+
+/// This format is tried before the run, and drops features without a geometry.
+TEST_F(Footprints, fitIntoAFlatGeobuf) {
+    RowLayer layer = cadastre();
+    layer.rows.pop_back();
+    write_rows(path("drawn.gpkg"), layer);
+    run_warned({"-preset", "buildings", "-q", "-footprints", "drawn.gpkg", "--", "town.tif", "out.fgb"},
+               {"\"out.fgb\" holds one layer; only the footprints are written; use a GeoPackage for their "
+                "contours and for buildings without one.",
+                usual_warnings[0], usual_warnings[1]});
+    EXPECT_EQ(this->layer("out.fgb", "out").records.size(), 3U);
+}
+
+/// Names of the columns of a GeoPackage are free for fields.
+TEST_F(Footprints, mayHaveFieldsNamedLikeColumns) {
+    RowLayer layer{"odd",
+                   {{"fid", OFTInteger}, {"geom"}},
+                   {{polygon(MadeTown::flat), {"12", "stone"}}},
+                   25833,
+                   wkbPolygon,
+                   "GeoJSON"};
+    write_rows(path("odd.geojson"), layer);
+    run_well({"-preset", "buildings", "-q", "-footprints", "odd.geojson", "--", "town.tif", "odd.gpkg"});
+    const Layer after = this->layer("odd.gpkg", "buildings");
+    ASSERT_EQ(after.records.size(), 1U);
+    EXPECT_EQ(after.records[0].number("fid"), 12);
+    EXPECT_EQ(after.records[0].text("geom"), "stone");
+    EXPECT_NEAR(after.records[0].number("p50"), MadeTown::flat_height, 0.3);
 }
 
 TEST_F(Footprints, followTheCrsOfTheOutput) {

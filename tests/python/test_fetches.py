@@ -43,7 +43,7 @@ class Fetches(PythonCase):
         return path
 
     def test_polygons_beside_an_array(self):
-        for option in ("cutline", "mask", "split_by"):
+        for option in ("cutline", "mask", "split_by", "footprints"):
             with self.subTest(option=option), self.assertWarnsRegex(UserWarning, "refers to .*/secret, which is not fetched"):
                 dem2buildings.extract(block(), **{option: self.link()}, **PLACE)
         self.assertEqual(self.asked, [])

@@ -158,8 +158,15 @@ void LayerWriter::add(const Feature& feature) {
 }
 
 void LayerWriter::copy_original(const Feature& feature) {
-    if (feature.original.empty())
-        return;  // a trial
+    if (feature.original.empty()) {  // a trial
+        const auto bytes = wkb_.encode(feature);
+        OGRGeometryH geometry = nullptr;
+        if (OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())) ==
+            OGRERR_NONE)
+            OGR_F_SetGeometryDirectly(feature_.get(),
+                                      OGR_G_ForceTo(geometry, OGR_L_GetGeomType(layer_), nullptr));
+        return;
+    }
     const reading::FeatureOwner original = original_->decode(feature.original);
     OGR_F_SetFromWithMap(feature_.get(), original.get(), TRUE, copied_fields_.data());
     OGR_F_SetFID(feature_.get(), OGR_F_GetFID(original.get()));

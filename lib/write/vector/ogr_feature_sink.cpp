@@ -260,10 +260,12 @@ std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callba
     std::optional<writing::ExistingDataset> existing =
         writing::find_existing(destination, format, options, layers);
     if (callbacks.on_warning && !options.layers && layers == Layers::buildings)
-        callbacks.on_warning(
-            "\"" + options.destination +
-            "\" holds one layer; only the buildings are written; use -layers contours for the stack, or a "
-            "GeoPackage for both.");
+        callbacks.on_warning("\"" + options.destination + "\" holds one layer; only the " +
+                             (options.has_footprints()
+                                  ? "footprints are written; use a GeoPackage for their contours and for "
+                                    "buildings without one."
+                                  : "buildings are written; use -layers contours for the stack, or a "
+                                    "GeoPackage for both."));
     return std::make_unique<writing::OgrFeatureSink>(options, std::move(format), std::move(destination),
                                                      std::move(existing), StopToken(callbacks.stop));
 }

@@ -15,7 +15,7 @@ from . import parameters, program
 
 INPUT, OUTPUT, LOAD = "INPUT", "OUTPUT", "LOAD"
 ICON = str(pathlib.Path(__file__).with_name("icon.svg"))
-LAYERS = ("buildings", "contours", "roofs", "doubtful", "rejected", "problems")
+LAYERS = ("buildings", "contours", "roofs", "doubtful", "rejected", "problems", "missing")
 
 
 def icon():
@@ -29,7 +29,7 @@ def written_layers(options):
     layers = []
     for name in LAYERS:
         main = name in ("buildings", "contours")
-        switch = "-roofs" if name == "roofs" else f"-write_{name}"
+        switch = {"roofs": "-roofs", "missing": "-footprints"}.get(name, f"-write_{name}")
         if (main and chosen not in (name, "both")) or (not main and switch not in options):
             continue
         alone = name == "buildings" or chosen == name
