@@ -290,7 +290,7 @@ void OptionScene::SetUpTestSuite() {
     write_rasters(folder);
     write_areas(folder + "areas.gpkg", {{"west", {0, 0, 100, 72}}, {"north", {0, 0, 58, 120}}});
     write_parcels(folder + "parcels.gpkg");
-    write_areas(folder + "footprints.gpkg", {{"low", flat}, {"high", podium}});
+    write_areas(folder + "footprints.gpkg", {{"low", gabled}, {"high", podium}});
     write_areas(folder + "masks.gpkg", {{"east", {0, 12, 100, 108}}, {"middle", {4, 0, 76, 120}}});
 }
 

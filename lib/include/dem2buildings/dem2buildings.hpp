@@ -7,6 +7,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/extract_file.hpp"
+#include "dem2buildings/footprint_source.hpp"
 #include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/options.hpp"
