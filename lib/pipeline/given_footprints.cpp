@@ -405,11 +405,11 @@ std::vector<WorldPolygon> GivenFootprints::shape(std::size_t footprint) const {
 
 std::vector<bool> covered_objects(const GivenFootprints& given, const detect::LabelRows& labels, Label count,
                                   Executor& threads) {
-    struct Cells {
+    struct CoveredCells {
         std::int64_t all = 0;
         std::int64_t covered = 0;
     };
-    std::vector<Cells> cells(count + std::size_t{1});
+    std::vector<CoveredCells> cells(count + std::size_t{1});
     const std::vector<RowBand> bands = row_bands(given.window.rows, given.window.cols);
     threads.in_order(
         bands.size(),
@@ -422,7 +422,7 @@ std::vector<bool> covered_objects(const GivenFootprints& given, const detect::La
                 for (std::size_t k = 0; k < covered.size(); ++k)
                     covered[k] = covered[k] || footprints.labels[k] != 0;
             }
-            std::vector<std::pair<Label, Cells>> here;
+            std::vector<std::pair<Label, CoveredCells>> here;
             const LabelBand objects = labels.band(shape);
             for (std::size_t k = 0; k < covered.size(); ++k) {
                 const Label label = objects.labels[k];
@@ -435,14 +435,14 @@ std::vector<bool> covered_objects(const GivenFootprints& given, const detect::La
             }
             return here;
         },
-        [&](std::size_t, const std::vector<std::pair<Label, Cells>>& here) {
+        [&](std::size_t, const std::vector<std::pair<Label, CoveredCells>>& here) {
             for (const auto& [label, some] : here) {
                 cells[label].all += some.all;
                 cells[label].covered += some.covered;
             }
         });
     std::vector<bool> covered;
-    for (const Cells& object : cells)
+    for (const CoveredCells& object : cells)
         covered.push_back(object.all > 0 && 2 * object.covered >= object.all);
     return covered;
 }
