@@ -10,7 +10,7 @@ export function written(view) {
       known.map(([name, value]) => `${name}=${Array.isArray(value) ? value.map(round).join(',') : value}`).join('&');
 }
 
-// Returns the fields of the address that hold what they should, lists as numbers.
+// Returns the valid fields of an address, lists as numbers.
 export function readView(hash) {
   const view = {};
   for (const part of hash.replace(/^#/, '').split('&')) {
