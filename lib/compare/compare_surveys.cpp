@@ -24,7 +24,7 @@
 namespace d2b::compare {
 namespace {
 
-/// Brings outlines and the covered area to the plane of the comparison and to the CRS of the result.
+/// Brings outlines to the plane of the comparison and to the CRS of the result.
 void transform(ReadSurvey& survey, const score::MeasurePlane& plane, const Crs& written, Warnings& warnings) {
     SurveyedPlace& place = survey.place;
     std::vector<Polygons> outlines;
@@ -50,11 +50,6 @@ void transform(ReadSurvey& survey, const score::MeasurePlane& plane, const Crs& 
             static_cast<void>(transform->try_apply(positions));
         };
     }
-    if (!place.covered)
-        return;
-    score::transform_to(plane, survey.crs, name, std::span(&*place.covered, 1), score::LongEdges::divide,
-                        warnings);
-    place.covered = overlay.repaired_union(*place.covered);
 }
 
 Box box_of_place(const SurveyedPlace& place) {
@@ -93,8 +88,8 @@ BothSurveys read_both(const SurveyRequest& request, const Callbacks& callbacks, 
     }
     if (old_found)
         return {read_buildings(request.old_survey, warnings), read_buildings(request.new_survey, warnings)};
-    ReadSurvey before = find_buildings(request.old_survey, part_of(callbacks, 0, 0.45), warnings);
-    return {std::move(before), find_buildings(request.new_survey, part_of(callbacks, 0.45, 0.9), warnings)};
+    ReadSurvey before = find_buildings(request.old_survey, part_of(callbacks, 0, 0.45));
+    return {std::move(before), find_buildings(request.new_survey, part_of(callbacks, 0.45, 0.9))};
 }
 
 /// Opens the destination. @return null if there is none

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <optional>
 #include <span>
 #include <utility>
 
-#include "compare/common_area.hpp"
 #include "compare/compare_heights.hpp"
 #include "compare/match_buildings.hpp"
 #include "compare/survey_shift.hpp"
@@ -48,14 +46,6 @@ struct ComparedSide {
     std::vector<double> shares;       ///< per building: share of its area in which both surveys have data
 };
 
-std::vector<Polygons> outlines_of(const SurveyedPlace& place) {
-    std::vector<Polygons> outlines;
-    outlines.reserve(place.buildings.size());
-    for (const SurveyedBuilding& building : place.buildings)
-        outlines.push_back(building.outline);
-    return outlines;
-}
-
 std::vector<Polygons> outlines_of(const SurveyedPlace& place, std::span<const std::size_t> indices) {
     std::vector<Polygons> outlines;
     outlines.reserve(indices.size());
@@ -64,23 +54,30 @@ std::vector<Polygons> outlines_of(const SurveyedPlace& place, std::span<const st
     return outlines;
 }
 
-ComparedSide compared_side(const SurveyedPlace& place, const std::optional<Polygons>& region,
-                           Overlay& overlay) {
-    ComparedSide side;
-    side.shares.assign(place.buildings.size(), 1);
-    if (region)
-        side.shares = shares_in_region(outlines_of(place), *region, overlay);
-    for (std::size_t i = 0; i < place.buildings.size(); ++i)
-        if (side.shares[i] >= compared_share)
-            side.inside.push_back(i);
-    return side;
+/// Share of a building in which both surveys have heights.
+double share_known(const Polygons& outline, const SurveyHeights& one, const SurveyHeights& other,
+                   double step) {
+    const std::vector<Position> positions = positions_in(outline, step);
+    const std::vector<double> of_one = one.at(positions);
+    const std::vector<double> of_other = other.at(positions);
+    std::size_t known = 0;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        known += std::isnan(of_one[i]) || std::isnan(of_other[i]) ? 0U : 1U;
+    return positions.empty() ? 1 : static_cast<double>(known) / static_cast<double>(positions.size());
 }
 
-std::optional<Polygons> common_region(const SurveyedPlace& one, const SurveyedPlace& other,
-                                      Overlay& overlay) {
-    if (!one.covered || !other.covered)
-        return one.covered ? one.covered : other.covered;
-    return overlay.intersection(*one.covered, *other.covered);
+/// @param step between positions at which heights are looked up
+ComparedSide compared_side(const SurveyedPlace& place, const SurveyedPlace& other, double step) {
+    ComparedSide side;
+    for (std::size_t i = 0; i < place.buildings.size(); ++i) {
+        side.shares.push_back(
+            place.heights && other.heights
+                ? share_known(place.buildings[i].outline, *place.heights, *other.heights, step)
+                : 1);
+        if (side.shares.back() >= compared_share)
+            side.inside.push_back(i);
+    }
+    return side;
 }
 
 /// What a survey knows of the buildings of a match.
@@ -113,11 +110,9 @@ class ChangeFinder {
         : old_place_(old_place),
           new_place_(new_place),
           metres_(metres),
-          wall_limit_m_(wall_limit_m(old_place, new_place)) {
-        const std::optional<Polygons> region = common_region(old_place, new_place, overlay_);
-        old_ = compared_side(old_place, region, overlay_);
-        new_ = compared_side(new_place, region, overlay_);
-    }
+          wall_limit_m_(wall_limit_m(old_place, new_place)),
+          old_(compared_side(old_place, new_place, step())),
+          new_(compared_side(new_place, old_place, step())) {}
 
     SurveyChanges run() {
         SurveyChanges changes;
@@ -235,12 +230,10 @@ void ChangeFinder::look_for(ChangedBuilding& building) const {
     building.change = change_of(building, wall_limit_m_);
 }
 
-/// Translates a survey and the area in which it has data.
+/// Translates the outlines and the heights of a survey.
 void translate_place(SurveyedPlace& place, double east, double north) {
     for (SurveyedBuilding& building : place.buildings)
         translate(building.outline, east, north);
-    if (place.covered)
-        translate(*place.covered, east, north);
     if (place.heights)
         place.heights->offset = {place.heights->offset.x + east, place.heights->offset.y + north};
 }

@@ -145,7 +145,7 @@ class HeightSink final : public RasterSink {
 
 }  // namespace
 
-ReadSurvey find_buildings(const std::string& dsm, const Callbacks& callbacks, Warnings& warnings) {
+ReadSurvey find_buildings(const std::string& dsm, const Callbacks& callbacks) {
     Options options;
     options.read.source = dsm;
     options.write.layers = Layers::buildings;
@@ -165,8 +165,6 @@ ReadSurvey find_buildings(const std::string& dsm, const Callbacks& callbacks, Wa
     survey.about.cell_m = collector.cell_m();
     survey.place = collector.take();
     survey.place.heights = SurveyHeights{heights.take()};
-    Overlay overlay;
-    survey.place.covered = overlay.repaired_union(reading::valid_cells(dsm, warnings).polygons);
     return survey;
 }
 

@@ -23,7 +23,6 @@ struct ReadSurvey {
 [[nodiscard]] ReadSurvey read_buildings(const std::string& dataset, Warnings& warnings);
 
 /// Finds the buildings of a DSM with the defaults. @throws Error as run()
-[[nodiscard]] ReadSurvey find_buildings(const std::string& dsm, const Callbacks& callbacks,
-                                        Warnings& warnings);
+[[nodiscard]] ReadSurvey find_buildings(const std::string& dsm, const Callbacks& callbacks);
 
 }  // namespace d2b::compare

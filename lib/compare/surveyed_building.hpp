@@ -34,7 +34,6 @@ struct SurveyedBuilding {
 /// All buildings of a survey.
 struct SurveyedPlace {
     std::vector<SurveyedBuilding> buildings;
-    std::optional<Polygons> covered;       ///< area in which the survey has data; nothing: everywhere
     std::optional<SurveyHeights> heights;  ///< nothing for a survey of which only the buildings are known
     double cell_m = 1;
 };

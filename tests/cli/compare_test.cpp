@@ -102,23 +102,25 @@ TEST_F(CompareTool, writesALayer) {
     EXPECT_EQ(changes.metadata.at("D2B_OLD"), "old.gpkg");
     EXPECT_EQ(changes.metadata.at("D2B_NEW"), "new.gpkg");
     ASSERT_EQ(changes.records.size(), 11U);
-    const Record& built = changes.where("new_id", 11);
+    const Record& built = changes.where("id", 1);
     EXPECT_EQ(built.text("change"), "new");
+    EXPECT_EQ(built.number("new_id"), 11);
     EXPECT_TRUE(built.is_null("old_id") && built.is_null("p90_old") && built.is_null("area_old") &&
                 built.is_null("rise"));
     EXPECT_EQ(built.number("confidence"), 0.8);
     EXPECT_EQ(built.box().MinX, 500300);
-    const Record& gone = changes.where("old_id", 3);
+    const Record& gone = changes.where("id", 11);
     EXPECT_EQ(gone.text("change"), "gone");
+    EXPECT_EQ(gone.number("old_id"), 3);
     EXPECT_TRUE(gone.is_null("new_id"));
     EXPECT_EQ(gone.box().MinX, 500100);
-    const Record& raised = changes.where("old_id", 2);
+    const Record& raised = changes.where("id", 3);
     EXPECT_EQ(raised.text("change"), "raised");
     EXPECT_EQ(raised.number("new_id"), 13);
     EXPECT_EQ(raised.number("p90_old"), 6);
     EXPECT_EQ(raised.number("p90_new"), 8.5);
     EXPECT_EQ(raised.number("rise"), 2.5);
-    const Record& grown = changes.where("old_id", 5);
+    const Record& grown = changes.where("id", 5);
     EXPECT_EQ(grown.text("change"), "grown");
     // On the ellipsoid, at a scale of 0.9996.
     EXPECT_NEAR(grown.number("area_old"), 100 / (0.9996 * 0.9996), 0.02);
@@ -191,7 +193,7 @@ TEST_F(CompareTool, comparesOtherReferenceSystems) {
     EXPECT_EQ(compare({"-q", "old.gpkg", "plane.gpkg", "out.gpkg"}).status, 0);
     const Layer changes = layer("out.gpkg", "changes");
     EXPECT_EQ(changes.crs, "ETRS89 / UTM zone 32N");
-    EXPECT_NEAR(changes.where("old_id", 2).box().MinX, 500068, 1);  // 0.001 degrees
+    EXPECT_NEAR(changes.where("id", 2).box().MinX, 500068, 1);  // 0.001 degrees
 }
 
 TEST_F(CompareTool, knowsTheFieldsOfOtherPrograms) {

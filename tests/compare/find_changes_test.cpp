@@ -113,12 +113,21 @@ TEST(FindChanges, isMirroredWhenSurveysAreSwapped) {
 }
 
 TEST(FindChanges, countsOnlyWhereBothSurveysHaveData) {
-    SurveyedPlace before = place_of({box_building(0, 0, 10, 10, 6), box_building(96, 0, 106, 10, 6)});
-    SurveyedPlace after = place_of({box_building(0, 0, 10, 10, 6), box_building(96, 0, 136, 10, 6),
-                                    box_building(92, 50, 104, 60, 6), box_building(200, 0, 210, 10, 6)});
-    before.covered = {{ring_of_box(-50, -50, 100, 100), {}}};
+    const auto with_heights = [](SurveyedPlace place, std::int32_t cols) {
+        HeightGrid grid(20, cols, {0, 1, 0, 20, 0, -1});
+        grid.set({0, 0, 20, cols}, std::vector<float>(20 * static_cast<std::size_t>(cols), 0));
+        place.heights = SurveyHeights{std::move(grid)};
+        return place;
+    };
+    // The old survey ends at 100 m, the new one at 300 m.
+    const SurveyedPlace before =
+        with_heights(place_of({box_building(0, 0, 10, 10, 6), box_building(96, 0, 106, 10, 6)}), 100);
+    const SurveyedPlace after =
+        with_heights(place_of({box_building(0, 0, 10, 10, 6), box_building(96, 0, 136, 10, 6),
+                               box_building(92, 10, 104, 20, 6), box_building(200, 0, 210, 10, 6)}),
+                     300);
+    // Of those at the border four tenths, one tenth and two thirds are in both surveys.
     const SurveyChanges changes = find_changes(before, after, 1);
-    // Of the second building a tenth is in both surveys; the old one has four tenths there.
     EXPECT_EQ(names_of(changes), "same new");
     EXPECT_EQ(changes.old_outside, 1U);
     EXPECT_EQ(changes.new_outside, 2U);
