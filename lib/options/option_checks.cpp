@@ -308,6 +308,18 @@ void check_roofs(const Request& request) {
         throw OptionError("-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces.");
 }
 
+/// Checks everything but the values of a sweep.
+void check_run(const Request& request) {
+    for (const OptionRule& rule : option_rules())
+        check_rule(rule, request);
+    check_preset(request);
+    for (const OptionDependency& need : option_dependencies())
+        check_need(need, request);
+    check_offset(request.options.levels);
+    check_solids(request);
+    check_roofs(request);
+}
+
 /// Checks each trial as a run of its own.
 void check_sweep(const Request& request) {
     const SweepPlan& plan = request.tool.sweep_plan;
@@ -319,7 +331,7 @@ void check_sweep(const Request& request) {
         Request trial{request.options, {}};
         for (std::size_t i = 0; i < values.size(); ++i)
             apply_option(*find_option(plan.options[i].name), trial, std::span(&values[i], 1));
-        check_options(trial);
+        check_run(trial);
     }
     const WriteOptions& write = request.options.write;
     if (!write.preview.empty() && find_option("preview_size")->is_given(request))
@@ -329,14 +341,7 @@ void check_sweep(const Request& request) {
 }  // namespace
 
 void check_options(const Request& request) {
-    for (const OptionRule& rule : option_rules())
-        check_rule(rule, request);
-    check_preset(request);
-    for (const OptionDependency& need : option_dependencies())
-        check_need(need, request);
-    check_offset(request.options.levels);
-    check_solids(request);
-    check_roofs(request);
+    check_run(request);
     if (!request.tool.sweep.empty())
         check_sweep(request);
 }
