@@ -10,25 +10,25 @@ namespace {
 
 // From light to dark, which also works in print and for colour-blind readers. Storeys first, then the classes
 // of planners: low, middle, high, tower.
-constexpr std::array<HeightClass, 9> classes{{{0, {255, 255, 204}},
-                                              {3, {255, 237, 160}},
-                                              {6, {254, 217, 118}},
-                                              {10, {254, 178, 76}},
-                                              {15, {253, 141, 60}},
-                                              {20, {252, 78, 42}},
-                                              {30, {227, 26, 28}},
-                                              {50, {189, 0, 38}},
-                                              {100, {128, 0, 38}}}};
+constexpr std::array<HeightClass, 9> fixed_classes{{{0, {255, 255, 204}},
+                                                    {3, {255, 237, 160}},
+                                                    {6, {254, 217, 118}},
+                                                    {10, {254, 178, 76}},
+                                                    {15, {253, 141, 60}},
+                                                    {20, {252, 78, 42}},
+                                                    {30, {227, 26, 28}},
+                                                    {50, {189, 0, 38}},
+                                                    {100, {128, 0, 38}}}};
 
 }  // namespace
 
 std::span<const HeightClass> height_classes() {
-    return classes;
+    return fixed_classes;
 }
 
 std::size_t height_class_of(double height_m) {
     std::size_t found = 0;
-    while (found + 1 < classes.size() && height_m >= classes[found + 1].from)
+    while (found + 1 < fixed_classes.size() && height_m >= fixed_classes[found + 1].from)
         ++found;
     return found;
 }
@@ -39,16 +39,16 @@ double overlay_opacity(double certainty, double certain) {
     return (veil.most + (veil.least - veil.most) * share) / 255;
 }
 
-std::string class_label(std::span<const HeightClass> of, std::size_t index) {
+std::string class_label(std::span<const HeightClass> classes, std::size_t index) {
     if (index == 0)
-        return "below " + number_text(of[1].from) + " m";
-    if (index + 1 == of.size())
-        return number_text(of[index].from) + " m and more";
-    return number_text(of[index].from) + " to " + number_text(of[index + 1].from) + " m";
+        return "below " + number_text(classes[1].from) + " m";
+    if (index + 1 == classes.size())
+        return number_text(classes[index].from) + " m and more";
+    return number_text(classes[index].from) + " to " + number_text(classes[index + 1].from) + " m";
 }
 
 std::string class_label(std::size_t index) {
-    return class_label(classes, index);
+    return class_label(fixed_classes, index);
 }
 
 std::vector<HeightClass> quantile_classes(std::vector<double> heights_m) {
@@ -57,11 +57,11 @@ std::vector<HeightClass> quantile_classes(std::vector<double> heights_m) {
     if (heights_m.size() < 2 * count)
         return {};
     std::ranges::sort(heights_m);
-    std::vector<HeightClass> found{{0, classes[0].colour}};
+    std::vector<HeightClass> found{{0, fixed_classes[0].colour}};
     for (std::size_t i = 1; i < count; ++i) {
         const double bound = std::round(heights_m[heights_m.size() * i / count] * 10) / 10;
         if (bound > found.back().from && bound > heights_m.front())
-            found.push_back({bound, classes[i * colours].colour});
+            found.push_back({bound, fixed_classes[i * colours].colour});
     }
     return found.size() > 1 ? found : std::vector<HeightClass>{};
 }

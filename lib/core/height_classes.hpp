@@ -29,7 +29,7 @@ struct UncertaintyOverlay {
 /// Returns "below 3 m", "3 to 6 m" or "100 m and more".
 [[nodiscard]] std::string class_label(std::size_t index);
 /// Returns the same for other classes.
-[[nodiscard]] std::string class_label(std::span<const HeightClass> of, std::size_t index);
+[[nodiscard]] std::string class_label(std::span<const HeightClass> classes, std::size_t index);
 
 /// Returns five classes that hold about the same number of heights each, for data that lie in few of the
 /// fixed classes. Bounds are rounded to tenths; fewer classes if bounds coincide, none for fewer than ten
