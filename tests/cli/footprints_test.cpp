@@ -106,6 +106,7 @@ TEST_F(Footprints, comeBackAsTheyAre) {
 TEST_F(Footprints, getHeights) {
     run_warned(with({}), usual_warnings);
     const Layer after = buildings();
+    ASSERT_EQ(after.records.size(), 4U);
     EXPECT_NEAR(after.records[0].number("p50"), MadeTown::flat_height, 0.3);
     EXPECT_NEAR(after.records[0].number("area_m2"), MadeTown::flat.area(), 0.3);
     EXPECT_NEAR(after.records[1].number("d2b_height"), MadeTown::ridge, 0.5);
@@ -202,6 +203,7 @@ TEST_F(Footprints, mayHaveFieldsNamedLikeColumns) {
 TEST_F(Footprints, followTheCrsOfTheOutput) {
     run_warned(with({"-t_srs", "EPSG:4326"}), usual_warnings);
     const Layer after = buildings();
+    ASSERT_EQ(after.records.size(), 4U);
     EXPECT_EQ(after.crs, "WGS 84");
     EXPECT_LT(after.records[0].box().MaxX, 180);
     EXPECT_NEAR(after.records[0].number("p50"), MadeTown::flat_height, 0.3);
