@@ -61,10 +61,10 @@ Extraction extract(const Options& options, const Opener& open, const AuxiliaryAr
     const auto source = open(options.read, callbacks);
     const AuxiliarySources side = open_auxiliary_sources(options, source->info(), callbacks, beside);
     CollectingSink sink;
-    RunReport report =
-        run(options, {*source, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get(),
-                      side.footprints.get()},
-            {sink}, callbacks);
+    RunReport report = run(options,
+                           {*source, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get(),
+                            side.footprints.get()},
+                           {sink}, callbacks);
     report.warnings = std::move(warnings);
     return {sink.collected(), sink.provenance(), json_report(report)};
 }
