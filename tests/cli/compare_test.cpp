@@ -188,8 +188,8 @@ TEST_F(CompareTool, comparesOtherReferenceSystems) {
     const json degrees = compare_json(both_);
     EXPECT_EQ(degrees["changes"]["same"], 1);
     EXPECT_EQ(degrees["changes"]["gone"], 1);
-    // The first is at 500000, 5794305 in zone 32.
-    result("plane.gpkg", {{1, box(500000, 5794300, 500014, 5794312)}});
+    // The first is at 500000, 5794406 in zone 32.
+    result("plane.gpkg", {{1, box(500000, 5794406, 500013.6, 5794417)}});
     EXPECT_EQ(compare({"-q", "old.gpkg", "plane.gpkg", "out.gpkg"}).status, 0);
     const Layer changes = layer("out.gpkg", "changes");
     EXPECT_EQ(changes.crs, "ETRS89 / UTM zone 32N");
