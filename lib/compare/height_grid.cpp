@@ -21,7 +21,7 @@ void HeightGrid::set(const Window& part, std::span<const float> heights_m) {
     std::size_t i = 0;
     for (std::int32_t row = part.row; row < part.end_row(); ++row)
         for (std::int32_t col = part.col; col < part.end_col(); ++col) {
-            const double height = static_cast<double>(heights_m[i++]);
+            const auto height = static_cast<double>(heights_m[i++]);
             if (std::isnan(height))
                 continue;
             const double rounded = std::clamp(std::round(height * per_metre), 0.0, unknown - 1.0);
@@ -74,8 +74,8 @@ std::vector<Position> positions_in(const Polygons& outline, double step) {
     const Box box = box_of(outline);
     std::vector<Position> positions;
     // Lines are counted, because sums of steps would differ from outline to outline.
-    const auto line = [step](double number) { return (number + 0.5) * step; };
-    for (double row = std::floor(box.low / step); line(row) < box.high; ++row) {
+    const auto line = [step](std::int64_t number) { return (static_cast<double>(number) + 0.5) * step; };
+    for (auto row = static_cast<std::int64_t>(std::floor(box.low / step)); line(row) < box.high; ++row) {
         const double y = line(row);
         std::vector<double> crossings;
         for (const WorldPolygon& polygon : outline) {
@@ -85,7 +85,8 @@ std::vector<Position> positions_in(const Polygons& outline, double step) {
         }
         std::ranges::sort(crossings);
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
-            for (double col = std::ceil(crossings[i] / step - 0.5); line(col) < crossings[i + 1]; ++col)
+            for (auto col = static_cast<std::int64_t>(std::ceil(crossings[i] / step - 0.5));
+                 line(col) < crossings[i + 1]; ++col)
                 positions.push_back({line(col), y});
     }
     return positions;

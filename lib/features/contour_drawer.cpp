@@ -122,10 +122,10 @@ PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Dr
     if (!terms_.setup.plan.asked.outline.arcs)
         for (WorldPolygon& part : parts)
             part.arcs.clear();
-    return area_ == nullptr ? parts : cut_off(std::move(parts));
+    return area_ == nullptr ? parts : cut_off(parts);
 }
 
-PolygonMaker::Parts PolygonMaker::cut_off(Parts parts) {
+PolygonMaker::Parts PolygonMaker::cut_off(const Parts& parts) {
     if (!overlay_)
         overlay_.emplace();
     return overlay_->intersection(parts, *area_);

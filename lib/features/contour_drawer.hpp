@@ -126,7 +126,7 @@ class PolygonMaker {
     [[nodiscard]] FeaturePolygon make(std::size_t contour, Form form);
     [[nodiscard]] Parts shape(std::size_t contour, bool tier, const Draw& draw);
     [[nodiscard]] Parts traced_shape(std::size_t contour, bool tier);
-    [[nodiscard]] Parts cut_off(Parts parts);
+    [[nodiscard]] Parts cut_off(const Parts& parts);
     [[nodiscard]] Parts in_target_crs(Parts parts);
     [[nodiscard]] Geodesy::Measure measured(const FeaturePolygon& made, const Parts& drawn);
     [[nodiscard]] bool is_valid_as_traced(const FeaturePolygon& made, Form form) const;

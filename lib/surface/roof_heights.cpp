@@ -202,7 +202,10 @@ std::int64_t RoofHeights::at(std::int32_t contour, FinePoint node) const {
 }
 
 std::span<RoofHeights::Entry> RoofHeights::entries_at(FinePoint node) {
-    const auto [first, last] = std::ranges::equal_range(entries_, node, {}, &Entry::node);
+    const auto at_node = [](const Entry& entry, FinePoint place) { return entry.node < place; };
+    const auto first = std::lower_bound(entries_.begin(), entries_.end(), node, at_node);
+    const auto last =
+        std::find_if(first, entries_.end(), [&](const Entry& entry) { return entry.node != node; });
     return {first, last};
 }
 

@@ -286,7 +286,7 @@ TEST_F(OptionEffect, roof_min_area) {
     EXPECT_EQ(layer("out.gpkg", "roofs").records.size(), 4U);
     find({"-roofs", "-roof_min_area", "200"});
     EXPECT_EQ(layer("out.gpkg", "roofs").records.size(), 3U);
-    expect_error(2, "-roof_min_area needs -roofs; it is the size of their faces.",
+    expect_error(2, "-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces.",
                  {"-preset", "buildings", "-roof_min_area", "15", "town.tif", "again.gpkg"});
     expect_error(2, "-roof_min_area must be",
                  {"-preset", "buildings", "-roofs", "-roof_min_area", "-1", "town.tif", "again.gpkg"});

@@ -85,9 +85,13 @@ void GeopackageTables::style() const {
         return;
     const char* doing = "writing the style";
     const std::string of_layer = " FROM layer_styles WHERE lower(f_table_name) = lower(" + table_ + ")";
+    // Also those that this run does not write again.
+    std::string names;
+    for (const std::string_view name : {default_style_name, sun_style_name, quantile_style_name})
+        names += (names.empty() ? "" : ", ") + sql_literal(std::string(name));
+    run_or_throw("DELETE" + of_layer + " AND styleName IN (" + names + ") AND owner = " + our_name, doing);
     for (const NamedStyle& style : qml_styles(layer_)) {
         const std::string name = sql_literal(style.name);
-        run_or_throw("DELETE" + of_layer + " AND styleName = " + name + " AND owner = " + our_name, doing);
         run_or_throw(
             "INSERT INTO layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, "
             "styleName, styleQML, styleSLD, useAsDefault, description, owner, update_time) VALUES ('', '', " +

@@ -504,12 +504,13 @@ std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& col
 
 std::vector<NamedStyle> qml_styles(const NewLayer& layer) {
     const LayerSpec& spec = layer.spec;
-    std::vector<NamedStyle> styles{{"dem2buildings", spec.style.title, qml_style(spec, layer.columns)}};
+    std::vector<NamedStyle> styles{
+        {std::string(default_style_name), spec.style.title, qml_style(spec, layer.columns)}};
     if (!spec.style.azimuth.empty())
-        styles.push_back(
-            {"dem2buildings solar", qml::sun_title, document(spec, layer.columns, true, height_classes())});
+        styles.push_back({std::string(sun_style_name), qml::sun_title,
+                          document(spec, layer.columns, true, height_classes())});
     if (const std::vector<HeightClass> classes = quantile_classes(layer.heights); !classes.empty())
-        styles.push_back({"dem2buildings quantiles", spec.style.title + ", equal numbers",
+        styles.push_back({std::string(quantile_style_name), spec.style.title + ", equal numbers",
                           document(spec, layer.columns, false, classes)});
     return styles;
 }

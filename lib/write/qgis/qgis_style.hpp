@@ -32,6 +32,10 @@ struct NamedStyle {
     std::string title;
     std::string qml;
 };
+/// Names of all styles that a layer may get.
+inline constexpr std::string_view default_style_name = "dem2buildings";
+inline constexpr std::string_view sun_style_name = "dem2buildings solar";
+inline constexpr std::string_view quantile_style_name = "dem2buildings quantiles";
 /// Returns the styles of a layer, the default one first.
 [[nodiscard]] std::vector<NamedStyle> qml_styles(const NewLayer& layer);
 
