@@ -442,6 +442,7 @@ std::vector<bool> covered_objects(const GivenFootprints& given, const detect::La
             }
         });
     std::vector<bool> covered;
+    covered.reserve(cells.size());
     for (const CoveredCells& object : cells)
         covered.push_back(object.all > 0 && 2 * object.covered >= object.all);
     return covered;

@@ -203,6 +203,7 @@ void GivenRoofs::write(const features::PolygonParameters& parameters, FeatureSin
             faces.note(polygon, record, all > 0 ? given_.all[i].measure.area_m2 * areas_[polygon] / all : 0);
     }
     std::vector<features::PolygonMaker> makers;
+    makers.reserve(static_cast<std::size_t>(context_.threads->threads()));
     for (int thread = 0; thread < context_.threads->threads(); ++thread)
         makers.emplace_back(parameters);
     faces.write(makers, sink, context_);
@@ -289,6 +290,7 @@ void CutContours::write(const contours::StoredContours& contours, const features
                                                    ? features::ContourChildren(contours)
                                                    : features::ContourChildren();
     std::vector<features::PolygonMaker> makers;
+    makers.reserve(static_cast<std::size_t>(context_.threads->threads()));
     for (int thread = 0; thread < context_.threads->threads(); ++thread)
         makers.emplace_back(features::PolygonParameters{setup_, outliner, children, context_.threads->stop(),
                                                         false, context_.report.units.vertical_metres});

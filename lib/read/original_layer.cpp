@@ -111,6 +111,7 @@ OgrOriginalLayer::OgrOriginalLayer(OGRLayerH layer)
 
 std::vector<std::string> OgrOriginalLayer::field_names() const {
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(OGR_FD_GetFieldCount(definition_.get())));
     for (int i = 0; i < OGR_FD_GetFieldCount(definition_.get()); ++i)
         names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(definition_.get(), i)));
     return names;

@@ -193,16 +193,17 @@ OGRFieldType ogr_type(FieldType type, GDALDriverH driver) {
     return OFTString;
 }
 
-/// True if another layer has the title, because titles in a GeoPackage must be unique. Ignores errors that
-/// GDAL reports about views on the layer being replaced, because it will exist again.
+/// True if another layer has the title, in any case, because GDAL wants titles in a GeoPackage to be unique.
+/// Ignores errors that GDAL reports about views on the layer being replaced, because it will exist again.
 bool title_exists(GDALDatasetH dataset, const std::string& title) {
     const reading::GdalMessages quiet;
     if (EQUAL(GDALGetDriverShortName(GDALGetDatasetDriver(dataset)), "GPKG"))
-        return sql_value(dataset, "SELECT 1 FROM gpkg_contents WHERE identifier = " + sql_literal(title))
+        return sql_value(dataset, "SELECT 1 FROM gpkg_contents WHERE lower(identifier) = lower(" +
+                                      sql_literal(title) + ")")
             .has_value();
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i) {
         const char* other = GDALGetMetadataItem(GDALDatasetGetLayer(dataset, i), "IDENTIFIER", nullptr);
-        if (other != nullptr && title == other)
+        if (other != nullptr && EQUAL(title.c_str(), other))
             return true;
     }
     return false;
