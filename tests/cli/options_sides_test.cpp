@@ -4,6 +4,8 @@
 #include <iterator>
 #include <regex>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/option_effect.hpp"
 #include "cli/town_files.hpp"
 #include "core/text.hpp"
@@ -93,8 +95,8 @@ TEST_F(OptionEffect, preview_paper) {
     std::smatch box;
     const std::string pdf = read_bytes(path("map.pdf"));
     ASSERT_TRUE(std::regex_search(pdf, box, std::regex("/MediaBox \\[ 0 0 ([0-9.]+) ([0-9.]+) \\]")));
-    EXPECT_NEAR(std::stod(box[1]), 841.9, 0.5);
-    EXPECT_NEAR(std::stod(box[2]), 1190.6, 0.5);
+    EXPECT_NEAR(nlohmann::json::parse(box[1].str()).get<double>(), 841.9, 0.5);
+    EXPECT_NEAR(nlohmann::json::parse(box[2].str()).get<double>(), 1190.6, 0.5);
 }
 
 TEST_F(OptionEffect, preview_scale) {
