@@ -80,7 +80,7 @@ ComparedSide compared_side(const SurveyedPlace& place, const SurveyedPlace& othe
     return side;
 }
 
-/// What a survey knows of the buildings of a match.
+/// Values of the buildings of a match in one survey.
 struct JointValues {
     RoofHeights heights;
     double area_m2 = RoofHeights::nan;

@@ -18,7 +18,7 @@ std::uint32_t set_element(std::size_t i) {
     return static_cast<std::uint32_t>(i);
 }
 
-/// What the other survey has in the place of one building.
+/// Buildings of the other survey in the place of one building.
 struct Coverage {
     double share = 0;
     double most = 0;

@@ -126,17 +126,6 @@ void ClusterDrawer::add(surface::PartitionContour&& contour, std::int32_t level)
     drawn_.cluster.contours.push_back(std::move(contour));
 }
 
-FinePolygon refined(const FinePolygon& outline) {
-    FinePolygon result{outline.exterior, outline.interiors};
-    const auto refine = [](FineRing& ring) {
-        for (FinePoint& point : ring)
-            point = {point.row * roofs::roof_steps, point.col * roofs::roof_steps};
-    };
-    refine(result.exterior);
-    std::ranges::for_each(result.interiors, refine);
-    return result;
-}
-
 /// Adds the faces of a roof, or marks the building as one of tiers if it has no roof.
 void ClusterDrawer::add_roof(std::uint32_t contour, const BuildingRecord& record) {
     const std::int32_t building = building_place_.at(head(contour).building);
@@ -190,7 +179,7 @@ void ClusterDrawer::add_contour(std::uint32_t contour) {
     plan.outline =
         input_.of == SurfaceOf::buildings ? outliner.footprint(contour) : outliner.outline(contour);
     if (input_.of == SurfaceOf::roofs)
-        plan.outline = refined(plan.outline);
+        plan.outline = roofs::refined(plan.outline);
     plan.building = building->second;
     plan.top = input_.lattice.height(top(contour, record));
     if (const auto parent = contour_place_.find(head(contour).parent); parent != contour_place_.end())

@@ -58,7 +58,8 @@ struct FootprintLayer {
 /// Footprints of a run. Some 300 bytes per footprint are in memory, polygons and features in a spool.
 struct GivenFootprints {
     std::vector<PlacedFootprint> all;  ///< in the order of the source
-    /// As few as the footprints overlap: a cell counts for each that covers it.
+    /// Footprints that share no cells, in as few layers as possible, because a cell counts for each that
+    /// covers it.
     std::vector<FootprintLayer> layers;
     std::unique_ptr<Spool> spool;
     Window window;

@@ -32,19 +32,6 @@ LatticeBox box_of(const FinePolygon& polygon) {
     return {{floor_cell(low.row), floor_cell(low.col)}, {floor_cell(high.row) + 1, floor_cell(high.col) + 1}};
 }
 
-FinePolygon refined(const FinePolygon& polygon) {
-    const auto ring = [](const FineRing& points) {
-        FineRing result;
-        for (const FinePoint& p : points)
-            result.push_back({p.row * roof_steps, p.col * roof_steps});
-        return result;
-    };
-    FinePolygon result{ring(polygon.exterior), {}};
-    for (const FineRing& interior : polygon.interiors)
-        result.interiors.push_back(ring(interior));
-    return result;
-}
-
 /// True if the cells contain a square of the least width.
 bool is_wide(const std::vector<std::size_t>& cells, const BuildingGrid& grid,
              std::vector<std::int32_t>& sides) {

@@ -153,6 +153,19 @@ void label_all(const std::vector<FaceEdge>& edges, std::vector<LabelledFace>& fa
 
 }  // namespace
 
+FinePolygon refined(const FinePolygon& polygon) {
+    const auto ring = [](const FineRing& points) {
+        FineRing result;
+        for (const FinePoint& p : points)
+            result.push_back({p.row * roof_steps, p.col * roof_steps});
+        return result;
+    };
+    FinePolygon result{ring(polygon.exterior), {}};
+    for (const FineRing& interior : polygon.interiors)
+        result.interiors.push_back(ring(interior));
+    return result;
+}
+
 std::vector<LabelledFace> dissolve(std::vector<LabelledFace> faces, Geos& geos) {
     const std::vector<FaceEdge> edges = face_edges(faces);
     label_all(edges, faces);

@@ -14,6 +14,9 @@ namespace d2b::roofs {
 /// Divides a step of the fine lattice, because corners of faces lie on walls between its points.
 inline constexpr std::int64_t roof_steps = 1024;
 
+/// Returns a polygon of the fine lattice on the lattice of roofs.
+[[nodiscard]] FinePolygon refined(const FinePolygon& polygon);
+
 /// Face of the partition of a footprint, and its label.
 struct LabelledFace {
     FinePolygon outline;  ///< on the lattice of roofs

@@ -16,12 +16,13 @@ import argparse
 import json
 import os
 import re
-import subprocess
 import sys
 import tempfile
 from collections import Counter
 
 from osgeo import ogr
+
+from programs import output_of
 
 ogr.UseExceptions()
 
@@ -30,16 +31,6 @@ PAIRS = ("estate_lidar2+lidar2@1.6,-0.9", "village_lidar2+lidar2@0,0", "hamlet_l
          "hillside_lidar2+lidar2@0.5,0.5", "outskirts_lidar2+lidar2@-1.3,0.7", "town_lidar2+lidar2@1.2,1.8",
          "rows_lidar2+lidar2@0,-1")
 TOWN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "sample_dems", "town.tif")
-
-
-def output_of(*command):
-    """What a program prints; ends with what it complains of where it fails."""
-    try:
-        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    except FileNotFoundError:
-        sys.exit(f"There is no {command[0]}; build the project, and give its folder with --build.")
-    except subprocess.CalledProcessError as error:
-        sys.exit(error.stderr.strip())
 
 
 def changes_of(path, east=0.0, north=0.0):

@@ -19,7 +19,6 @@ Needs python3-gdal and python3-scipy.
 import argparse
 import json
 import os
-import subprocess
 import sys
 import tempfile
 
@@ -30,19 +29,10 @@ import tables
 import thinning
 import walls
 from places import Place, scene, title_of
+from programs import output_of
 
 PLACES = ("village", "hamlet", "pines", "hillside", "rows", "outskirts", "park", "town", "forest", "fields")
 THIN = [f"{place}_{survey}" for place in PLACES for survey in thinning.SCANS]
-
-
-def output_of(*command):
-    """What a program prints; ends with what it complains of where it fails."""
-    try:
-        return subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    except FileNotFoundError:
-        sys.exit(f"There is no {command[0]}; build the project, and give its folder with --build.")
-    except subprocess.CalledProcessError as error:
-        sys.exit(error.stderr.strip())
 
 
 def find(tools, place, out, *options):

@@ -1,7 +1,5 @@
 #include <iostream>
-#include <memory>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "common/exit_codes.hpp"
@@ -10,12 +8,10 @@
 #include "dem2buildings/command_line.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/help.hpp"
-#include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/json_report.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/run_interruptibly.hpp"
-#include "dem2buildings/spool.hpp"
 #include "dem2buildings/sweep.hpp"
 #include "dem2buildings/version.hpp"
 #include "read/gdal_setup.hpp"
@@ -28,18 +24,7 @@ void process(const Request& request) {
     const Options& options = request.options;
     const bool quiet = request.tool.quiet;
     TerminalProgress progress(std::cout);
-    Callbacks callbacks;
-    const bool terminal = ::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
-    callbacks.on_warning = [&progress, terminal](const std::string& text) {
-        progress.interrupt(terminal, [&] { print_line("Warning: ", text); });
-    };
-    callbacks.on_progress = [&progress, quiet](double share) {
-        if (!quiet)
-            progress.update(share);
-        return !interrupted();
-    };
-    callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
-    callbacks.stop = interrupted;
+    const Callbacks callbacks = terminal_callbacks(progress, quiet);
     reading::start_gdal();
     if (!request.tool.sweep.empty()) {
         const Inputs inputs = open_inputs(options, callbacks);

@@ -39,7 +39,7 @@ std::string contour_table() {
 }  // namespace
 
 std::string man_page() {
-    // No date: the same sources give the same page.
+    // Has no date, because the same sources must give the same page.
     std::string text =
         ".TH DEM2BUILDINGS 1 \"\" \"dem2buildings " + std::string(version) + "\"\n" + roff_section("NAME") +
         "dem2buildings \\- building footprints from an elevation raster\n" + roff_section("SYNOPSIS") +

@@ -2,9 +2,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <ostream>
 #include <string>
+#include <unistd.h>
 #include <vector>
+
+#include "common/run_guarded.hpp"
+#include "dem2buildings/interrupt.hpp"
+#include "dem2buildings/spool.hpp"
 
 namespace d2b {
 namespace {
@@ -185,6 +191,22 @@ std::string advice(const RunReport& report, const Options& options) {
                " by more than 5 m inside: -split_height 3 divides " + (most == 1 ? "it.\n" : "them.\n");
     return of_all + (most == 1 ? " has" : " have") + " a confidence below 0.9: -min_confidence 0.9 " +
            "-write_doubtful writes " + (most == 1 ? "it" : "them") + " to a separate layer.\n";
+}
+
+Callbacks terminal_callbacks(TerminalProgress& progress, bool quiet) {
+    Callbacks callbacks;
+    const bool terminal = ::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
+    callbacks.on_warning = [&progress, terminal](const std::string& text) {
+        progress.interrupt(terminal, [&] { print_line("Warning: ", text); });
+    };
+    callbacks.on_progress = [&progress, quiet](double share) {
+        if (!quiet)
+            progress.update(share);
+        return !interrupted();
+    };
+    callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
+    callbacks.stop = interrupted;
+    return callbacks;
 }
 
 }  // namespace d2b

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <string>
 
+#include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/report.hpp"
 
@@ -34,6 +35,10 @@ class TerminalProgress {
     int ticks_ = -1;           // the last one that was printed, of 40
     bool line_begun_ = false;  // by ticks after it, where a line came between them
 };
+
+/// Callbacks that print warnings and progress, and stop where a signal asks for it. @param progress must
+/// outlive them @param quiet true to print no progress
+[[nodiscard]] Callbacks terminal_callbacks(TerminalProgress& progress, bool quiet);
 
 /// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg"; and what the report
 /// counts beside: "(left out: 12 below -min_area, 3 below -min_confidence; filled: 5 holes)".

@@ -43,7 +43,7 @@ std::string compare_help() {
 }
 
 std::string compare_man_page() {
-    // No date: the same sources give the same page.
+    // Has no date, because the same sources must give the same page.
     std::string text =
         ".TH DEM2BUILDINGS_COMPARE 1 \"\" \"dem2buildings " + std::string(version) + "\"\n" +
         roff_section("NAME") + "dem2buildings_compare \\- changes of buildings between two surveys\n" +

@@ -1,17 +1,13 @@
 #include <iostream>
-#include <memory>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/run_interruptibly.hpp"
-#include "dem2buildings/spool.hpp"
 #include "dem2buildings/version.hpp"
 #include "dem2buildings_compare/command_line.hpp"
 #include "dem2buildings_compare/help.hpp"
@@ -26,18 +22,7 @@ void compare(const CompareCommand& request) {
     const bool to_stdout = request.destination.find("/vsistdout") != std::string::npos;
     const bool quiet = request.quiet || request.json || to_stdout;
     TerminalProgress progress(std::cout);
-    Callbacks callbacks;
-    const bool terminal = ::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
-    callbacks.on_warning = [&progress, terminal](const std::string& text) {
-        progress.interrupt(terminal, [&] { print_line("Warning: ", text); });
-    };
-    callbacks.on_progress = [&progress, quiet](double share) {
-        if (!quiet)
-            progress.update(share);
-        return !interrupted();
-    };
-    callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
-    callbacks.stop = interrupted;
+    const Callbacks callbacks = terminal_callbacks(progress, quiet);
     reading::start_gdal();
     const auto text = [&request](const SurveyComparison& comparison) {
         return request.json ? comparison_json(comparison) : comparison_text(comparison, request.quiet);

@@ -40,7 +40,7 @@ std::string mesh_help() {
 }
 
 std::string mesh_man_page() {
-    // No date: the same sources give the same page.
+    // Has no date, because the same sources must give the same page.
     std::string text = ".TH DEM2BUILDINGS_MESH 1 \"\" \"dem2buildings " + std::string(version) + "\"\n" +
                        roff_section("NAME") +
                        "dem2buildings_mesh \\- closed surfaces of buildings and terrain for flow solvers\n" +

@@ -41,7 +41,7 @@ std::string score_help() {
 }
 
 std::string score_man_page() {
-    // No date: the same sources give the same page.
+    // Has no date, because the same sources must give the same page.
     std::string text =
         ".TH DEM2BUILDINGS_SCORE 1 \"\" \"dem2buildings " + std::string(version) + "\"\n" +
         roff_section("NAME") + "dem2buildings_score \\- agreement of building footprints with a reference\n" +

@@ -59,7 +59,7 @@ std::string tiles_help() {
 }
 
 std::string tiles_man_page() {
-    // No date: the same sources give the same page.
+    // Has no date, because the same sources must give the same page.
     std::string text = ".TH DEM2BUILDINGS_TILES 1 \"\" \"dem2buildings " + std::string(version) + "\"\n" +
                        roff_section("NAME") +
                        "dem2buildings_tiles \\- building footprints of a country, in steps\n" +
