@@ -36,6 +36,12 @@ struct SurfaceWorker {
     Tally tally{};
 };
 
+/// Closed surfaces of a group, and the cluster from which they are made.
+struct ClosedSurfaces {
+    DrawnCluster drawn;
+    surface::MadeSurfaces made;
+};
+
 /// Result for one group.
 struct GroupSurfaces {
     surface::MadeSurfaces made;
@@ -122,6 +128,22 @@ void describe_roofs(const surface::SurfaceCluster& cluster, const SurfaceFrame& 
     }
 }
 
+/// Adds the faces of roofs to the tiers of the same buildings.
+void add_roof_faces(const std::vector<SurfacePart>& solids, std::vector<SurfacePart>& tiers) {
+    std::map<std::int64_t, const SurfacePart*> solid_of;
+    for (const SurfacePart& part : solids)
+        solid_of[part.buildings.front().id] = &part;
+    for (SurfacePart& part : tiers) {
+        SurfaceBuilding& building = part.buildings.front();
+        const auto solid = solid_of.find(building.id);
+        if (solid == solid_of.end())
+            continue;
+        part.points = solid->second->points;
+        std::ranges::copy_if(solid->second->buildings.front().faces, std::back_inserter(building.faces),
+                             [](const SurfaceFace& face) { return face.kind == FaceKind::roof; });
+    }
+}
+
 /// Makes the surfaces of groups and passes them to the sinks. make() is thread-safe because each thread has a
 /// SurfaceWorker; add() is called in the order of groups, so that files do not depend on the number of
 /// threads.
@@ -134,6 +156,11 @@ class SurfaceWriter {
     void finish();
 
   private:
+    [[nodiscard]] surface::MadeSurfaces made_of(const surface::SurfaceCluster& cluster,
+                                                const surface::SurfaceForms& forms,
+                                                SurfaceWorker& worker) const;
+    [[nodiscard]] ClosedSurfaces close(const SurfaceInput& input, const surface::SurfaceForms& forms,
+                                       std::span<const std::uint32_t> group, SurfaceWorker& worker) const;
     void make_closed(std::span<const std::uint32_t> group, SurfaceWorker& worker, GroupSurfaces& result);
     void make_tiers(std::span<const std::uint32_t> group, SurfaceWorker& worker, GroupSurfaces& result);
     /// False if outlines are flow-ready, because levelled roofs may change volumes by more.
@@ -178,28 +205,39 @@ SurfaceWriter::SurfaceWriter(const SurfaceInput& input, std::span<SurfaceSink* c
     report_.origin = input.lattice.frame().origin;
 }
 
-void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWorker& worker,
-                                GroupSurfaces& result) {
+surface::MadeSurfaces SurfaceWriter::made_of(const surface::SurfaceCluster& cluster,
+                                             const surface::SurfaceForms& forms,
+                                             SurfaceWorker& worker) const {
+    return surface::make_surfaces(
+        cluster, forms, [&](const FinePolygon& polygon) { return worker.geos.triangles(polygon); },
+        context_.threads->stop());
+}
+
+ClosedSurfaces SurfaceWriter::close(const SurfaceInput& input, const surface::SurfaceForms& forms,
+                                    std::span<const std::uint32_t> group, SurfaceWorker& worker) const {
     std::set<std::int64_t> stacked;
-    DrawnCluster drawn = draw_cluster(input_, group, worker.transform);
-    if (input_.of != SurfaceOf::buildings)
-        merge_equal_tiers(drawn);
-    const auto made_of = [&](const surface::SurfaceCluster& cluster) {
-        return surface::make_surfaces(
-            cluster, forms_, [&](const FinePolygon& polygon) { return worker.geos.triangles(polygon); },
-            context_.threads->stop());
-    };
-    result.made = made_of(drawn.cluster);
+    ClosedSurfaces result{draw_cluster(input, group, worker.transform), {}};
+    if (input.of != SurfaceOf::buildings)
+        merge_equal_tiers(result.drawn);
+    result.made = made_of(result.drawn.cluster, forms, worker);
     // A building whose roof prevents a closed surface gets tiers, and is left out only if these do so as
     // well.
-    while (input_.of == SurfaceOf::roofs && std::ranges::any_of(result.made.left_out, [&](std::int64_t id) {
-               return std::ranges::find(drawn.stacked, id) == drawn.stacked.end();
+    while (input.of == SurfaceOf::roofs && std::ranges::any_of(result.made.left_out, [&](std::int64_t id) {
+               return std::ranges::find(result.drawn.stacked, id) == result.drawn.stacked.end();
            })) {
         stacked.insert(result.made.left_out.begin(), result.made.left_out.end());
-        drawn = draw_cluster(input_, group, worker.transform, stacked);
-        merge_equal_tiers(drawn);
-        result.made = made_of(drawn.cluster);
+        result.drawn = draw_cluster(input, group, worker.transform, stacked);
+        merge_equal_tiers(result.drawn);
+        result.made = made_of(result.drawn.cluster, forms, worker);
     }
+    return result;
+}
+
+void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWorker& worker,
+                                GroupSurfaces& result) {
+    ClosedSurfaces closed = close(input_, forms_, group, worker);
+    DrawnCluster& drawn = closed.drawn;
+    result.made = std::move(closed.made);
     result.stacked = std::ssize(drawn.stacked);
     result.levelled_faces = drawn.levelled_faces;
     const bool moved = fits_volumes() && !result.made.repairs.empty() &&
@@ -210,7 +248,7 @@ void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWor
         std::ranges::count_if(steps, [](const surface::RoofStep& step) { return step.after > 0; });
     result.steps_changed = std::ssize(steps) - result.steps_left;
     if (moved || result.steps_changed > 0)
-        result.made = made_of(drawn.cluster);
+        result.made = made_of(drawn.cluster, forms_, worker);
     const auto attributes = building_attributes(input_.features.setup.plan.asked);
     fill_values(drawn.buildings, attributes, result.made.solids);
     fill_values(drawn.buildings, attributes, result.made.shell);
@@ -234,6 +272,14 @@ void SurfaceWriter::make_tiers(std::span<const std::uint32_t> group, SurfaceWork
     DrawnCluster drawn = draw_cluster(input, group, worker.transform);
     result.tiers = building_tiers(drawn, input.roof, input.lattice);
     fill_values(drawn.buildings, building_attributes(input_.features.setup.plan.asked), result.tiers);
+    if (input_.features.roofs != nullptr && input_.of == SurfaceOf::roofs && forms_.solids) {
+        add_roof_faces(result.made.solids, result.tiers);
+    } else if (input_.features.roofs != nullptr) {
+        input.of = SurfaceOf::roofs;
+        add_roof_faces(
+            close(input, {.solids = true, .gaps = input_.lattice.gaps()}, group, worker).made.solids,
+            result.tiers);
+    }
     if (!has_closed())
         result.lost = std::move(drawn.lost);
 }

@@ -168,12 +168,12 @@ std::optional<features::SurfaceLattice> set_up_surfaces(const features::RunSetup
                                                         const UnitReport& units) {
     if (sinks.surfaces.empty())
         return std::nullopt;
-    features::SurfaceLattice lattice({setup.georeference, setup.crs, setup.target, setup.dem.window,
-                                      features::lattice_frame(setup.dem.window, setup.plan.trace),
-                                      cell_size_m(setup.dem.window, setup.area), units.vertical_metres,
-                                      setup.plan.asked.write.surface_origin,
-                                      is_page(sinks) ? "-page" : "-surface",
-                                      setup.plan.surface_of == SurfaceOf::roofs});
+    features::SurfaceLattice lattice(
+        {setup.georeference, setup.crs, setup.target, setup.dem.window,
+         features::lattice_frame(setup.dem.window, setup.plan.trace),
+         cell_size_m(setup.dem.window, setup.area), units.vertical_metres,
+         setup.plan.asked.write.surface_origin, is_page(sinks) ? "-page" : "-surface",
+         setup.plan.surface_of == SurfaceOf::roofs || (has_tiers(sinks) && setup.plan.needs_roofs())});
     if (has_shells(sinks))
         lattice.require_single_precision();
     for (SurfaceSink* sink : sinks.surfaces)

@@ -9,11 +9,13 @@ import re
 import shutil
 import subprocess
 import tempfile
+import time
 import unittest
 
 import numpy as np
-from osgeo import gdal
+from osgeo import gdal, ogr
 from PIL import Image
+from scipy.spatial import cKDTree
 
 from browser import WITHOUT_WEBGL, Browser, difference
 
@@ -149,6 +151,63 @@ class Page(unittest.TestCase):
         missed = [corner for corner in expected if not is_drawn(*corner)]
         self.assertGreater(len(expected), 100)
         self.assertLess(len(missed), 0.02 * len(expected))
+
+    def test_roofs_are_those_of_the_layer(self):
+        """With -roofs the page begins with slanted roofs: corners, counts and elevations are those of the layer."""
+        page = self.make(TOWN, "roofs.html", "-roofs")
+        result = ogr.Open(str(page.with_suffix(".gpkg")))
+        faces = [(feature.GetGeometryRef().Clone(), feature["kind"]) for feature in result.GetLayerByName("roofs")]
+        pitched = [face for face, kind in faces if kind == "pitched"]
+        self.assertGreater(len(pitched), 500)
+        with Browser() as browser:
+            browser.open(page)
+            self.assertEqual(browser.text("leveltext"), "")  # the details are closed
+            browser.run("document.getElementById('levels').open = true")
+            self.assertEqual(browser.text("leveltext"), "slanted roofs")
+            self.assertEqual(browser.text("contoursname"), "Faces of roofs")
+            self.assertEqual(int(browser.text("contours").replace(",", "")), len(faces))
+            drawn, origin, levels = browser.run("""
+                const {scene, town} = window.dem2buildings;
+                const all = [];
+                for (const {roofs} of scene.chunks.all)
+                  all.push(...roofs.children[0].geometry.getAttribute('position').array);
+                return [all, town.about.frame.origin, town.levels];""")
+            outline = lambda face: face.GetGeometryRef(0).GetGeometryRef(0).GetPoints()
+            corners = [corner for face in pitched for corner in outline(face)]
+            shown = np.array(drawn).reshape(-1, 3)[:, [0, 2, 1]] * [1, -1, 1] + origin
+            apart, _ = cKDTree(shown).query(corners)
+            # Corners that almost touch are one, and faces that would reach below the ground are level.
+            self.assertLess(np.mean(apart > 0.01), 0.005)
+            # Straight down onto the middles of faces.
+            middles = [face.PointOnSurface() for face in pitched[::20]]
+            found = browser.run("""
+                const [points, origin] = arguments;
+                const {scene, town} = window.dem2buildings;
+                return points.map(([x, y]) => {
+                  const [east, north, high] = [x - origin[0], y - origin[1], 1000];
+                  const {building, along} = scene.hit({ray: {
+                    origin: {x: east, y: high, z: -north}, direction: {x: 1e-9, y: -1, z: 1e-9}}});
+                  return [high - along + origin[2], town.stack.id[building]];
+                });""", [[middle.GetX(), middle.GetY()] for middle in middles], origin)
+            for face, middle, (z, _) in zip(pitched[::20], middles, found):
+                ring = np.array(outline(face))
+                centre = np.mean(ring, axis=0)
+                normal = np.linalg.svd(ring - centre)[2][2]
+                expected = centre[2] - ((middle.GetX() - centre[0]) * normal[0] +
+                                        (middle.GetY() - centre[1]) * normal[1]) / normal[2]
+                self.assertAlmostEqual(z, expected, delta=0.02)
+            browser.slide(levels)
+            browser.wait()
+            self.assertEqual(browser.text("leveltext"), f"1 to {levels} of {levels}")
+            self.assertEqual(browser.text("contoursname"), "Contours")
+            browser.slide(levels + 1)
+            browser.run("document.getElementById('levels').open = false;"
+                        "window.dem2buildings.scene.setPlace({eye: [-30, 130, 60], to: [60, 0, -110]})")
+            time.sleep(2)
+            browser.wait()
+            self.looks_like(browser, "page_roofs.png")
+            browser.press("tomap")
+            self.quiet(browser)
 
     def test_a_click_answers(self):
         with Browser() as browser:

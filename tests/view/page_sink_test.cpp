@@ -156,7 +156,50 @@ TEST(PageStack, asItsDescriptionSays) {
         }
     };
     expect_building(house(), 0, 0);
+    EXPECT_EQ(numbers.take(), 0U);  // faces of roofs
     expect_building(lower, 7, 1000);
+    EXPECT_EQ(numbers.take(), 0U);
+    EXPECT_TRUE(numbers.is_at_end());
+}
+
+TEST(PageStack, hasFacesOfRoofsBehindTheTiers) {
+    SurfaceBuilding building = house();
+    building.tiers.resize(1);
+    // A level face with a hole, and a slanted one beside it.
+    const std::vector<SurfacePoint> points{{0, 0, 3000},   {60, 0, 3000},  {60, 90, 3000},
+                                           {0, 90, 3000},  {10, 10, 3000}, {10, 20, 3000},
+                                           {20, 20, 3000}, {100, 0, 2500}, {100, 90, 2500}};
+    building.faces = {{FaceKind::roof, {0, 1, 2, 3}, {{4, 5, 6}}}, {FaceKind::roof, {1, 7, 8, 2}, {}, 0}};
+    PageStack stack;
+    stack.add(building, points);
+    EXPECT_EQ(stack.faces().contours, 2);
+    EXPECT_EQ(stack.faces().corners, 11);
+
+    PageStack tiers;
+    building.faces.clear();
+    tiers.add(building);
+    EXPECT_EQ(tiers.faces().contours, 0);
+    std::string as_tiers = tiers.packed().bytes();
+    ASSERT_EQ(as_tiers.back(), 0);
+    as_tiers.pop_back();
+    ASSERT_EQ(stack.packed().bytes().substr(0, as_tiers.size()), as_tiers);
+
+    Unpacked numbers(stack.packed().bytes().substr(as_tiers.size()));
+    SurfacePoint at{20, 20, building.base};  // the last vertex of the tier, and the base
+    const auto expect_ring = [&](const std::vector<std::uint32_t>& ring) {
+        ASSERT_EQ(numbers.take(), ring.size());
+        for (const std::uint32_t point : ring) {
+            EXPECT_EQ(at.x += numbers.take_signed(), points[point].x);
+            EXPECT_EQ(at.y += numbers.take_signed(), points[point].y);
+            EXPECT_EQ(at.z += numbers.take_signed(), points[point].z);
+        }
+    };
+    EXPECT_EQ(numbers.take(), 2U);
+    EXPECT_EQ(numbers.take(), 2U);
+    expect_ring({0, 1, 2, 3});
+    expect_ring({4, 5, 6});
+    EXPECT_EQ(numbers.take(), 1U);
+    expect_ring({1, 7, 8, 2});
     EXPECT_TRUE(numbers.is_at_end());
 }
 

@@ -57,10 +57,10 @@ struct SurfaceTier {
 /// Building in a closed surface.
 struct SurfaceBuilding {
     std::int64_t id = 0;
-    std::int64_t whole = 0;               ///< lowest id among the parts of a divided building; 0: not divided
-    std::vector<FieldValue> values;       ///< one per field of SurfaceMeta::fields
-    std::vector<SurfaceFace> faces;       ///< only SurfaceForm::solids
-    std::vector<SurfaceRoofPlane> roofs;  ///< only SurfaceForm::solids of SurfaceOf::roofs
+    std::int64_t whole = 0;          ///< lowest id among the parts of a divided building; 0: not divided
+    std::vector<FieldValue> values;  ///< one per field of SurfaceMeta::fields
+    std::vector<SurfaceFace> faces;  ///< SurfaceForm::solids; in SurfaceForm::tiers those of slanted roofs
+    std::vector<SurfaceRoofPlane> roofs;     ///< only SurfaceForm::solids of SurfaceOf::roofs
     std::vector<SurfaceTriangle> triangles;  ///< only SurfaceForm::shell
     std::int64_t base = 0;                   ///< only SurfaceForm::tiers: z of the bottom
     std::int64_t roof = 0;                   ///< only SurfaceForm::tiers: z of the flat roof as one block
@@ -71,13 +71,13 @@ struct SurfaceBuilding {
 enum class SurfaceForm {
     solids,  ///< one polyhedron per building
     shell,   ///< touching buildings merged, without the walls between them, as triangles
-    tiers    ///< polygons of the stack per building; the reader adds walls
+    tiers    ///< polygons of the stack, and of slanted roofs, per building; the reader adds walls
 };
 
 /// Closed surface: each edge is traversed once in each direction, in the whole part and in each connected
 /// component.
 struct SurfacePart {
-    std::vector<SurfacePoint> points;        ///< distinct and used; empty in SurfaceForm::tiers
+    std::vector<SurfacePoint> points;        ///< distinct; in SurfaceForm::tiers those of slanted roofs
     std::vector<SurfaceBuilding> buildings;  ///< ascending ids; exactly one in SurfaceForm::solids and tiers
 };
 

@@ -1,8 +1,9 @@
-// Draws buildings by square chunks of the map: blocks of all chunks at once, stacks chunk by chunk near the camera.
+// Draws buildings by square chunks of the map: blocks of all chunks at once, stacks or slanted roofs chunk by chunk
+// near the camera.
 import * as THREE from 'three';
 
 import {edge} from './colours.js';
-import {blocks, foundations, stacks} from './extrude.js';
+import {blocks, foundations, roofs, stacks} from './extrude.js';
 
 const buildingsAChunk = 60;
 
@@ -54,7 +55,7 @@ class Chunk {
 
   // Builds the blocks of the shown buildings, and drops the rest.
   reset() {
-    for (const part of [this.block, this.stack, this.foundation]) {
+    for (const part of [this.block, this.stack, this.roofs, this.foundation]) {
       disposeOf(part);
       if (part)
         this.root.remove(part);
@@ -62,6 +63,7 @@ class Chunk {
     this.buildings = this.all.filter((building) => this.town.isShown[building]);
     this.block = meshOf(blocks(this.town, this.buildings), this.materials);
     this.stack = null;
+    this.roofs = null;
     this.foundation = null;
     this.root.add(this.block);
   }
@@ -71,19 +73,29 @@ class Chunk {
     this.root.add(this.foundation);
   }
 
-  makeStack() {
-    const {prisms, ends} = stacks(this.town, this.buildings);
-    this.ends = ends;
-    this.stack = meshOf(prisms, this.materials);
-    this.triangles = prisms.indices.length / 3;
-    this.root.add(this.stack);
+  // Returns the detailed mesh of a level; null if it is not built.
+  detail(level) { return level > this.town.levels ? this.roofs : this.stack; }
+
+  makeDetail(level) {
+    if (level > this.town.levels) {
+      this.roofs = meshOf(roofs(this.town, this.buildings), this.materials);
+    } else {
+      const {prisms, ends} = stacks(this.town, this.buildings);
+      this.ends = ends;
+      this.stack = meshOf(prisms, this.materials);
+    }
+    this.root.add(this.detail(level));
   }
 
-  show(asStack, level) {
-    this.block.visible = !asStack;
-    if (!this.stack)
+  triangles(level) { return (this.detail(level)?.children[0].geometry.index.count ?? 0) / 3; }
+
+  show(isDetailed, level) {
+    this.block.visible = !isDetailed;
+    for (const part of [this.stack, this.roofs])
+      if (part)
+        part.visible = isDetailed && part === this.detail(level);
+    if (!this.stack || level > this.town.levels)
       return;
-    this.stack.visible = asStack;
     const [faces, lines] = this.ends[level];
     this.stack.children[0].geometry.setDrawRange(0, faces);
     this.stack.children[1].geometry.setDrawRange(0, lines);
@@ -108,7 +120,7 @@ export class Chunks {
           {color: new THREE.Color(...edge.map((part) => part / 255)), opacity: 0.45, transparent: true}),
     };
     this.root = new THREE.Group();
-    this.level = town.levels;
+    this.level = town.lastLevel;
     this.all = squares(town).map((buildings) => new Chunk(town, relief, buildings, this.materials));
     for (const chunk of this.all)
       this.root.add(chunk.root);
@@ -120,8 +132,8 @@ export class Chunks {
       chunk.reset();
   }
 
-  // Shows stacks near the camera, up to a number of triangles, and blocks beyond. Builds missing stacks and foundations
-  // until a deadline. Returns true if some are still missing.
+  // Shows stacks or slanted roofs near the camera, up to a number of triangles, and blocks beyond. Builds missing ones
+  // and foundations until a deadline. Returns true if some are still missing.
   update(eye, budget, late) {
     this.all.sort((a, b) => a.middle.distanceToSquared(eye) - b.middle.distanceToSquared(eye));
     let missing = false;
@@ -129,11 +141,12 @@ export class Chunks {
     for (const chunk of this.all) {
       if (!chunk.foundation && performance.now() < late)
         chunk.makeFoundation();
-      if (left > 0 && !chunk.stack && performance.now() < late)
-        chunk.makeStack();
-      missing = missing || !chunk.foundation || (left > 0 && !chunk.stack);
-      chunk.show(chunk.stack !== null && left > 0, this.level);
-      left -= chunk.stack?.triangles ?? 0;
+      if (left > 0 && !chunk.detail(this.level) && performance.now() < late)
+        chunk.makeDetail(this.level);
+      const isBuilt = chunk.detail(this.level) !== null;
+      missing = missing || !chunk.foundation || (left > 0 && !isBuilt);
+      chunk.show(isBuilt && left > 0, this.level);
+      left -= chunk.triangles(this.level);
     }
     return missing;
   }

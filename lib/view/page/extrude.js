@@ -24,17 +24,22 @@ function wallShade(dx, dy) {
   return 0.74 - 0.16 * (dy + dx) / length / Math.SQRT2;
 }
 
+// Adds a wall below an edge. @param a, b x, y and z; the interior is on the left from a to b
+function addWall(prisms, a, b, foot, colour) {
+  const shade = wallShade(b[0] - a[0], b[1] - a[1]);
+  const first = prisms.corners;
+  prisms.add(a[0], a[1], foot, colour, shade);
+  prisms.add(b[0], b[1], foot, colour, shade);
+  prisms.add(...b, colour, shade);
+  prisms.add(...a, colour, shade);
+  prisms.indices.push(first, first + 1, first + 2, first, first + 2, first + 3);
+}
+
 // Adds walls around a ring whose interior is on its left.
 export function addWalls(prisms, town, [from, to], foot, top, colour) {
   for (let i = from; i < to; ++i) {
     const j = i + 1 < to ? i + 1 : from;
-    const shade = wallShade(town.x[j] - town.x[i], town.y[j] - town.y[i]);
-    const first = prisms.corners;
-    prisms.add(town.x[i], town.y[i], foot, colour, shade);
-    prisms.add(town.x[j], town.y[j], foot, colour, shade);
-    prisms.add(town.x[j], town.y[j], top, colour, shade);
-    prisms.add(town.x[i], town.y[i], top, colour, shade);
-    prisms.indices.push(first, first + 1, first + 2, first, first + 2, first + 3);
+    addWall(prisms, [town.x[i], town.y[i], top], [town.x[j], town.y[j], top], foot, colour);
   }
 }
 
@@ -63,6 +68,60 @@ export function addPrism(prisms, town, tier, foot, top, colour) {
   for (const ring of rings)
     addWalls(prisms, town, ring, foot, top, colour);
   addRoof(prisms, town, rings, top, colour);
+}
+
+// Adds a roof of slanted faces with the walls below it. Two faces that meet in an edge at equal heights have no wall
+// between them.
+function addFaces(prisms, town, building, colour) {
+  const key = (i, j) => [i, j].map((at) => `${town.faceX[at]} ${town.faceY[at]} ${town.faceZ[at]}`).join(' ');
+  const [from, to] = town.facesOf(building);
+  const edges = new Map();
+  for (let face = from; face < to; ++face) {
+    const rings = town.ringsOfFace(face);
+    const shaded = town.faceColour(face, colour);
+    const first = prisms.corners;
+    const points = rings.map(([begin, end]) => {
+      const ring = [];
+      const start = prisms.corners;
+      for (let i = begin; i < end; ++i) {
+        const next = i + 1 < end ? i + 1 : begin;
+        ring.push(new Vector2(town.faceX[i], town.faceY[i]));
+        prisms.add(town.faceX[i], town.faceY[i], town.faceZ[i], shaded);
+        prisms.lines.push(start + i - begin, start + next - begin);
+        edges.set(key(i, next), [i, next]);
+      }
+      return ring;
+    });
+    for (const [a, b, c] of ShapeUtils.triangulateShape(points[0], points.slice(1)))
+      prisms.indices.push(first + a, first + b, first + c);
+  }
+  const foot = town.base(building);
+  for (const [i, j] of edges.values())
+    if (!edges.has(key(j, i)))
+      addWall(
+          prisms, [town.faceX[i], town.faceY[i], town.faceZ[i]], [town.faceX[j], town.faceY[j], town.faceZ[j]], foot,
+          colour);
+}
+
+// Adds a building as it is shown at a level. @param colour without it, the building's own
+export function addBuilding(prisms, town, building, level, colour = null) {
+  if (town.showsRoof(building, level)) {
+    addFaces(prisms, town, building, colour ?? town.blockColour(building));
+    return;
+  }
+  const [from, to] = town.tiersOf(building);
+  for (let tier = from; tier < to; ++tier)
+    if (town.stack.level[tier] <= level)
+      addPrism(
+          prisms, town, tier, town.foot(building, tier), town.top(tier), colour ?? town.tierColour(building, tier));
+}
+
+// Adds slanted roofs, and stacks where there are none.
+export function roofs(town, buildings) {
+  const prisms = new Prisms();
+  for (const building of buildings)
+    addBuilding(prisms, town, building, town.lastLevel);
+  return prisms;
 }
 
 // Adds each building as one block with a flat roof.

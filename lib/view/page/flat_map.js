@@ -17,7 +17,7 @@ export class FlatMap {
   constructor(town, relief, canvas, room, onPick) {
     Object.assign(this, {town, relief, canvas, room, onPick});
     this.pen = canvas.getContext('2d');
-    this.level = town.levels;
+    this.level = town.lastLevel;
     this.theme = 'light';
     this.mark = -1;
     this.line = [];
@@ -106,7 +106,7 @@ export class FlatMap {
     pen.fillStyle = this.isPaper ? '#fff' : paper[this.theme];
     pen.fillRect(0, 0, canvas.width, canvas.height);
     this.drawGround();
-    this.drawTiers();
+    this.drawBuildings();
     this.drawPoints();
     this.drawScale();
   }
@@ -165,14 +165,19 @@ export class FlatMap {
   }
 
   // Draws the visible part, low levels first.
-  drawTiers() {
+  drawBuildings() {
     const [west, north] = this.toMetres(0, 0);
     const [east, south] = this.toMetres(this.canvas.width, this.canvas.height);
     const levels = [];
+    const roofs = [];
     for (let building = 0; building < this.town.buildings; ++building) {
       const box = this.town.boxOf(building);
       if (!this.town.isShown[building] || box[2] < west || box[0] > east || box[3] < south || box[1] > north)
         continue;
+      if (this.town.showsRoof(building, this.level)) {
+        roofs.push(building);
+        continue;
+      }
       const [from, to] = this.town.tiersOf(building);
       for (let tier = from; tier < to; ++tier)
         if (this.town.stack.level[tier] <= this.level)
@@ -184,16 +189,27 @@ export class FlatMap {
     for (const level of levels)
       for (const [tier, building] of level ?? [])
         this.drawTier(tier, building === this.mark ? chosen : this.town.tierColour(building, tier));
+    for (const building of roofs)
+      this.drawRoof(building, building === this.mark ? chosen : this.town.blockColour(building));
   }
 
-  drawTier(tier, colour) {
-    const {pen, town} = this;
+  drawTier(tier, colour) { this.drawRings(this.town.x, this.town.y, this.town.ringsOf(tier), colour); }
+
+  drawRoof(building, colour) {
+    const {town} = this;
+    const [from, to] = town.facesOf(building);
+    for (let face = from; face < to; ++face)
+      this.drawRings(town.faceX, town.faceY, town.ringsOfFace(face), town.faceColour(face, colour));
+  }
+
+  drawRings(x, y, rings, colour) {
+    const {pen} = this;
     pen.beginPath();
-    for (const [from, to] of town.ringsOf(tier)) {
+    for (const [from, to] of rings) {
       // moveTo() is needed because closePath() leaves the pen at the previous ring.
-      pen.moveTo(...this.toPixels(town.x[from], town.y[from]));
+      pen.moveTo(...this.toPixels(x[from], y[from]));
       for (let i = from + 1; i < to; ++i)
-        pen.lineTo(...this.toPixels(town.x[i], town.y[i]));
+        pen.lineTo(...this.toPixels(x[i], y[i]));
       pen.closePath();
     }
     pen.fillStyle = text(colour);

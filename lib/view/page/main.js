@@ -135,10 +135,10 @@ class Page {
 
   setUpLevels() {
     const slider = byId('level');
-    slider.max = Math.max(1, this.town.levels);
+    slider.max = Math.max(1, this.town.lastLevel);
     slider.value = slider.max;
-    slider.disabled = this.town.levels < 2;
-    const level = () => Math.min(this.town.levels, Number(slider.value));
+    slider.disabled = this.town.lastLevel < 2;
+    const level = () => Math.min(this.town.lastLevel, Number(slider.value));
     slider.addEventListener('input', () => {
       this.views.forEach((view) => view.setLevel(level()));
       showLevel(this.town, level());

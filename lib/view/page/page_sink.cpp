@@ -147,7 +147,7 @@ std::unique_ptr<RasterSink> open_page_relief(std::shared_ptr<PageRelief> relief)
     return std::make_unique<PageReliefSink>(std::move(relief));
 }
 
-void PageStack::add(const SurfaceBuilding& building) {
+void PageStack::add(const SurfaceBuilding& building, const std::vector<SurfacePoint>& points) {
     ++buildings_;
     numbers_.put_zigzag(building.id - id_);
     numbers_.put_zigzag(building.base - base_);
@@ -171,6 +171,28 @@ void PageStack::add(const SurfaceBuilding& building) {
             of_level_[level - 1].corners += static_cast<std::int64_t>(ring.size());
         }
     }
+    numbers_.put(building.faces.size());
+    corner_.z = building.base;
+    for (const SurfaceFace& face : building.faces)
+        add_face(face, points);
+}
+
+void PageStack::add_face(const SurfaceFace& face, const std::vector<SurfacePoint>& points) {
+    ++faces_.contours;
+    numbers_.put(1 + face.interiors.size());
+    const auto add = [&](const std::vector<std::uint32_t>& ring) {
+        numbers_.put(ring.size());
+        faces_.corners += static_cast<std::int64_t>(ring.size());
+        for (const std::uint32_t point : ring) {
+            numbers_.put_zigzag(points[point].x - corner_.x);
+            numbers_.put_zigzag(points[point].y - corner_.y);
+            numbers_.put_zigzag(points[point].z - corner_.z);
+            corner_ = points[point];
+        }
+    };
+    add(face.exterior);
+    for (const std::vector<std::uint32_t>& interior : face.interiors)
+        add(interior);
 }
 
 void PageStack::add_ring(const std::vector<SurfacePoint>& ring) {
@@ -309,7 +331,7 @@ void PageSink::begin(const SurfaceMeta& meta) {
 
 void PageSink::add(const SurfacePart& part) {
     for (const SurfaceBuilding& building : part.buildings) {
-        stack_.add(building);
+        stack_.add(building, part.points);
         for (std::size_t i = 0; i < columns_.size(); ++i)
             columns_[i].push_back(value_json(building.values[i]));
     }
@@ -394,6 +416,7 @@ Json PageSink::about() const {
                {"frame", frame()},
                {"position", position()},
                {"levels", std::move(levels)},
+               {"roofs", {{"faces", stack_.faces().contours}, {"corners", stack_.faces().corners}}},
                {"classes", classes_json()},
                {"veil", {{"low", veil.low}, {"most", veil.most / 255}, {"least", veil.least / 255}}},
                {"blockStyle", style_json(meta_.block_style)},

@@ -71,10 +71,13 @@ class PageRelief {
 /// Stacks of a page as packed integers. Per building: id, height of the base, height of the roof above it,
 /// number of tiers; per tier: level, distance in the list to its parent (0 is the ground), height above it,
 /// number of rings; per ring: number of vertices and their offsets to the east and north from the previous
-/// vertex. Ids and bases are differences to the previous building.
+/// vertex. Then, per building, the number of faces of its slanted roof; per face: number of rings as above,
+/// but with heights as offsets as well, the first from the base. Ids and bases are differences to the
+/// previous building.
 class PageStack {
   public:
-    void add(const SurfaceBuilding& building);
+    /// @param points of the faces
+    void add(const SurfaceBuilding& building, const std::vector<SurfacePoint>& points = {});
 
     /// Sums of a level and all below it.
     struct Count {
@@ -85,9 +88,12 @@ class PageStack {
     [[nodiscard]] std::vector<Count> counts() const;
     [[nodiscard]] const VarintBuffer& packed() const { return numbers_; }
     [[nodiscard]] std::int64_t buildings() const { return buildings_; }
+    /// Faces of roofs and their vertices.
+    [[nodiscard]] const Count& faces() const { return faces_; }
 
   private:
     void add_ring(const std::vector<SurfacePoint>& ring);
+    void add_face(const SurfaceFace& face, const std::vector<SurfacePoint>& points);
 
     VarintBuffer numbers_;
     std::int64_t buildings_ = 0;
@@ -95,6 +101,7 @@ class PageStack {
     std::int64_t base_ = 0;
     SurfacePoint corner_;
     std::vector<Count> of_level_;
+    Count faces_;
 };
 
 /// Sinks of a page: buildings and ground.

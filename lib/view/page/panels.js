@@ -51,11 +51,13 @@ export function showSource(town) {
 }
 
 export function showLevel(town, level) {
-  const counts = town.about.levels[level - 1];
-  byId('leveltext').textContent = texts.levelsOf(level, town.levels);
-  byId('contours').textContent = counts ? number(counts.contours, 0) : '0';
+  const isRoofs = level > town.levels;
+  const counts = isRoofs ? town.about.roofs : town.about.levels[level - 1];
+  byId('leveltext').textContent = isRoofs ? texts.roofs : texts.levelsOf(level, town.levels);
+  byId('contoursname').textContent = isRoofs ? texts.faces : texts.contours;
+  byId('contours').textContent = counts ? number(counts.contours ?? counts.faces, 0) : '0';
   byId('corners').textContent = counts ? number(counts.corners, 0) : '0';
-  byId('rmse').textContent = counts && counts.rmse !== null ? `${number(counts.rmse, 2)} m` : texts.unknown;
+  byId('rmse').textContent = Number.isFinite(counts?.rmse) ? `${number(counts.rmse, 2)} m` : texts.unknown;
 }
 
 function classText(classes, i) {

@@ -4,7 +4,7 @@ import {OrbitControls} from 'three-orbit';
 
 import {Chunks, meshOf} from './chunks.js';
 import {chosen} from './colours.js';
-import {addPrism, Prisms} from './extrude.js';
+import {addBuilding, Prisms} from './extrude.js';
 import {fittingPlace} from './fit.js';
 import {GroundMesh} from './ground_mesh.js';
 import {isProcessor} from './painter.js';
@@ -120,10 +120,7 @@ export class Scene {
     this.mark = null;
     if (building >= 0) {
       const prisms = new Prisms();
-      const [from, to] = this.town.tiersOf(building);
-      for (let tier = from; tier < to; ++tier)
-        if (this.town.stack.level[tier] <= this.chunks.level)
-          addPrism(prisms, this.town, tier, this.town.foot(building, tier), this.town.top(tier), chosen);
+      addBuilding(prisms, this.town, building, this.chunks.level, chosen);
       this.mark = meshOf(prisms, this.chunks.materials);
       this.mark.renderOrder = 1;
       this.scene.add(this.mark);

@@ -19,6 +19,8 @@ const en = {
   colours: 'Colours',
   levels: 'Levels',
   levelsOf: (level, all) => all === 0 ? 'none' : `1 to ${level} of ${all}`,
+  roofs: 'slanted roofs',
+  faces: 'Faces of roofs',
   contours: 'Contours',
   contoursTitle: 'Polygons that the stack is made of',
   points: 'Points',
@@ -74,7 +76,8 @@ const en = {
   askKeys: 'Enter: the one in the middle',
   aboutLevels:
       'The slider in Details cuts the stack off above a level. Contours and points (corners of their outlines) ' +
-      'are counted of what is left; RMSE is the distance of its surface to the points of the buildings.',
+      'are counted of what is left; RMSE is the distance of its surface to the points of the buildings. At the right ' +
+      'end it shows slanted roofs, if the page has them.',
   aboutFar: 'Far away a building is one block with a flat roof, nearby its stack.',
   source: 'Where it comes from',
   licences: 'Licences',
@@ -107,6 +110,8 @@ const de = {
   colours: 'Farben',
   levels: 'Stufen',
   levelsOf: (level, all) => all === 0 ? 'keine' : `1 bis ${level} von ${all}`,
+  roofs: 'geneigte Dächer',
+  faces: 'Dachflächen',
   contours: 'Konturen',
   contoursTitle: 'Polygone, aus denen der Stapel besteht',
   points: 'Punkte',
@@ -162,7 +167,8 @@ const de = {
   askKeys: 'Eingabe: das in der Mitte',
   aboutLevels:
       'Der Schieber unter Details schneidet den Stapel über einer Stufe ab. Konturen und Punkte (Ecken ihrer ' +
-      'Umrisse) sind die, die bleiben; RMSE ist der Abstand ihrer Oberfläche zu den Punkten der Gebäude.',
+      'Umrisse) sind die, die bleiben; RMSE ist der Abstand ihrer Oberfläche zu den Punkten der Gebäude. Am rechten ' +
+      'Ende zeigt er geneigte Dächer, wenn die Seite sie hat.',
   aboutFar: 'In der Ferne ist ein Gebäude ein Block mit flachem Dach, in der Nähe sein Stapel.',
   source: 'Herkunft',
   licences: 'Lizenzen',

@@ -1,6 +1,15 @@
-// Buildings of a page and queries about them. Buildings and tiers are identified by their list indices.
+// Buildings of a page and queries about them. Buildings, tiers and faces of roofs are identified by their list indices.
 import {Colours} from './colours.js';
 import {Place} from './place.js';
+
+function covers(xs, ys, rings, x, y) {
+  let inside = false;
+  for (const [from, to] of rings)
+    for (let i = from, j = to - 1; i < to; j = i++)
+      if (ys[i] > y !== ys[j] > y && x < (xs[j] - xs[i]) * (y - ys[i]) / (ys[j] - ys[i]) + xs[i])
+        inside = !inside;
+  return inside;
+}
 
 export class Town {
   constructor({about, stack, relief}) {
@@ -10,8 +19,13 @@ export class Town {
     this.place = new Place(about.frame);
     this.colours = new Colours(about);
     this.levels = about.levels.length;
+    // Roofs are shown at a level above all tiers.
+    this.lastLevel = this.levels + (about.roofs.faces > 0 ? 1 : 0);
     this.x = stack.x.map((steps) => this.place.x(steps));
     this.y = stack.y.map((steps) => this.place.y(steps));
+    this.faceX = stack.faceX.map((steps) => this.place.x(steps));
+    this.faceY = stack.faceY.map((steps) => this.place.y(steps));
+    this.faceZ = stack.faceZ.map((steps) => this.place.z(steps));
     this.fields = new Map(about.fields.map((field) => [field.name, field]));
     this.buildings = stack.id.length;
     this.isShown = new Uint8Array(this.buildings).fill(1);
@@ -53,6 +67,42 @@ export class Town {
     return rings;
   }
 
+  facesOf(building) { return [this.stack.facesFrom[building], this.stack.facesFrom[building + 1]]; }
+
+  // True if a building is shown with the faces of its roof at a level, otherwise with its tiers.
+  showsRoof(building, level) {
+    const [from, to] = this.facesOf(building);
+    return level > this.levels && from < to;
+  }
+
+  // Vertex ranges of the rings of a face; the exterior comes first.
+  ringsOfFace(face) {
+    const rings = [];
+    for (let ring = this.stack.faceRingsFrom[face]; ring < this.stack.faceRingsFrom[face + 1]; ++ring)
+      rings.push([this.stack.faceCornersFrom[ring], this.stack.faceCornersFrom[ring + 1]]);
+    return rings;
+  }
+
+  // Returns the normal of a face, of length 1 (Newell's method).
+  normalOf(face) {
+    const [[from, to]] = this.ringsOfFace(face);
+    const normal = [0, 0, 0];
+    for (let i = from, j = to - 1; i < to; j = i++) {
+      normal[0] += (this.faceY[j] - this.faceY[i]) * (this.faceZ[j] + this.faceZ[i]);
+      normal[1] += (this.faceZ[j] - this.faceZ[i]) * (this.faceX[j] + this.faceX[i]);
+      normal[2] += (this.faceX[j] - this.faceX[i]) * (this.faceY[j] + this.faceY[i]);
+    }
+    const length = Math.hypot(...normal) || 1;
+    return normal.map((part) => part / length);
+  }
+
+  // Colour of the building, lighter or darker as the face is turned to the north-west. A level face has the colour.
+  faceColour(face, colour) {
+    const [x, y, z] = this.normalOf(face);
+    const light = 0.55 * ((y - x) / 2 + (z - 1) * Math.SQRT1_2);
+    return colour.map((part) => Math.round(part + light * (light > 0 ? 255 - part : part)));
+  }
+
   blockColour(building) {
     const {colour, certainty, certain} = this.about.blockStyle;
     return this.colours.of(this.value(colour, building), this.value(certainty, building), certain);
@@ -64,6 +114,12 @@ export class Town {
     return this.colours.of(height, this.value(certainty, building), certain);
   }
 
+  // Highest vertex of the roof's faces; -Infinity without any.
+  highest(building) {
+    const [from, to] = this.facesOf(building).map((face) => this.stack.faceCornersFrom[this.stack.faceRingsFrom[face]]);
+    return this.faceZ.subarray(from, to).reduce((most, z) => Math.max(most, z), -Infinity);
+  }
+
   // Bounding box of footprints and heights: west, south, east, north, top.
   makeBoxes() {
     const boxes = new Float32Array(5 * this.buildings);
@@ -71,7 +127,7 @@ export class Town {
       const box = [Infinity, Infinity, -Infinity, -Infinity, this.roof(building)];
       const [from, to] = this.tiersOf(building);
       for (let tier = from; tier < to; ++tier) {
-        box[4] = Math.max(box[4], this.top(tier));
+        box[4] = Math.max(box[4], this.top(tier), this.highest(building));
         if (this.stack.parent[tier] >= 0)
           continue;
         const [first, end] = this.ringsOf(tier)[0];
@@ -97,13 +153,8 @@ export class Town {
   boxOf(building) { return this.boxes.subarray(5 * building, 5 * building + 5); }
 
   // Returns true if a tier covers a position.
-  holds(tier, x, y) {
-    let inside = false;
-    for (const [from, to] of this.ringsOf(tier))
-      for (let i = from, j = to - 1; i < to; j = i++)
-        if (this.y[i] > y !== this.y[j] > y &&
-            x < (this.x[j] - this.x[i]) * (y - this.y[i]) / (this.y[j] - this.y[i]) + this.x[i])
-          inside = !inside;
-    return inside;
-  }
+  holds(tier, x, y) { return covers(this.x, this.y, this.ringsOf(tier), x, y); }
+
+  // Returns true if a face of a roof covers a position.
+  faceHolds(face, x, y) { return covers(this.faceX, this.faceY, this.ringsOfFace(face), x, y); }
 }

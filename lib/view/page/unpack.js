@@ -63,8 +63,8 @@ class List {
   done() { return this.values.slice(0, this.size); }
 }
 
-// Lists of buildings, tiers, rings and vertices; lists of begins have one more entry, the end. Lengths are in steps of
-// the frame, heights in millimetres.
+// Lists of buildings, tiers, rings and vertices, and of faces of roofs with their rings and vertices; lists of begins
+// have one more entry, the end. Lengths are in steps of the frame, heights in millimetres.
 export function unpackStack(bytes, buildings) {
   const numbers = new Numbers(bytes);
   const lists = {
@@ -79,6 +79,12 @@ export function unpackStack(bytes, buildings) {
     cornersFrom: new List(Uint32Array),
     x: new List(Float64Array),
     y: new List(Float64Array),
+    facesFrom: new List(Uint32Array),
+    faceRingsFrom: new List(Uint32Array),
+    faceCornersFrom: new List(Uint32Array),
+    faceX: new List(Float64Array),
+    faceY: new List(Float64Array),
+    faceZ: new List(Float64Array),
   };
   let [id, base, x, y] = [0, 0, 0, 0];
   const takeRing = () => {
@@ -99,6 +105,20 @@ export function unpackStack(bytes, buildings) {
     for (let left = numbers.take(); left > 0; --left)
       takeRing();
   };
+  let z = 0;
+  const takeFaceRing = () => {
+    lists.faceCornersFrom.push(lists.faceX.size);
+    for (let left = numbers.take(); left > 0; --left) {
+      lists.faceX.push(x += numbers.takeSigned());
+      lists.faceY.push(y += numbers.takeSigned());
+      lists.faceZ.push(z += numbers.takeSigned());
+    }
+  };
+  const takeFace = () => {
+    lists.faceRingsFrom.push(lists.faceCornersFrom.size);
+    for (let left = numbers.take(); left > 0; --left)
+      takeFaceRing();
+  };
   for (let i = 0; i < buildings; ++i) {
     lists.id.push(id += numbers.takeSigned());
     lists.base.push(base += numbers.takeSigned());
@@ -106,10 +126,17 @@ export function unpackStack(bytes, buildings) {
     lists.tiersFrom.push(lists.level.size);
     for (let left = numbers.take(); left > 0; --left)
       takeTier();
+    lists.facesFrom.push(lists.faceRingsFrom.size);
+    z = base;
+    for (let left = numbers.take(); left > 0; --left)
+      takeFace();
   }
   lists.tiersFrom.push(lists.level.size);
   lists.ringsFrom.push(lists.cornersFrom.size);
   lists.cornersFrom.push(lists.x.size);
+  lists.facesFrom.push(lists.faceRingsFrom.size);
+  lists.faceRingsFrom.push(lists.faceCornersFrom.size);
+  lists.faceCornersFrom.push(lists.faceX.size);
   return Object.fromEntries(Object.entries(lists).map(([name, list]) => [name, list.done()]));
 }
 
