@@ -24,3 +24,14 @@ drop_root() {
     umount "$1/dev/pts" "$1/proc" 2>/dev/null || true
     rm -rf "$1"
 }
+
+# copy_source folder: the tracked files of this checkout, into /source there
+copy_source() {
+    mkdir "$1/source"
+    git ls-files -z | xargs -0 cp --parents -t "$1/source"
+}
+
+# require_in_readme command: only what the README tells users is what they do
+require_in_readme() {
+    grep -qxE " *$1" README.md || { echo "README.md does not have the line: $1" >&2; exit 1; }
+}
