@@ -65,12 +65,19 @@ FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, 
     return face;
 }
 
-/// Length of a face near its top as a share of that near its bottom, along the contour.
-double taper_of(const RoofFace& face, const Plane& plane, const RoofLattice& lattice) {
+/// Upper end of a face, along the contour.
+struct UpperEnd {
+    double taper = 1;  ///< length near its top as a share of the longest one below
+    double top = std::numeric_limits<double>::infinity();  ///< its length, in the unit of GridPoint
+};
+
+/// Measures lengths at several heights, because a narrow part may reach farther down than the eaves.
+UpperEnd upper_end(const RoofFace& face, const Plane& plane, const RoofLattice& lattice) {
+    constexpr int heights = 7;
     constexpr double near = 0.15;  // of the height of the face
     const double slope = std::hypot(plane.slope_x, plane.slope_y);
     if (slope == 0)
-        return 1;
+        return {};
     const auto [low, high] = std::ranges::minmax(face.elevations);
     const auto length = [&](double z) {
         std::vector<double> crossings;
@@ -100,26 +107,39 @@ double taper_of(const RoofFace& face, const Plane& plane, const RoofLattice& lat
             sum += crossings[i + 1] - crossings[i];
         return sum;
     };
-    const double bottom = length(low + near * (high - low));
-    return bottom > 0 ? length(high - near * (high - low)) / bottom : 1;
+    const double upper = length(high - near * (high - low));
+    double longest = upper;
+    double share = 1 - near;  // of the height, where it is longest
+    for (int i = 0; i < heights; ++i) {
+        const double at = near + (1 - 2 * near) * i / heights;
+        if (const double here = length(low + at * (high - low)); here > longest) {
+            longest = here;
+            share = at;
+        }
+    }
+    if (longest <= 0)
+        return {};
+    const double narrowing = longest > upper ? (longest - upper) / (1 - near - share) : 0;
+    return {upper / longest, std::max(upper - near * narrowing, 0.0)};
 }
 
 /// Sets the type and error of a roof from its faces.
-void summarize(Roof& roof, const std::vector<FacePlane>& planes, const RoofLattice& lattice,
+void summarize(Roof& roof, const std::vector<FacePlane>& planes, const RoofLattice& lattice, double cell_m,
                double roundness) {
     std::vector<FaceShape> shapes;
     double squares = 0;
     double cells = 0;
     for (std::size_t i = 0; i < roof.faces.size(); ++i) {
         const FaceMeasure& m = roof.faces[i].measure;
-        shapes.push_back(
-            {m.area, slope_degrees(m), std::atan2(-m.slope_col, m.slope_row) * degrees_per_radian,
-             taper_of(roof.faces[i], planes[i].plane, lattice), m.kind == FaceKind::doubtful,
-             std::ranges::min(roof.faces[i].elevations), std::ranges::max(roof.faces[i].elevations)});
+        const UpperEnd end = upper_end(roof.faces[i], planes[i].plane, lattice);
+        shapes.push_back({m.area, slope_degrees(m),
+                          std::atan2(-m.slope_col, m.slope_row) * degrees_per_radian, end.taper,
+                          planes[i].level, std::ranges::min(roof.faces[i].elevations),
+                          std::ranges::max(roof.faces[i].elevations), end.top * cell_m});
         squares += m.rmse_m * m.rmse_m * static_cast<double>(m.cells);
         cells += static_cast<double>(m.cells);
     }
-    roof.type = roof_type(shapes, roundness);
+    roof.type = roof_type(shapes, roundness, cell_m);
     roof.rmse_m = cells > 0 ? std::sqrt(squares / cells) : 0;
 }
 
@@ -256,7 +276,7 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
     }
     for (RoofFace& face : roof.faces)
         face.measure.area /= whole;
-    summarize(roof, planes, lattice, roundness_of(area.exterior, lattice));
+    summarize(roof, planes, lattice, grid.cell_m, roundness_of(area.exterior, lattice));
     return roof;
 }
 

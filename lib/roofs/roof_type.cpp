@@ -14,7 +14,7 @@ constexpr double main_share = 0.6;     // of the area that slopes in the directi
 constexpr double negligible = 0.05;    // of the area of a side
 constexpr double same_direction = 30;  // degrees
 constexpr double hip_taper = 0.4;      // of a face that ends in a point
-constexpr double pyramid_taper = 0.33;
+constexpr double longest_peak = 1;     // m: a shorter ridge is the peak of a pyramid
 
 double angle(double one, double other) {
     return std::abs(std::remainder(one - other, 360));
@@ -24,8 +24,8 @@ double angle(double one, double other) {
 struct SlopeSide {
     double azimuth = 0;
     double area = 0;
-    double hip_area = 0;      ///< of faces that end in a point
-    double pyramid_area = 0;  ///< of those that certainly do
+    double hip_area = 0;   ///< of faces that end in a point
+    double peak_area = 0;  ///< of faces whose upper end is a peak
     std::vector<FaceShape> faces;
 
     /// True if a gentle face stands on a steep one.
@@ -42,7 +42,7 @@ struct SlopeSide {
     }
 };
 
-std::vector<SlopeSide> sides_of(std::vector<FaceShape> faces, double total) {
+std::vector<SlopeSide> sides_of(std::vector<FaceShape> faces, double total, double peak) {
     std::ranges::stable_sort(faces, std::greater<>(), &FaceShape::area);
     std::vector<SlopeSide> sides;
     for (const FaceShape& face : faces) {
@@ -54,7 +54,7 @@ std::vector<SlopeSide> sides_of(std::vector<FaceShape> faces, double total) {
             side = sides.insert(sides.end(), {face.azimuth, 0, 0, 0, {}});
         side->area += face.area;
         side->hip_area += face.taper < hip_taper ? face.area : 0;
-        side->pyramid_area += face.taper < pyramid_taper ? face.area : 0;
+        side->peak_area += face.top <= peak ? face.area : 0;
         side->faces.push_back(face);
     }
     std::ranges::stable_sort(sides, std::greater<>(), &SlopeSide::area);
@@ -94,7 +94,7 @@ std::string_view pitched_type(const std::vector<SlopeSide>& sides, double total,
         has_opposite = has_opposite || turned > 150;
         group->area += side.area;
         group->hip_area += side.hip_area;
-        group->pyramid_area += side.pyramid_area;
+        group->peak_area += side.peak_area;
         bent += side.is_bent() ? side.area : 0;
     }
     const double area = along.area + across.area;
@@ -104,12 +104,12 @@ std::string_view pitched_type(const std::vector<SlopeSide>& sides, double total,
         return "mansard";
     if (across.hip_area <= across.area / 2)
         return "gabled";
-    return along.pyramid_area > most * along.area ? "pyramidal" : "hipped";
+    return along.peak_area > most * along.area ? "pyramidal" : "hipped";
 }
 
 }  // namespace
 
-std::string_view roof_type(std::span<const FaceShape> faces, double roundness) {
+std::string_view roof_type(std::span<const FaceShape> faces, double roundness, double cell) {
     double whole = 0;
     double total = 0;  // without doubtful faces
     double flat = 0;
@@ -127,7 +127,7 @@ std::string_view roof_type(std::span<const FaceShape> faces, double roundness) {
         return "unknown";
     if (flat >= most * total)
         return "flat";
-    const std::vector<SlopeSide> sides = sides_of(sure, total);
+    const std::vector<SlopeSide> sides = sides_of(sure, total, std::max(longest_peak, cell));
     if (sides.empty())
         return "complex";
     if (sides[0].area >= most * total)

@@ -18,20 +18,21 @@ class RoofType : public testing::TestWithParam<TypeCase> {};
 
 TEST_P(RoofType, IsThatOfItsFaces) {
     std::vector<FaceShape> faces = GetParam().faces;
-    EXPECT_EQ(roof_type(faces, GetParam().roundness), GetParam().type);
+    EXPECT_EQ(roof_type(faces, GetParam().roundness, 0.5), GetParam().type);
     // Whatever the direction of the building, and of its rows.
     for (const double turn : {17.0, 90.0, 201.5}) {
         std::vector<FaceShape> turned = faces;
         for (FaceShape& face : turned)
             face.azimuth += turn;
-        EXPECT_EQ(roof_type(turned, GetParam().roundness), GetParam().type) << turn;
+        EXPECT_EQ(roof_type(turned, GetParam().roundness, 0.5), GetParam().type) << turn;
     }
     for (FaceShape& face : faces)
         face.azimuth = -face.azimuth;
-    EXPECT_EQ(roof_type(faces, GetParam().roundness), GetParam().type);
+    EXPECT_EQ(roof_type(faces, GetParam().roundness, 0.5), GetParam().type);
 }
 
-// A face has area, slope, azimuth, taper, whether it is doubtful, and its lowest and highest elevations.
+// A face has area, slope, azimuth, taper, whether it is doubtful, its lowest and highest elevations, and the
+// length of its upper end.
 INSTANTIATE_TEST_SUITE_P(
     Table, RoofType,
     testing::Values(
@@ -44,7 +45,17 @@ INSTANTIATE_TEST_SUITE_P(
         // A wing with a gable of its own: no side ends in a point.
         TypeCase{"gabled", {{36, 35, 0}, {36, 35, 180}, {14, 35, 90}, {14, 35, 270}}},
         TypeCase{"hipped", {{36, 35, 0, 0.6}, {36, 35, 180, 0.6}, {14, 35, 90, 0.2}, {14, 35, 270, 0.2}}},
-        TypeCase{"pyramidal", {{25, 35, 0, 0.2}, {25, 35, 180, 0.2}, {25, 35, 90, 0.2}, {25, 35, 270, 0.2}}},
+        // A ridge of one metre is a peak; half a metre more is not.
+        TypeCase{"pyramidal",
+                 {{25, 35, 0, 0.2, false, 3, 6, 1},
+                  {25, 35, 180, 0.2, false, 3, 6, 1},
+                  {25, 35, 90, 0.2},
+                  {25, 35, 270, 0.2}}},
+        TypeCase{"hipped",
+                 {{25, 35, 0, 0.2, false, 3, 6, 1.5},
+                  {25, 35, 180, 0.2, false, 3, 6, 1.5},
+                  {25, 35, 90, 0.2},
+                  {25, 35, 270, 0.2}}},
         // The gentle faces stand on the steep ones; below, they belong to another house of the row.
         TypeCase{"mansard",
                  {{30, 60, 0, 1, false, 3, 6},
@@ -68,6 +79,15 @@ INSTANTIATE_TEST_SUITE_P(
             "domed", {{25, 35, 0, 0.2}, {25, 35, 180, 0.2}, {25, 35, 90, 0.2}, {25, 35, 270, 0.2}}, 0.95},
         TypeCase{"complex", {{30, 35, 0}, {20, 35, 180}, {50, 0, 0}}},
         TypeCase{"complex", {{50, 35, 0}, {50, 35, 90}}}));
+
+TEST(RoofTypeOfCells, APeakIsAtLeastAsLongAsACell) {
+    const std::vector<FaceShape> faces{{25, 35, 0, 0.2, false, 3, 6, 2},
+                                       {25, 35, 180, 0.2, false, 3, 6, 2},
+                                       {25, 35, 90, 0.2},
+                                       {25, 35, 270, 0.2}};
+    EXPECT_EQ(roof_type(faces, 0.75, 1), "hipped");
+    EXPECT_EQ(roof_type(faces, 0.75, 2), "pyramidal");
+}
 
 }  // namespace
 }  // namespace d2b::roofs
