@@ -139,6 +139,27 @@ FeaturePolygon PolygonMaker::within(std::size_t contour, const std::vector<World
 }
 
 /// Falls back to the whole contour if GEOS cannot subtract its children.
+FeaturePolygon PolygonMaker::given(const std::vector<WorldPolygon>& area) {
+    FeaturePolygon made;
+    made.status = OutlineStatus::given;
+    split_by_projection_ = false;
+    const auto drawn = [&] { return in_target_crs(area); };
+    if (to_target_) {
+        const StageClock clock(tally_, Stage::outline);
+        ValidParts found = draw_valid(drawn, drawn, geos_, made.status, tally_);
+        made.parts = std::move(found.parts);
+        made.invalid_reason = std::move(found.invalid_reason);
+    } else {
+        made.parts = area;
+    }
+    made.split_by_projection = split_by_projection_;
+    if (made.split_by_projection)
+        tally_.count(Reason::outline_split);
+    const StageClock clock(tally_, Stage::attributes);
+    made.measure = measured(made, area);
+    return made;
+}
+
 PolygonMaker::Parts PolygonMaker::traced_shape(std::size_t contour, bool tier) {
     const Draw draw = [&](std::size_t c) { return terms_.outliner.traced(c); };
     try {

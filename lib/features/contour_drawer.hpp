@@ -106,6 +106,9 @@ class PolygonMaker {
     /// there is none. @param area valid polygons in the CRS of the DEM
     [[nodiscard]] FeaturePolygon within(std::size_t contour, const std::vector<WorldPolygon>& area);
 
+    /// Converts polygons without changing their shape. @param area valid polygons in the CRS of the DEM
+    [[nodiscard]] FeaturePolygon given(const std::vector<WorldPolygon>& area);
+
     /// Converts a face of a roof, with the elevations of its corners. No parts if the output CRS tears it.
     [[nodiscard]] FeaturePolygon roof_face(const roofs::RoofFace& face);
 

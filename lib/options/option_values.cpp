@@ -198,7 +198,8 @@ SweptOption parse_swept(const std::string& part, const std::string& text) {
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos)
         refuse(text);
-    const OptionRow& row = variable_option(part.substr(0, equals), text);
+    const std::string name = part.substr(0, equals);
+    const OptionRow& row = variable_option(name, text);
     SweptOption option{row.name, {}};
     const std::string values = part.substr(equals + 1);
     if (row.kind == OptionKind::whole)

@@ -235,9 +235,10 @@ class CutContours {
     [[nodiscard]] double rmse() const { return rmse_.value(); }
 
   private:
+    /// @param is_whole true for the only contour of level 1 of its footprint
     [[nodiscard]] CutContour draw(const contours::StoredContours& contours,
                                   const features::RecordBuilder& records, std::size_t i,
-                                  std::size_t footprint, features::PolygonMaker& maker) const;
+                                  std::size_t footprint, bool is_whole, features::PolygonMaker& maker) const;
     void add(CutContour&& cut);
 
     GivenFootprints& given_;
@@ -251,14 +252,20 @@ class CutContours {
 };
 
 CutContour CutContours::draw(const contours::StoredContours& contours, const features::RecordBuilder& records,
-                             std::size_t i, std::size_t footprint, features::PolygonMaker& maker) const {
+                             std::size_t i, std::size_t footprint, bool is_whole,
+                             features::PolygonMaker& maker) const {
     const contours::Contour contour = contours.fetch(i);
     CutContour cut;
     cut.record = records.contour(i, contour);
     cut.record.building_id = static_cast<std::int64_t>(footprint) + 1;
     cut.parent = contours.head(i).parent;
     cut.own = contour.own;
-    if (layer_)
+    if (!layer_)
+        return cut;
+    // Beyond the border of the raster the footprint has no cells.
+    if (is_whole && !given_.all[footprint].at_edge && !setup_.plan.asked.outline.disjoint)
+        cut.made = maker.given(given_.shape(footprint));
+    else
         cut.made = maker.within(i, given_.shape(footprint));
     return cut;
 }
@@ -294,11 +301,17 @@ void CutContours::write(const contours::StoredContours& contours, const features
     for (int thread = 0; thread < context_.threads->threads(); ++thread)
         makers.emplace_back(features::PolygonParameters{setup_, outliner, children, context_.threads->stop(),
                                                         false, context_.report.units.vertical_metres});
+    std::vector<std::size_t> lowest(footprints.size());  // number of contours of level 1 by label
+    for (std::size_t i = 0; i < contours.size(); ++i)
+        if (contours.head(i).key.level == 1)
+            ++lowest[contours.head(i).label];
     std::vector<std::int64_t> ids;  // by contour; if it is not written, that of the one below
     features::draw_in_order(
         *context_.threads, contours.size(),
         [&](std::size_t i, std::size_t thread) {
-            return draw(contours, records, i, footprints[contours.head(i).label], makers[thread]);
+            const contours::ContourHead& head = contours.head(i);
+            return draw(contours, records, i, footprints[head.label],
+                        head.key.level == 1 && lowest[head.label] == 1, makers[thread]);
         },
         [&](std::size_t i, CutContour&& cut) {
             PlacedFootprint& placed = given_.all[footprints[contours.head(i).label]];

@@ -184,6 +184,19 @@ TEST_F(Footprints, fitIntoAFlatGeobuf) {
     EXPECT_EQ(this->layer("out.fgb", "out").records.size(), 3U);
 }
 
+TEST_F(Footprints, mayHaveNoFields) {
+    RowLayer layer = cadastre();
+    layer.fields.clear();
+    layer.rows.resize(1);
+    layer.rows[0].values.clear();
+    write_rows(path("bare.gpkg"), layer);
+    run_warned({"-preset", "buildings", "-q", "-footprints", "bare.gpkg", "--", "town.tif", "out.gpkg"}, {});
+    const Layer after = buildings();
+    ASSERT_EQ(after.records.size(), 1U);
+    EXPECT_EQ(after.fields[0], "id");
+    EXPECT_NEAR(after.records[0].number("p50"), MadeTown::flat_height, 0.3);
+}
+
 /// Names of the columns of a GeoPackage are free for fields.
 TEST_F(Footprints, mayHaveFieldsNamedLikeColumns) {
     RowLayer layer{"odd",

@@ -168,7 +168,10 @@ void LayerWriter::copy_original(const Feature& feature) {
         return;
     }
     const reading::FeatureOwner original = original_->decode(feature.original);
-    OGR_F_SetFromWithMap(feature_.get(), original.get(), TRUE, copied_fields_.data());
+    // GDAL refuses a null pointer, which an empty vector may have.
+    constexpr int no_field = -1;
+    OGR_F_SetFromWithMap(feature_.get(), original.get(), TRUE,
+                         copied_fields_.empty() ? &no_field : copied_fields_.data());
     OGR_F_SetFID(feature_.get(), OGR_F_GetFID(original.get()));
 }
 
