@@ -1,6 +1,7 @@
 #include "detect/footprint_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -147,11 +148,36 @@ class OuterWalls {
     OuterWalls(const Scene& scene, double min_height)
         : scene_(scene), open_ground_(static_cast<float>(min_height)) {}
 
-    /// Sum over the edges of a footprint that is moved.
-    [[nodiscard]] double fall(std::span<const FootprintEdge> edges, std::int32_t down,
-                              std::int32_t right) const {
+    /// Computes all falls that moves will ask for, unless these ask for fewer. @param moves number of them
+    void prepare(std::span<const FootprintEdge> edges, std::int32_t most_down, std::int32_t most_right,
+                 std::size_t moves) {
+        const auto [low_row, high_row] = std::ranges::minmax(edges, {}, &FootprintEdge::row);
+        const auto [low_col, high_col] = std::ranges::minmax(edges, {}, &FootprintEdge::col);
+        first_ = {low_row.row - most_down - 1, low_col.col - most_right - 1};
+        const std::int32_t rows = high_row.row + most_down + 2 - first_.row;
+        const std::int32_t cols = high_col.col + most_right + 2 - first_.col;
+        const auto cells = static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
+        constexpr std::size_t falls_per_edge = 3;
+        if (cells * directions.size() > edges.size() * moves * falls_per_edge)
+            return;
+        for (std::size_t side = 0; side < directions.size(); ++side) {
+            falls_[side] = Grid<float>(rows, cols);
+            for (std::int32_t r = 0; r < rows; ++r)
+                for (std::int32_t c = 0; c < cols; ++c)
+                    falls_[side].at(r, c) = computed_fall(first_.row + r, first_.col + c, directions[side]);
+        }
+    }
+
+    /// Sum over the edges of a footprint that is moved; a part of it if the rest cannot raise it to `least`.
+    [[nodiscard]] double fall(std::span<const FootprintEdge> edges, std::int32_t down, std::int32_t right,
+                              double least) const {
+        constexpr double most_per_edge = 4 * static_cast<double>(full_fall_m);
         double sum = 0;
+        double rest = most_per_edge * static_cast<double>(edges.size());
         for (const FootprintEdge& edge : edges) {
+            if (sum + rest < least)
+                break;
+            rest -= most_per_edge;
             const std::int32_t r = edge.row + down;
             const std::int32_t c = edge.col + right;
             const float here = fall(r, c, edge);
@@ -172,8 +198,16 @@ class OuterWalls {
     }
 
   private:
-    /// Fall from a cell across an edge, limited; 0 if it is no wall.
+    static constexpr std::array<FootprintEdge, 4> directions{
+        {{0, 0, -1, 0}, {0, 0, 0, -1}, {0, 0, 0, 1}, {0, 0, 1, 0}}};
+
     [[nodiscard]] float fall(std::int32_t r, std::int32_t c, const FootprintEdge& edge) const {
+        const Grid<float>& falls = falls_[static_cast<std::size_t>((2 * edge.down + edge.right + 3) * 2 / 3)];
+        return falls.rows > 0 ? falls.at(r - first_.row, c - first_.col) : computed_fall(r, c, edge);
+    }
+
+    /// Fall from a cell across an edge, limited; 0 if it is no wall.
+    [[nodiscard]] float computed_fall(std::int32_t r, std::int32_t c, const FootprintEdge& edge) const {
         const MetreGrid& surface = scene_.surface;
         if (!surface.holds(r, c) || !surface.holds(r + edge.down, c + edge.right))
             return 0;
@@ -184,7 +218,29 @@ class OuterWalls {
 
     const Scene& scene_;
     float open_ground_;
+    LatticePoint first_;
+    std::array<Grid<float>, 4> falls_;  ///< by direction; empty if they are computed when asked for
 };
+
+/// Move of a footprint by whole cells.
+struct FootprintMove {
+    double distance = 0;  ///< m
+    std::int32_t down = 0;
+    std::int32_t right = 0;
+};
+
+/// Returns moves by ascending distance.
+std::vector<FootprintMove> moves_within(double farthest, std::int32_t most_down, std::int32_t most_right,
+                                        const CellSize& cell) {
+    std::vector<FootprintMove> moves;
+    for (std::int32_t down = -most_down; down <= most_down; ++down)
+        for (std::int32_t right = -most_right; right <= most_right; ++right)
+            if (const double distance = std::hypot(down * cell.down, right * cell.across);
+                distance <= farthest && (down != 0 || right != 0))
+                moves.push_back({distance, down, right});
+    std::ranges::stable_sort(moves, {}, &FootprintMove::distance);
+    return moves;
+}
 
 std::int32_t steps_within(double distance_m, double step_m) {
     return static_cast<std::int32_t>(std::clamp(distance_m / step_m, 0.0, static_cast<double>(most_moves)));
@@ -196,7 +252,7 @@ double wall_shift(const Scene& scene, const Grid<Label>& labels, Label label, st
                   double min_height) {
     constexpr double worth_a_move = 1.02;
     const std::vector<FootprintEdge> edges = outer_edges(labels, label, cells);
-    const OuterWalls walls(scene, min_height);
+    OuterWalls walls(scene, min_height);
     if (walls.fit(edges))
         return 0;
     std::int64_t size = 0;
@@ -207,19 +263,18 @@ double wall_shift(const Scene& scene, const Grid<Label>& labels, Label label, st
         std::min(farthest_m, std::sqrt(static_cast<double>(size) * scene.cell_area()) / 2);
     const std::int32_t most_down = steps_within(farthest, scene.cell.down);
     const std::int32_t most_right = steps_within(farthest, scene.cell.across);
-    double most = walls.fall(edges, 0, 0) * worth_a_move;
+    const std::vector<FootprintMove> moves = moves_within(farthest, most_down, most_right, scene.cell);
+    walls.prepare(edges, most_down, most_right, moves.size());
+    double most = walls.fall(edges, 0, 0, 0) * worth_a_move;
     double nearest = 0;
-    for (std::int32_t down = -most_down; down <= most_down; ++down)
-        for (std::int32_t right = -most_right; right <= most_right; ++right) {
-            const double distance = std::hypot(down * scene.cell.down, right * scene.cell.across);
-            if (distance > farthest || (down == 0 && right == 0))
-                continue;
-            const double sum = walls.fall(edges, down, right);
-            if (sum > most || (!(sum < most) && nearest > 0 && distance < nearest)) {
-                most = sum;
-                nearest = distance;
-            }
+    // Near moves first, because one of them is usually the best, and others are given up early.
+    for (const FootprintMove& move : moves) {
+        const double sum = walls.fall(edges, move.down, move.right, most);
+        if (sum > most) {
+            most = sum;
+            nearest = move.distance;
         }
+    }
     return nearest;
 }
 
