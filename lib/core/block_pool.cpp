@@ -1,11 +1,11 @@
 #include "core/block_pool.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <new>
-#include <sys/mman.h>
+
+#include "core/system/memory.hpp"
 
 namespace d2b {
 namespace {
@@ -21,45 +21,27 @@ std::size_t LargePages::whole(std::size_t bytes) {
 }
 
 void* LargePages::map(std::size_t bytes) {
-    const std::size_t length = whole(bytes);
-    // Map one large page more, then unmap the excess before and behind the aligned block.
-    void* const memory =
-        mmap(nullptr, length + size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED)
+    void* const block = system::map_memory(whole(bytes), size);
+    if (block == nullptr)
         throw std::bad_alloc();
-    auto* const begin = static_cast<std::byte*>(memory);
-    const std::size_t before = (size - reinterpret_cast<std::uintptr_t>(memory) % size) % size;
-    if (before > 0)
-        munmap(begin, before);
-    if (before < size)
-        munmap(begin + before + length, size - before);
-#ifdef MADV_HUGEPAGE
-    static_cast<void>(
-        madvise(begin + before, length, MADV_HUGEPAGE));  // advisory only; the result is deliberately ignored
-#endif
-    return begin + before;
+    return block;
 }
 
 void LargePages::unmap(void* block, std::size_t bytes) noexcept {
-    munmap(block, whole(bytes));
+    system::unmap_memory(block, whole(bytes));
 }
 
 bool LargePages::move(void* from, void* to, std::size_t bytes) noexcept {
     std::size_t moved = 0;
-#ifdef MREMAP_FIXED
     // Move pages one at a time, because adjacent pages of different origin cannot be moved in one call.
-    for (; moved < bytes; moved += size)
-        if (mremap(static_cast<std::byte*>(from) + moved, size, size, MREMAP_MAYMOVE | MREMAP_FIXED,
-                   static_cast<std::byte*>(to) + moved) == MAP_FAILED)
-            break;
-#endif
+    while (moved < bytes && system::move_memory(static_cast<std::byte*>(from) + moved,
+                                                static_cast<std::byte*>(to) + moved, size))
+        moved += size;
     if (moved == bytes)
         return true;
-    munmap(static_cast<std::byte*>(from) + moved, bytes - moved);
+    system::unmap_memory(static_cast<std::byte*>(from) + moved, bytes - moved);
     // A failed move may have unmapped its target.
-    void* const rest = static_cast<std::byte*>(to) + moved;
-    return mmap(rest, bytes - moved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1,
-                0) != MAP_FAILED;
+    return system::map_memory_at(static_cast<std::byte*>(to) + moved, bytes - moved);
 }
 
 void* BlockPool::take(std::size_t bytes) {
@@ -87,6 +69,8 @@ void* BlockPool::take(std::size_t bytes) {
 
 std::vector<BlockPool::Idle> BlockPool::take_parts(std::size_t size) {
     std::vector<Idle> parts;
+    if (!system::can_divide_blocks())
+        return parts;
     parts.reserve(idle_.size());
     for (std::size_t room = LargePages::in(size); room > 0 && !idle_.empty();) {
         Idle& longest = idle_.front();

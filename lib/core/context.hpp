@@ -5,10 +5,10 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <sys/resource.h>
 #include <utility>
 
 #include "core/executor.hpp"
+#include "core/system/memory.hpp"
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/report.hpp"
@@ -80,9 +80,7 @@ class StageClock {
         tally_.seconds[stage_] += seconds;
         if (seconds < worth_a_call && tally_.peak_memory_bytes[stage_] > 0)
             return;
-        rusage usage{};
-        getrusage(RUSAGE_SELF, &usage);
-        tally_.peak_memory_bytes[stage_] = static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+        tally_.peak_memory_bytes[stage_] = system::peak_memory_bytes();
     }
 
   private:

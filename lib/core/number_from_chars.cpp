@@ -1,23 +1,14 @@
 #include "core/number_from_chars.hpp"
 
 #include <cerrno>
-#include <clocale>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 
-#if __has_include(<xlocale.h>)
-#include <xlocale.h>  // declares strtod_l on macOS and FreeBSD
-#endif
+#include "core/system/text_number.hpp"
 
 namespace d2b {
 namespace {
-
-locale_t c_locale() {
-    static const locale_t locale = newlocale(LC_ALL_MASK, "C", nullptr);
-    return locale;
-}
 
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
@@ -41,7 +32,7 @@ std::from_chars_result parse(const char* first, const char* last, Number& value,
     const std::string text = decimal_text(first, last);
     char* end = nullptr;
     errno = 0;
-    const Number number = read(text.c_str(), &end, c_locale());
+    const Number number = read(text.c_str(), &end);
     if (end == text.c_str())
         return {first, std::errc::invalid_argument};
     const char* const stop = first + (end - text.c_str());
@@ -55,11 +46,11 @@ std::from_chars_result parse(const char* first, const char* last, Number& value,
 }  // namespace
 
 std::from_chars_result number_from_chars(const char* first, const char* last, double& value) {
-    return parse(first, last, value, strtod_l);
+    return parse(first, last, value, system::text_to_double);
 }
 
 std::from_chars_result number_from_chars(const char* first, const char* last, float& value) {
-    return parse(first, last, value, strtof_l);
+    return parse(first, last, value, system::text_to_float);
 }
 
 }  // namespace d2b

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdarg>
-#include <dlfcn.h>
 #include <iterator>
 
 #include <cpl_conv.h>
@@ -10,6 +9,7 @@
 #include <cpl_string.h>
 #include <gdal.h>
 
+#include "core/system/process.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
@@ -23,8 +23,8 @@ namespace {
 void silence_libtiff() {
     using Handler = void (*)(const char*, const char*, va_list);
     using SetHandler = Handler (*)(Handler);
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): dlsym() returns functions as data
-    if (const auto set = reinterpret_cast<SetHandler>(dlsym(RTLD_DEFAULT, "TIFFSetErrorHandler")))
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): systems return functions as data
+    if (const auto set = reinterpret_cast<SetHandler>(system::find_symbol("TIFFSetErrorHandler")))
         set(nullptr);
 }
 

@@ -2,18 +2,16 @@
 
 #include <cerrno>
 #include <cstddef>
-#include <cstdlib>
-#include <fcntl.h>
 #include <filesystem>
 #include <span>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 
+#include "core/system/paths.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
@@ -34,19 +32,17 @@ std::string usual_folder() {
 TemporaryFile::TemporaryFile(const std::string& folder, std::string what, FileName name)
     : folder_(folder.empty() ? usual_folder() : folder), what_(std::move(what)) {
     std::string path = (std::filesystem::path(folder_) / "dem2buildings_XXXXXX").string();
-    file_ = mkostemp(path.data(), O_CLOEXEC);
-    if (file_ < 0)
+    file_.emplace(path, name);
+    if (!file_->is_open())
         fail(errno);
-    if (name == FileName::none)
-        unlink(path.c_str());
-    else
+    if (name == FileName::kept)
         path_ = std::move(path);
 }
 
 TemporaryFile::~TemporaryFile() {
-    close(file_);
+    file_.reset();
     if (!path_.empty())
-        unlink(path_.c_str());
+        system::remove_file(path_);
 }
 
 void TemporaryFile::fail(int error) const {
@@ -56,26 +52,17 @@ void TemporaryFile::fail(int error) const {
 
 void TemporaryFile::append(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(size_));
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written <= 0)
-            fail(written < 0 ? errno : ENOSPC);
-        size_ += static_cast<std::uint64_t>(written);
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
+        const std::size_t written = file_->write_at(size_, bytes);
+        if (written == 0)
+            fail(errno);
+        size_ += written;
+        bytes = bytes.subspan(written);
     }
 }
 
 void TemporaryFile::read(std::uint64_t begin, std::span<std::byte> bytes) const {
-    while (!bytes.empty()) {
-        const ssize_t got = pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(begin));
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0)
-            fail(got < 0 ? errno : EIO);
-        begin += static_cast<std::uint64_t>(got);
-        bytes = bytes.subspan(static_cast<std::size_t>(got));
-    }
+    if (!file_->read(begin, bytes))
+        fail(errno);
 }
 
 bool is_standard_input(std::string_view source) {

@@ -3,14 +3,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "core/system/file.hpp"
+
 namespace d2b::reading {
 
 /// Decides if other processes can open a file. An unnamed file vanishes with the process, however that ends.
-enum class FileName { kept, none };
+using FileName = system::File::Name;
 
 /// Exclusively created file, removed by the destructor. Errors are OutputErrors that name the data, the
 /// reason and a remedy.
@@ -37,7 +40,7 @@ class TemporaryFile {
     std::string folder_;
     std::string what_;
     std::string path_;
-    int file_ = -1;
+    std::optional<system::File> file_;  ///< empty after the destructor
     std::uint64_t size_ = 0;
 };
 

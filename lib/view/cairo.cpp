@@ -1,22 +1,18 @@
 #include "view/cairo.hpp"
 
-#include <dlfcn.h>
 #include <string>
 
+#include "core/system/process.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b::view {
 
 void* load_symbol(const char* library, const char* function) {
-    // Never closed, because GLib and similar libraries do not support unloading.
-    void* const opened = dlopen(library, RTLD_LAZY | RTLD_LOCAL);
-    void* const found = opened != nullptr ? dlsym(opened, function) : nullptr;
-    if (found == nullptr) {
-        const char* const reason = dlerror();  // NOLINT(concurrency-mt-unsafe): of this thread alone
-        throw OutputError("The picture cannot be drawn (" +
-                          std::string(reason != nullptr ? reason : library) +
+    std::string reason;
+    void* const found = system::load_symbol(library, function, reason);
+    if (found == nullptr)
+        throw OutputError("The picture cannot be drawn (" + reason +
                           "); install Pango 1.50 (on Debian: libpangocairo-1.0-0) or leave -preview out.");
-    }
     return found;
 }
 

@@ -8,14 +8,13 @@
 #include <fstream>
 #include <optional>
 #include <string>
-#include <sys/stat.h>
 #include <system_error>
 #include <thread>
-#include <unistd.h>
 #include <vector>
 
 #include <cpl_vsi.h>
 
+#include "core/system/paths.hpp"
 #include "dem2buildings/error.hpp"
 #include "options/provenance_text.hpp"
 #include "read/fetch_gate.hpp"
@@ -158,7 +157,7 @@ std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
     const CPLStringList listed(GDALGetFileList(dataset));
     for (const auto& entry : fs::directory_iterator(folder)) {
         std::string file = entry.path().filename().string();
-        const bool part = CSLFindString(listed.List(), entry.path().c_str()) >= 0 ||
+        const bool part = CSLFindString(listed.List(), entry.path().string().c_str()) >= 0 ||
                           contains_name(names, entry.path().stem().string()) ||
                           contains_name(names, file.substr(0, file.find('.')));
         if (!part)
@@ -220,9 +219,10 @@ void reject_foreign_data(const Destination& destination, const ExistingDataset& 
 void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
                       const std::vector<std::string>& names) {
     const reading::GdalMessages messages;
-    if (destination.local && ::access(destination.path.c_str(), W_OK) != 0 && errno != ENOENT)
+    const int refusal = destination.local ? system::write_refusal(destination.path) : 0;
+    if (refusal != 0 && refusal != ENOENT)
         throw OutputError("Cannot write \"" + destination.name + "\": it is read-only (" +
-                          std::generic_category().message(errno) +
+                          std::generic_category().message(refusal) +
                           "); allow writing, or choose another destination.");
     const reading::DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
     if (!dataset && format.transactions)
@@ -422,11 +422,8 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
 std::string stamp_of(const std::vector<std::string>& files) {
     std::string stamp;
     const auto add = [&stamp](const fs::path& path) {
-        struct stat status {};
-        if (::stat(path.c_str(), &status) == 0)
-            stamp += path.string() + '|' + std::to_string(status.st_ino) + '|' +
-                     std::to_string(status.st_size) + '|' + std::to_string(status.st_mtim.tv_sec) + '.' +
-                     std::to_string(status.st_mtim.tv_nsec) + '\n';
+        if (const std::string text = system::stamp_of(path); !text.empty())
+            stamp += path.string() + '|' + text + '\n';
     };
     std::error_code error;
     for (const std::string& file : files) {

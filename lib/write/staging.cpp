@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
-#include <cstdlib>
-#include <fcntl.h>
 #include <fstream>
 #include <random>
 #include <set>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
+#include "core/system/paths.hpp"
+#include "core/system/process.hpp"
 #include "dem2buildings/error.hpp"
 #include "write/destination.hpp"
 
@@ -25,21 +23,6 @@ namespace fs = std::filesystem;
     throw std::system_error(number, std::generic_category());
 }
 
-/// True if the file system or kernel does not support flags of renameat2.
-bool not_supported(int number) {
-    return number == EINVAL || number == ENOSYS || number == ENOTSUP;
-}
-
-int rename_with(const fs::path& from, const fs::path& to, [[maybe_unused]] bool exchanging) {
-#ifdef RENAME_EXCHANGE
-    return ::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(),
-                       exchanging ? RENAME_EXCHANGE : RENAME_NOREPLACE);
-#else
-    errno = ENOSYS;
-    return -1;
-#endif
-}
-
 }  // namespace
 
 RenameTransaction::~RenameTransaction() {
@@ -48,7 +31,7 @@ RenameTransaction::~RenameTransaction() {
 
 bool RenameTransaction::undo(const Rename& move) {
     if (move.exchanged)
-        return rename_with(move.from, move.to, true) == 0;
+        return system::exchange(move.from, move.to) == 0;
     std::error_code error;
     fs::rename(move.to, move.from, error);
     return !error;
@@ -65,9 +48,9 @@ std::vector<fs::path> RenameTransaction::roll_back() {
 
 void RenameTransaction::move(const fs::path& from, const fs::path& to) {
     done_.reserve(done_.size() + 1);
-    if (rename_with(from, to, false) != 0) {
-        if (!not_supported(errno))
-            throw_errno(errno);
+    if (const int error = system::rename_to_free_name(from, to); error != 0) {
+        if (!system::is_unsupported(error))
+            throw_errno(error);
         if (fs::exists(fs::symlink_status(to)))
             throw_errno(EEXIST);
         fs::rename(from, to);
@@ -77,12 +60,13 @@ void RenameTransaction::move(const fs::path& from, const fs::path& to) {
 
 void RenameTransaction::replace(const fs::path& from, const fs::path& to, const fs::path& spare) {
     done_.reserve(done_.size() + 2);
-    if (rename_with(from, to, true) == 0) {
+    const int error = system::exchange(from, to);
+    if (error == 0) {
         done_.push_back({from, to, true});
         return;
     }
-    if (!not_supported(errno))
-        throw_errno(errno);
+    if (!system::is_unsupported(error))
+        throw_errno(error);
     if (fs::is_directory(to)) {
         RenameTransaction both;
         both.move(to, spare);
@@ -100,15 +84,8 @@ void RenameTransaction::replace(const fs::path& from, const fs::path& to, const 
 }
 
 void sync_to_disk(const fs::path& path) {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0)
-        throw_errno(errno);
-    const int result = ::fsync(file);
-    const int number = errno;
-    ::close(file);
-    // Special file systems do not support fsync.
-    if (result != 0 && number != EINVAL && number != EROFS)
-        throw_errno(number);
+    if (const int error = system::sync(path); error != 0)
+        throw_errno(error);
 }
 
 namespace {
@@ -138,7 +115,7 @@ StagingFolder::StagingFolder(std::string name, fs::path destination)
     const fs::path parent = parent_of(destination_);
     // Leave out the extension, because /vsizip/ would take "a.ods" anywhere in a path for an archive.
     std::string pattern = (parent / ".dem2buildings.XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
+    if (!system::make_unique_folder(pattern))
         throw cannot_write(name_, "no file can be created in \"" + parent.string() + "\" (" +
                                       std::generic_category().message(errno) +
                                       "); choose another destination");
@@ -300,8 +277,9 @@ class PendingTextFile final : public PendingResult {
 PendingTextFile::PendingTextFile(fs::path path, const std::string& text)
     : path_(std::move(path)),
       // Process ids may coincide between machines, so append a random number.
-      hidden_(path_.parent_path() / ("." + path_.filename().string() + "." + std::to_string(::getpid()) +
-                                     "." + std::to_string(std::random_device()()))) {
+      hidden_(path_.parent_path() /
+              ("." + path_.filename().string() + "." + std::to_string(system::process_id()) + "." +
+               std::to_string(std::random_device()()))) {
     try {
         {
             std::ofstream file(hidden_, std::ios::binary);

@@ -1,18 +1,13 @@
 #include "write/standard_output.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstddef>
-#include <fcntl.h>
-#include <poll.h>
 #include <span>
-#include <sys/resource.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <vector>
 
 #include <cpl_vsi.h>
 
+#include "core/system/streams.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b::writing {
@@ -23,41 +18,6 @@ std::FILE*& stream() {
     // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
     static std::FILE* chosen = stdout;
     return chosen;
-}
-
-/// Allocates disk space without changing the length of the file.
-bool has_space_in_file(int file, const struct stat& status, std::uint64_t bytes) {
-    const int flags = ::fcntl(file, F_GETFL);
-    const off_t at = (flags & O_APPEND) != 0 ? status.st_size : ::lseek(file, 0, SEEK_CUR);
-    struct rlimit limit {};
-    if (at < 0)
-        return true;
-    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
-        static_cast<rlim_t>(at) + bytes > limit.rlim_cur)
-        return false;
-#ifdef FALLOC_FL_KEEP_SIZE
-    if (::fallocate(file, FALLOC_FL_KEEP_SIZE, at, static_cast<off_t>(bytes)) != 0)
-        return errno != ENOSPC && errno != EDQUOT && errno != EFBIG && errno != EIO;
-#endif
-    return true;
-}
-
-bool has_space(int file, std::uint64_t bytes) {
-    const int flags = ::fcntl(file, F_GETFL);
-    if (flags < 0 || (flags & O_ACCMODE) == O_RDONLY)
-        return false;
-    struct stat status {};
-    if (::fstat(file, &status) != 0)
-        return false;
-    if (S_ISREG(status.st_mode))
-        return has_space_in_file(file, status, bytes);
-    // Detects pipes without a reader and devices that accept no data.
-    struct pollfd ready {
-        file, POLLOUT, 0
-    };
-    if (::poll(&ready, 1, 0) > 0 && (ready.revents & (POLLERR | POLLHUP | POLLNVAL)) != 0)
-        return false;
-    return !S_ISCHR(status.st_mode) || ::write(file, "", 0) == 0;
 }
 
 }  // namespace
@@ -73,7 +33,7 @@ void throw_stdout_failure() {
 
 void require_stdout_space(std::uint64_t bytes) {
     if (bytes > 0 &&
-        (std::ferror(stream()) != 0 || std::fflush(stream()) != 0 || !has_space(::fileno(stream()), bytes)))
+        (std::ferror(stream()) != 0 || std::fflush(stream()) != 0 || !system::has_space(stream(), bytes)))
         throw_stdout_failure();
 }
 

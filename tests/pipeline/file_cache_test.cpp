@@ -16,10 +16,10 @@ class FileCacheTest : public testing::Test {
         for (const char* one : {"a", "b", "c"})
             std::ofstream(folder_.path() / one) << one;
     }
-    [[nodiscard]] std::shared_ptr<const OpenFile> open(const char* name) {
+    [[nodiscard]] std::shared_ptr<const system::File> open(const char* name) {
         return files_.open(folder_.path() / name);
     }
-    static char letter(const OpenFile& file) {
+    static char letter(const system::File& file) {
         std::array<std::byte, 1> bytes{};
         return file.read(0, bytes) ? static_cast<char>(bytes[0]) : '?';
     }
@@ -29,8 +29,8 @@ class FileCacheTest : public testing::Test {
 };
 
 TEST_F(FileCacheTest, StayOpenUntilTooManyOthersWereRead) {
-    const std::weak_ptr<const OpenFile> a = open("a");
-    const std::weak_ptr<const OpenFile> b = open("b");
+    const std::weak_ptr<const system::File> a = open("a");
+    const std::weak_ptr<const system::File> b = open("b");
     EXPECT_EQ(open("a"), a.lock());
     EXPECT_EQ(letter(*open("c")), 'c');
     EXPECT_FALSE(a.expired());

@@ -1,11 +1,9 @@
 #include "common/own_stdout.hpp"
 
-#include <csignal>
-#include <fcntl.h>
 #include <iostream>
-#include <unistd.h>
 
 #include "common/run_guarded.hpp"
+#include "core/system/streams.hpp"
 
 namespace d2b {
 
@@ -29,30 +27,24 @@ class OwnStdout::Buffer : public std::streambuf {
     std::FILE* file_;
 };
 
-OwnStdout::OwnStdout() : on_broken_pipe_(std::signal(SIGPIPE, SIG_IGN)) {
+OwnStdout::OwnStdout() {
     std::cout.flush();
     static_cast<void>(std::fflush(stdout));
-    const int copy = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-    if (copy < 0)
+    file_.reset(system::divert_stdout());
+    if (!file_)
         return;
-    file_.reset(fdopen(copy, "w"));
-    if (!file_ || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
-        file_.reset();
-        return;
-    }
     buffer_ = std::make_unique<Buffer>(file_.get());
     before_ = std::cout.rdbuf(buffer_.get());
     writing::set_standard_output(file_.get());
 }
 
 OwnStdout::~OwnStdout() {
-    static_cast<void>(std::signal(SIGPIPE, on_broken_pipe_));
     if (!buffer_)
         return;
     std::cout.rdbuf(before_);
     writing::set_standard_output(stdout);
     static_cast<void>(std::fflush(stdout));
-    static_cast<void>(dup2(fileno(file_.get()), STDOUT_FILENO));
+    system::restore_stdout(file_.get());
 }
 
 bool OwnStdout::is_written() {

@@ -6,6 +6,7 @@
 #include <streambuf>
 #include <string>
 
+#include "core/system/process.hpp"
 #include "dem2buildings/commit_list.hpp"
 #include "write/standard_output.hpp"
 
@@ -42,10 +43,10 @@ class OwnStdout {
     struct Close {
         void operator()(std::FILE* file) const { static_cast<void>(std::fclose(file)); }
     };
+    system::IgnoreBrokenPipe ignore_broken_pipe_;
     std::unique_ptr<std::FILE, Close> file_;  // the standard output as it was
     std::unique_ptr<Buffer> buffer_;
-    std::streambuf* before_ = nullptr;       // of std::cout
-    void (*on_broken_pipe_)(int) = nullptr;  // as it was
+    std::streambuf* before_ = nullptr;  // of std::cout
 };
 
 }  // namespace d2b

@@ -5,10 +5,10 @@
 #include <memory>
 #include <ostream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 #include "common/run_guarded.hpp"
+#include "core/system/streams.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/spool.hpp"
 
@@ -195,7 +195,7 @@ std::string advice(const RunReport& report, const Options& options) {
 
 Callbacks terminal_callbacks(TerminalProgress& progress, bool quiet) {
     Callbacks callbacks;
-    const bool terminal = ::isatty(STDOUT_FILENO) != 0 && ::isatty(STDERR_FILENO) != 0;
+    const bool terminal = system::are_terminals();
     callbacks.on_warning = [&progress, terminal](const std::string& text) {
         progress.interrupt(terminal, [&] { print_line("Warning: ", text); });
     };

@@ -3,9 +3,9 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
-#include <unistd.h>
 #include <vector>
 
+#include "core/system/process.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings_tiles/command_line.hpp"
 #include "read/raster_mosaic.hpp"
@@ -43,7 +43,7 @@ SourceMosaic::SourceMosaic(const std::string& list, const fs::path& work, int ba
         refuse_folder(work, error);
     const fs::path path = mosaic_of_list(work.string());
     // Beside its place, since the names in it are relative to its folder.
-    const Passing hidden(work / (".source." + std::to_string(::getpid()) + ".vrt"));
+    const Passing hidden(work / (".source." + std::to_string(system::process_id()) + ".vrt"));
     reading::build_mosaic(hidden.path.string(), rasters, band);
     if (fs::exists(path, error) && bytes_of(path) == bytes_of(hidden.path))
         return;

@@ -4,13 +4,12 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <optional>
 #include <random>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
+#include "core/system/process.hpp"
 #include "dem2buildings/version.hpp"
 #include "pipeline/tiles/file_cache.hpp"
 
@@ -41,7 +40,7 @@ FileHeader header_of(const CheckpointId& id) {
     return {magic, this_version(), id.plan, static_cast<std::uint32_t>(id.step), id.part, 0, 0, 0};
 }
 
-std::optional<FileHeader> read_header(const OpenFile& file) {
+std::optional<FileHeader> read_header(const system::File& file) {
     FileHeader header;
     if (!file.is_open() || !file.read(0, std::as_writable_bytes(std::span(&header, 1))))
         return {};
@@ -99,32 +98,29 @@ void write_file(const std::filesystem::path& path, const CheckpointId& id, std::
     // Temporary name with a random suffix, because processes on several machines may have the same number. If
     // two processes work on one tile, their results are equal except for timings, and the last rename wins.
     const std::filesystem::path temporary =
-        path.parent_path() / ("." + path.filename().string() + "." + std::to_string(::getpid()) + "." +
-                              std::to_string(std::random_device()()));
+        path.parent_path() / ("." + path.filename().string() + "." + std::to_string(system::process_id()) +
+                              "." + std::to_string(std::random_device()()));
     int error = 0;
     {
-        const OpenFile file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
+        const system::File file(temporary, system::File::Mode::write);
         const bool done = file.is_open() && file.write(std::as_bytes(std::span(&header, 1))) &&
                           file.write(body) && file.write(payload) && (!sync || file.sync());
         error = done ? 0 : errno;
     }
-    if (error == 0 && std::rename(temporary.c_str(), path.c_str()) != 0)
-        error = errno;
+    if (error == 0)
+        error = system::replace(temporary, path);
     // Another process may have finished first and removed this file as a leftover.
     if (error == 0 || (error == ENOENT && checkpoint_exists(path, id)))
         return;
-    ::unlink(temporary.c_str());
+    system::remove_file(temporary);
     fail(path, error);
 }
 
-/// @return file descriptor @throws OutputError
-int open_folder(const std::filesystem::path& folder) {
+/// Creates a folder if there is none.
+std::filesystem::path made_folder(std::filesystem::path folder) {
     std::error_code ignored;
     std::filesystem::create_directories(folder, ignored);
-    const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (opened < 0)
-        fail(folder, errno);
-    return opened;
+    return folder;
 }
 
 }  // namespace
@@ -160,20 +156,19 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointId& id,
 }
 
 CheckpointBatch::CheckpointBatch(std::filesystem::path folder)
-    : folder_(std::move(folder)), opened_(open_folder(folder_)) {}
-
-CheckpointBatch::~CheckpointBatch() {
-    ::close(opened_);
+    : folder_(made_folder(std::move(folder))), opened_(folder_) {
+    if (!opened_.is_open())
+        fail(folder_, errno);
 }
 
 void CheckpointBatch::write(const std::filesystem::path& path, const CheckpointId& id,
                             std::span<const std::byte> body, std::span<const std::byte> payload) {
-    write_file(path, id, body, payload, false);
+    write_file(path, id, body, payload, system::OpenFolder::needs_sync_of_each_file());
     any_ = true;
 }
 
 void CheckpointBatch::finish() {
-    if (any_ && ::syncfs(opened_) != 0)
+    if (any_ && !opened_.sync_file_system())
         fail(folder_, errno);
 }
 
@@ -185,15 +180,15 @@ void remove_unfinished(const std::filesystem::path& folder) {
 }
 
 bool checkpoint_exists(const std::filesystem::path& path, const CheckpointId& id) {
-    const OpenFile file(path, O_RDONLY);
+    const system::File file(path, system::File::Mode::read);
     const std::optional<FileHeader> header = read_header(file);
     return header && is_of(*header, id) && is_whole(*header, file.size());
 }
 
 CheckpointFile::CheckpointFile(std::filesystem::path path, const CheckpointId& id, FileHandleCache* cache)
     : path_(std::move(path)), id_(id), cache_(cache) {
-    const std::shared_ptr<const OpenFile> opened = open();
-    const OpenFile& file = *opened;
+    const std::shared_ptr<const system::File> opened = open();
+    const system::File& file = *opened;
     if (!file.is_open())
         throw InputError("'" + path_.string() + "' cannot be read: " + reason(errno) + "; run " +
                          rerun_text(id) + " first.");
@@ -212,12 +207,13 @@ CheckpointFile::CheckpointFile(std::filesystem::path path, const CheckpointId& i
     payload_size_ = header->payload_size;
 }
 
-std::shared_ptr<const OpenFile> CheckpointFile::open() const {
-    return cache_ != nullptr ? cache_->open(path_) : std::make_shared<const OpenFile>(path_, O_RDONLY);
+std::shared_ptr<const system::File> CheckpointFile::open() const {
+    return cache_ != nullptr ? cache_->open(path_)
+                             : std::make_shared<const system::File>(path_, system::File::Mode::read);
 }
 
 std::vector<std::byte> CheckpointFile::payload(std::uint64_t begin, std::uint64_t size) const {
-    const std::shared_ptr<const OpenFile> file = open();
+    const std::shared_ptr<const system::File> file = open();
     if (begin > payload_size_ || size > payload_size_ - begin)
         throw InputError(damaged("it holds less than it announces"));
     std::vector<std::byte> bytes(static_cast<std::size_t>(size));

@@ -11,11 +11,12 @@
 #include <vector>
 
 #include "core/byte_stream.hpp"
+#include "core/system/file.hpp"
+#include "core/system/paths.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b::tiles {
 
-class OpenFile;
 class FileHandleCache;
 
 /// Steps that exchange files, named as in messages.
@@ -46,7 +47,7 @@ class CheckpointBatch {
     explicit CheckpointBatch(std::filesystem::path folder);
     CheckpointBatch(const CheckpointBatch&) = delete;
     CheckpointBatch& operator=(const CheckpointBatch&) = delete;
-    ~CheckpointBatch();
+    ~CheckpointBatch() = default;
 
     /// Same as write_checkpoint(), but the system decides when data reach the disk.
     /// @param path within the folder @throws OutputError
@@ -57,8 +58,8 @@ class CheckpointBatch {
 
   private:
     std::filesystem::path folder_;
-    int opened_;        ///< descriptor of the folder, opened first because syncfs() reports only later errors
-    bool any_ = false;  ///< true if a file was written
+    system::OpenFolder opened_;  ///< opened first because only later errors are reported
+    bool any_ = false;           ///< true if a file was written
 };
 
 /// Removes temporary files that a killed write_checkpoint() left in a folder. Harmless for a process that is
@@ -84,7 +85,7 @@ class CheckpointFile {
     [[nodiscard]] std::string damaged(const std::string& what) const;
 
   private:
-    [[nodiscard]] std::shared_ptr<const OpenFile> open() const;
+    [[nodiscard]] std::shared_ptr<const system::File> open() const;
 
     std::filesystem::path path_;
     CheckpointId id_;

@@ -561,12 +561,12 @@ void write_style_sidecar(const std::string& path, const NewLayer& layer) {
     const std::string text = qml_style(layer.spec, layer.columns);
     // Failed writes are detected by the VSI layer that monitors the files.
     const reading::GdalMessages quiet;
-    VSILFILE* out = VSIFOpenL(file.c_str(), "wb");
+    VSILFILE* out = VSIFOpenL(file.string().c_str(), "wb");
     if (out == nullptr)
         return;
     const bool whole = VSIFWriteL(text.data(), 1, text.size(), out) == text.size();
     if (VSIFCloseL(out) != 0 || !whole)
-        VSIUnlink(file.c_str());
+        VSIUnlink(file.string().c_str());
 }
 
 bool is_our_style(const fs::path& file) {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
-#include <sys/stat.h>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -245,9 +246,10 @@ reading::DatasetOwner open_dataset(const VectorFormat& format, const std::string
 bool is_stream(const std::string& destination) {
     if (destination.starts_with("/vsistdout"))
         return true;
-    struct stat status {};
-    return !destination.starts_with("/vsi") && ::stat(destination.c_str(), &status) == 0 &&
-           !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(destination, error);
+    return !destination.starts_with("/vsi") && std::filesystem::exists(status) &&
+           !std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status);
 }
 
 bool is_connection(GDALDriverH driver, const std::string& destination) {

@@ -1,0 +1,64 @@
+#include "core/system/process.hpp"
+
+#include <array>
+#include <csignal>
+#include <shellapi.h>
+
+#include "core/system/windows/windows_api.hpp"
+
+namespace d2b::system {
+namespace {
+
+std::string utf8(const wchar_t* text) {
+    return std::filesystem::path(text).string();
+}
+
+}  // namespace
+
+std::vector<std::string> arguments(int /*argc*/, const char* const* /*argv*/) {
+    // Those of main() are in the code page of the user, which lacks most letters.
+    int count = 0;
+    wchar_t** const words = CommandLineToArgvW(GetCommandLineW(), &count);
+    std::vector<std::string> result;
+    for (int i = 1; words != nullptr && i < count; ++i)
+        result.push_back(utf8(words[i]));
+    LocalFree(words);
+    return result;
+}
+
+std::int64_t process_id() {
+    return GetCurrentProcessId();
+}
+
+std::filesystem::path data_beside_program() {
+    constexpr DWORD most = 32768;
+    std::wstring program(most, L'\0');
+    program.resize(GetModuleFileNameW(nullptr, program.data(), most));
+    std::filesystem::path data =
+        std::filesystem::path(program).parent_path().parent_path() / "share" / "gdal";
+    std::error_code error;
+    return std::filesystem::is_directory(data, error) ? data : std::filesystem::path();
+}
+
+void* load_symbol(const char* /*library*/, const char* /*function*/, std::string& reason) {
+    reason = "pictures are not a part of the program for Windows";
+    return nullptr;
+}
+
+void* find_symbol(const char* /*function*/) {
+    return nullptr;
+}
+
+void catch_signals(void (*handler)(int)) {
+    // The handler is called once, as the C library of Windows has it.
+    for (const int signal : std::array{SIGINT, SIGTERM, SIGBREAK})
+        static_cast<void>(std::signal(signal, handler));
+}
+
+void ignore_file_size_signal() {}
+
+IgnoreBrokenPipe::IgnoreBrokenPipe() = default;
+
+IgnoreBrokenPipe::~IgnoreBrokenPipe() = default;
+
+}  // namespace d2b::system
