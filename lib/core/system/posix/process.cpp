@@ -44,7 +44,7 @@ void catch_signals(void (*handler)(int)) {
         // Without SA_RESTART: a read that waits for the standard input has to give up.
         struct sigaction action {};
         action.sa_handler = handler;
-        action.sa_flags = SA_RESETHAND;
+        action.sa_flags = static_cast<int>(SA_RESETHAND);
         sigemptyset(&action.sa_mask);
         static_cast<void>(::sigaction(signal, &action, nullptr));
     }

@@ -1,5 +1,6 @@
 #include "core/system/streams.hpp"
 
+#include <array>
 #include <cerrno>
 #include <fcntl.h>
 #include <poll.h>
@@ -31,7 +32,7 @@ bool has_space_in_file(int file, const struct stat& status, std::uint64_t bytes)
 
 void prepare_streams() {
     // What is read from or written to what stands in for a stream fails.
-    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    for (const int stream : std::array{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
             static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }

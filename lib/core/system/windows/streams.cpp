@@ -1,5 +1,6 @@
 #include "core/system/streams.hpp"
 
+#include <array>
 #include <fcntl.h>
 #include <io.h>
 
@@ -21,7 +22,7 @@ bool is_terminal(int file) {
 
 void prepare_streams() {
     // Else line ends would get a second byte, and a byte of 26 would end the input.
-    for (const int file : {standard_input, standard_output, standard_error})
+    for (const int file : std::array{standard_input, standard_output, standard_error})
         if (_get_osfhandle(file) >= 0)
             static_cast<void>(_setmode(file, _O_BINARY));
     if (is_terminal(standard_output) || is_terminal(standard_error))
