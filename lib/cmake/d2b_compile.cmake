@@ -22,6 +22,11 @@ endif()
 if(D2B_WARNINGS_AS_ERRORS)
   target_compile_options(d2b_compile INTERFACE -Werror)
 endif()
+if(D2B_HARDENING)
+  target_compile_options(d2b_compile INTERFACE -fstack-protector-strong -fstack-clash-protection
+                         $<$<CONFIG:Release,RelWithDebInfo>:-D_FORTIFY_SOURCE=2>)
+  target_link_options(d2b_compile INTERFACE LINKER:-z,relro LINKER:-z,now)
+endif()
 if(D2B_SANITIZE)
   target_compile_options(d2b_compile INTERFACE -fsanitize=${D2B_SANITIZE} -fno-sanitize-recover=all
                          -fno-omit-frame-pointer)

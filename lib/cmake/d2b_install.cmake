@@ -21,6 +21,24 @@ install(FILES ${PROJECT_BINARY_DIR}/dem2buildingsConfig.cmake
   ${PROJECT_BINARY_DIR}/dem2buildingsConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/FindGeographicLib.cmake
   DESTINATION ${config_dir})
 
+# For build systems other than CMake. A static library leaves its libraries to the program.
+file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
+if(BUILD_SHARED_LIBS)
+  set(requires Requires.private)
+  set(libraries "")
+else()
+  set(requires Requires)
+  set(libraries " -lGeographicLib -lpthread")
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/dem2buildings.pc.in ${PROJECT_BINARY_DIR}/dem2buildings.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/dem2buildings.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+if(PROJECT_IS_TOP_LEVEL)
+  add_custom_target(uninstall COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR}
+                                      -P ${CMAKE_CURRENT_LIST_DIR}/d2b_uninstall.cmake VERBATIM)
+endif()
+
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tools)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tools)

@@ -8,7 +8,7 @@ class SavedFile(WidgetWrapper):
     def createWidget(self, files=""):
         """@param files a filter such as "PNG (*.png);;SVG (*.svg)" """
         widget = QgsFileWidget()
-        widget.setStorageMode(QgsFileWidget.SaveFile)
+        widget.setStorageMode(QgsFileWidget.StorageMode.SaveFile)
         widget.setFilter(files)
         widget.lineEdit().setPlaceholderText("none")
         widget.fileChanged.connect(lambda: self.widgetValueHasChanged.emit(self))

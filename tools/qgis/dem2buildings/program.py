@@ -8,11 +8,15 @@ import queue
 import re
 import shutil
 import subprocess
+import sys
 import threading
 
 from qgis.core import QgsSettings
 
 SETTING = "dem2buildings/program"
+
+# Windows would show a console for each call.
+_QUIET = {"creationflags": subprocess.CREATE_NO_WINDOW} if os.name == "nt" else {}
 
 
 class NotFound(Exception):
@@ -20,17 +24,30 @@ class NotFound(Exception):
 
 
 def find():
-    """The environment comes first, then the setting, then the PATH."""
-    place = os.environ.get("DEM2BUILDINGS") or QgsSettings().value(SETTING, "") or shutil.which("dem2buildings")
+    """The environment comes first, then the setting, then the PATH, then a folder "bin" in the plugin."""
+    beside = os.path.join(os.path.dirname(__file__), "bin")
+    place = (os.environ.get("DEM2BUILDINGS") or QgsSettings().value(SETTING, "") or shutil.which("dem2buildings")
+             or shutil.which("dem2buildings", path=beside))
     if not place:
-        raise NotFound("The program dem2buildings was not found. Install it, or say where it is: "
+        raise NotFound(f"The program dem2buildings was not found. {_source(sys.platform)} Or say where it is: "
                        f"set {SETTING} in QGIS's advanced settings, or the variable DEM2BUILDINGS.")
     return place
 
 
+def _source(platform):
+    """Where users of a system get the program."""
+    if platform == "win32":
+        return ("Unpack dem2buildings-<version>-windows.zip of the release, and add its folder bin to the PATH "
+                "of Windows or of the OSGeo4W shell.")
+    if platform == "darwin":
+        return "Build it from the sources, as docs/install.md says."
+    return "Install the Debian package of the release, or build it from the sources, as docs/install.md says."
+
+
 @functools.lru_cache(maxsize=4)
 def _options(place, _time):
-    text = subprocess.run([place, "-options_json"], check=True, capture_output=True, text=True, timeout=30).stdout
+    text = subprocess.run([place, "-options_json"], check=True, capture_output=True, encoding="utf-8", timeout=30,
+                          **_QUIET).stdout
     return json.loads(text)["options"]
 
 
@@ -67,12 +84,11 @@ def _pump(stream, name, lines):
 def run(arguments, feedback):
     """Runs the program and hands on its progress.
     @return (exit status, what it said on stderr, what on stdout after the progress)"""
-    quiet = {"creationflags": subprocess.CREATE_NO_WINDOW} if os.name == "nt" else {}
     pieces = queue.Queue()
     said = {"stdout": "", "stderr": ""}
     running, stopping = 2, False
     with subprocess.Popen([find(), *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                          stdin=subprocess.DEVNULL, **quiet) as process:
+                          stdin=subprocess.DEVNULL, **_QUIET) as process:
         for name in said:
             threading.Thread(target=_pump, args=(getattr(process, name), name, pieces), daemon=True).start()
         while running:
