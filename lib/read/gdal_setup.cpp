@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdarg>
+#include <filesystem>
 #include <iterator>
 
 #include <cpl_conv.h>
@@ -40,6 +41,8 @@ void start_gdal() {
     // one drops everything except debug messages, which appear only if CPL_DEBUG asks for them.
     CPLSetErrorHandler(CPLQuietErrorHandler);
     register_formats();
+    if (const std::filesystem::path data = system::data_beside_program(); !data.empty())
+        CPLPushFinderLocation(data.string().c_str());
     silence_libtiff();
     // Limits the cache, because rasters are read once from top to bottom and GDAL would keep a twentieth of
     // the machine's memory.

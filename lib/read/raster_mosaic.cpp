@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -29,7 +30,7 @@ namespace d2b::reading {
 
 std::vector<std::string> read_raster_list(const std::string& list) {
     errno = 0;
-    std::ifstream file(list, std::ios::binary);
+    std::ifstream file(std::filesystem::path(list), std::ios::binary);
     std::vector<std::string> names;
     // errno is kept because a folder can be opened but not read.
     for (std::string line; std::getline(file, line);) {

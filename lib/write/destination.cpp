@@ -349,7 +349,7 @@ std::vector<std::string> files_of(GDALDatasetH dataset, const fs::path& path, co
 [[noreturn]] void throw_unreadable(const Destination& destination, const VectorFormat& format,
                                    const reading::GdalMessages& messages) {
     std::error_code error;
-    std::ifstream file(destination.path, std::ios::binary);
+    std::ifstream file(fs::path(destination.path), std::ios::binary);
     char first = 0;
     const bool unreadable = fs::is_regular_file(destination.path, error) &&
                             fs::file_size(destination.path, error) > 0 && !file.get(first);

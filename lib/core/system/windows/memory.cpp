@@ -1,7 +1,5 @@
 #include "core/system/memory.hpp"
 
-#include <psapi.h>
-
 #include "core/system/windows/windows_api.hpp"
 
 namespace d2b::system {

@@ -1,8 +1,8 @@
 #include "core/system/process.hpp"
 
+#include <algorithm>
 #include <array>
 #include <csignal>
-#include <shellapi.h>
 
 #include "core/system/windows/windows_api.hpp"
 
@@ -10,7 +10,11 @@ namespace d2b::system {
 namespace {
 
 std::string utf8(const wchar_t* text) {
-    return std::filesystem::path(text).string();
+    const int size = WideCharToMultiByte(CP_UTF8, 0, text, -1, nullptr, 0, nullptr, nullptr);
+    std::string result(static_cast<std::size_t>(std::max(size, 1)), '\0');
+    WideCharToMultiByte(CP_UTF8, 0, text, -1, result.data(), size, nullptr, nullptr);
+    result.pop_back();  // the zero at the end
+    return result;
 }
 
 }  // namespace

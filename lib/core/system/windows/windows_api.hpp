@@ -12,7 +12,11 @@
 #define NOMINMAX
 #endif
 #define WIN32_LEAN_AND_MEAN
-#include <windows.h>
+// clang-format off
+#include <windows.h>  // first, because the others need its names
+#include <psapi.h>
+#include <shellapi.h>
+// clang-format on
 
 namespace d2b::system {
 
