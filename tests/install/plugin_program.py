@@ -59,7 +59,7 @@ class Program(unittest.TestCase):
         self.assertEqual(self.program.options(), ["Häuser"])
 
     def test_says_where_to_get_it(self):
-        for platform, words in (("win32", "windows.zip"), ("linux", "Debian package"), ("darwin", "from the sources")):
+        for platform, words in (("win32", "OSGeo4W"), ("linux", "Debian package"), ("darwin", "from the sources")):
             with unittest.mock.patch.object(sys, "platform", platform):
                 with self.assertRaisesRegex(self.program.NotFound, words):
                     self.program.find()

@@ -37,8 +37,8 @@ def find():
 def _source(platform):
     """Where users of a system get the program."""
     if platform == "win32":
-        return ("Unpack dem2buildings-<version>-windows.zip of the release, and add its folder bin to the PATH "
-                "of Windows or of the OSGeo4W shell.")
+        return ("There is no package for Windows yet. If you have built the program, add its folder to the PATH of the "
+                "OSGeo4W shell.")
     if platform == "darwin":
         return "Build it from the sources, as docs/install.md says."
     return "Install the Debian package of the release, or build it from the sources, as docs/install.md says."
