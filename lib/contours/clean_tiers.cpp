@@ -21,8 +21,8 @@ bool same(double a, double b) {
 
 }  // namespace
 
-CleanRows::CleanRows(std::unique_ptr<Spool> spool, std::int32_t first_row, std::int32_t rows)
-    : spool_(std::move(spool)), slabs_(first_row, rows) {}
+CleanRows::CleanRows(std::unique_ptr<Spool> spool, const Window& window)
+    : spool_(std::move(spool)), first_col_(window.col), slabs_(window.row, window.rows) {}
 
 void CleanRows::add(const BuildingCells& cells) {
     std::size_t cell = 0;
@@ -36,7 +36,7 @@ void CleanRows::add(const BuildingCells& cells) {
                 std::int32_t end = begin;
                 for (; end < run.end && same(cells.elevations[cell], elevation); ++end)
                     ++cell;
-                writer.put(Run{run.row, begin, end, 0, elevation});
+                writer.put(Run{run.row, begin - first_col_, end - first_col_, 0, elevation});
                 begin = end;
             }
         }
@@ -62,7 +62,7 @@ void clean(BuildingCells& cells, const RegionOptions& options, const StopToken& 
 CleanRows clean_tiers(ElevationReader& reader, const detect::LabelRows& labels, Label count,
                       const RegionOptions& regions, const Window& window,
                       const std::function<void(Label, const BuildingCells&)>& use, Context& context) {
-    CleanRows rows(context.make_spool(), window.row, window.rows);
+    CleanRows rows(context.make_spool(), window);
     for_each_building(reader, labels, count, window, Stage::levels, context,
                       [&](Label label, BuildingCells&& cells) {
                           clean(cells, regions, context.threads->stop());

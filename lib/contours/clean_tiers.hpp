@@ -20,9 +20,7 @@ namespace d2b::contours {
 /// Clean elevations of buildings, spooled to disk as runs of constant elevation: 24 bytes per run.
 class CleanRows {
   public:
-    /// @param first_row first row of the window
-    /// @param rows number of its rows
-    CleanRows(std::unique_ptr<Spool> spool, std::int32_t first_row, std::int32_t rows);
+    CleanRows(std::unique_ptr<Spool> spool, const Window& window);
 
     /// Adds the cells of a building; each cell is added once. Thread-safe.
     /// @throws OutputError if the spool has no space
@@ -31,7 +29,7 @@ class CleanRows {
     /// Run of cells of one building with the same clean elevation; NaN if not valid.
     struct CleanRun {
         std::int32_t row;    ///< row of the band
-        std::int32_t begin;  ///< first column
+        std::int32_t begin;  ///< first column of the band
         std::int32_t end;
         double elevation;
     };
@@ -61,6 +59,7 @@ class CleanRows {
     };
 
     std::unique_ptr<Spool> spool_;
+    std::int32_t first_col_;
     std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< guards the slabs
     RowSlabs<std::vector<SpoolEntry>> slabs_;  ///< spool entries with runs in each slab
 };

@@ -23,13 +23,15 @@ struct GatheredRows {
     std::vector<std::size_t> spires;
 };
 
-GatheredRows gather_rows(const ElevationBand& band, const LabelBand& labels) {
+/// @param first_col of the band in the raster
+GatheredRows gather_rows(const ElevationBand& band, std::int32_t first_col, const LabelBand& labels) {
     GatheredRows gathered;
     for (std::int32_t row = 0; row < band.shape.rows; ++row) {
         const auto elevations = band.row(row);
         const std::vector<std::int32_t> spires = band.spires_in_row(row);
         for_equal_runs(labels.row(row), [&](std::int32_t begin, std::int32_t end, Label label) {
-            gathered.runs.push_back({label, {band.shape.first_row + row, begin, end}});
+            gathered.runs.push_back(
+                {label, {band.shape.first_row + row, first_col + begin, first_col + end}});
             for (const std::int32_t spire : spires)
                 if (spire >= begin && spire < end)
                     gathered.spires.push_back(gathered.elevations.size() +
@@ -115,7 +117,7 @@ void for_each_building(ElevationReader& reader, const detect::LabelRows& labels,
         std::map<std::int32_t, GatheredRows> gathered;
         std::mutex mutex;
         reader.for_part(chunk, [&](const ElevationBand& band) {
-            GatheredRows here = gather_rows(band, labels.band(band.shape));
+            GatheredRows here = gather_rows(band, window.col, labels.band(band.shape));
             const std::lock_guard lock(mutex);
             gathered.emplace(band.shape.first_row, std::move(here));
         });

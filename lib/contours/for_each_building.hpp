@@ -13,7 +13,7 @@ namespace d2b::contours {
 /// Gathers the cells of each building in one pass over the DEM. Memory holds the buildings that the pass has
 /// begun but not finished.
 /// @param labels labels of the buildings, from 1 to `count`
-/// @param window window of the DEM
+/// @param window window of the DEM; rows and columns of the cells are those of its raster
 /// @param stage to which the time of `use` is charged
 /// @param use called once per building, on any thread
 /// @throws Cancelled, InputError, and exceptions of `use`

@@ -9,7 +9,7 @@
 namespace d2b::contours {
 namespace {
 
-/// Rows 1000 to 1199 of four columns, all at 1.
+/// Rows of columns 300 to 303, all at 1.
 ElevationBand even_rows(std::int32_t first, std::int32_t rows) {
     const BandShape shape{first, rows, 4};
     return {shape, std::vector<double>(shape.size(), 1.0)};
@@ -25,16 +25,16 @@ ElevationBand clean_band(const CleanRows& rows, ElevationBand band) {
 }
 
 TEST(CleanRows, StandForTheCellsThatWereGiven) {
-    CleanRows rows(std::make_unique<MemorySpool>(), 1000, 200);
+    CleanRows rows(std::make_unique<MemorySpool>(), {1000, 300, 200, 4});
     // Over three slabs; in each row two cells of a region and one of another.
     BuildingCells building;
     for (std::int32_t row = 1050; row < 1150; ++row) {
-        building.runs.push_back({row, 1, 4});
+        building.runs.push_back({row, 301, 304});
         for (const double z : {5.0, 5.0, 7.0})
             building.elevations.push_back(z + row);
     }
     rows.add(building);
-    rows.add({{{1050, 0, 1}}, {9}});
+    rows.add({{{1050, 300, 301}}, {9}});
     for (const auto& [first, count] : {std::pair{1000, 200}, std::pair{1049, 3}, std::pair{1060, 1},
                                        std::pair{1063, 2}, std::pair{1149, 51}, std::pair{1199, 1}}) {
         const ElevationBand clean = clean_band(rows, even_rows(first, count));
@@ -51,7 +51,7 @@ TEST(CleanRows, StandForTheCellsThatWereGiven) {
 }
 
 TEST(CleanRows, KeepPointsThatAreNotValid) {
-    CleanRows rows(std::make_unique<MemorySpool>(), 0, 1);
+    CleanRows rows(std::make_unique<MemorySpool>(), {0, 0, 1, 4});
     const double nan = std::numeric_limits<double>::quiet_NaN();
     rows.add({{{0, 0, 3}}, {nan, nan, 2}});
     const ElevationBand clean = clean_band(rows, {{0, 1, 4}, {3, 3, 3, 3}});

@@ -323,6 +323,37 @@ TEST(Roofs, InAnotherCrsKeepTheirElevations) {
     }
 }
 
+/// A window of a raster has the roofs of a raster that is no larger than the window.
+TEST(Roofs, OfAWindowOfALargerRaster) {
+    RoofRun whole;
+    whole.place({391000, 1, 0, 5820000, 0, -1});
+    whole.run();
+    const DemInfo& info = whole.dem.info();
+    constexpr std::int32_t above = 7;
+    constexpr std::int32_t left = 11;
+    const std::int32_t cols = info.cols + left;
+    const std::vector<double> town = MadeTown::surface();
+    std::vector<double> z(static_cast<std::size_t>((info.rows + above) * cols), 0.0);
+    for (std::int32_t r = 0; r < info.rows; ++r)
+        std::copy_n(town.begin() + std::ptrdiff_t{r} * info.cols, info.cols,
+                    z.begin() + std::ptrdiff_t{r + above} * cols + left);
+    MemorySource larger(info.rows + above, cols, z);
+    larger.edit().transform = {391000 - left, 1, 0, 5820000 + above, 0, -1};
+    larger.edit().georeferenced = true;
+    larger.edit().crs_wkt = info.crs_wkt;
+    larger.edit().window = {above, left, info.rows, info.cols};
+    const Result part(larger, whole.options);
+    const std::vector<Feature>& expected = whole.sink.features[roof_layer];
+    const std::vector<Feature>& faces = part.sink.features[roof_layer];
+    ASSERT_FALSE(expected.empty());
+    ASSERT_EQ(faces.size(), expected.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        EXPECT_EQ(faces[i].values, expected[i].values);
+        EXPECT_EQ(faces[i].parts.at(0).exterior, expected[i].parts.at(0).exterior);
+        EXPECT_EQ(faces[i].parts.at(0).elevations, expected[i].parts.at(0).elevations);
+    }
+}
+
 TEST(Roofs, WithoutTheOptionNothingIsDifferent) {
     TownRun plain;
     plain.run();
