@@ -208,21 +208,25 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t min_cells) {
     }
     for (Label label = 1; label < seen_.size(); ++label)
         merged.number[label] = merged.number[sets_.find(label)];
-    name_wholes(merged.number, merged.objects);
+    name_wholes(merged);
     seen_ = {};
     return merged;
 }
 
-void UnitMerger::name_wholes(const std::vector<Label>& number, std::vector<SeenObject>& objects) {
+void UnitMerger::name_wholes(Merged& merged) {
+    const std::vector<Label>& number = merged.number;
+    merged.wholes.assign(number.size(), 0);
     for (Label label = 1; label < number.size(); ++label)
         wholes_.join(label, sets_.find(label));
     std::vector<Label> lowest(number.size(), 0);  // number by whole
-    for (Label label = 1; label < number.size(); ++label)
-        if (Label& of = lowest[wholes_.find(label)]; number[label] != 0)
+    for (Label label = 1; label < number.size(); ++label) {
+        merged.wholes[label] = wholes_.find(label);
+        if (Label& of = lowest[merged.wholes[label]]; number[label] != 0)
             of = of == 0 ? number[label] : std::min(of, number[label]);
+    }
     for (Label label = 1; label < number.size(); ++label)
         if (number[label] != 0)
-            objects[number[label] - 1].object.whole = lowest[wholes_.find(label)];
+            merged.objects[number[label] - 1].object.whole = lowest[merged.wholes[label]];
 }
 
 namespace {

@@ -135,6 +135,7 @@ class UnitMerger {
         std::vector<SeenObject> objects;
         Label buildings = 0;
         std::vector<Label> number;  ///< index in `objects` plus one, by label with offset; 0: dropped
+        std::vector<Label> wholes;  ///< lowest label of those that belong together, dropped or not, by label
     };
     /// Call once: clears the objects.
     /// @param min_cells smaller objects are dropped: slivers on the far side of a seam
@@ -150,9 +151,8 @@ class UnitMerger {
     /// touch a seam.
     [[nodiscard]] std::unordered_map<Label, Joined> joined_sets();
 
-    /// @param number numbers by label with offset
-    /// @param objects result of finish()
-    void name_wholes(const std::vector<Label>& number, std::vector<SeenObject>& objects);
+    /// @param merged with objects and numbers
+    void name_wholes(Merged& merged);
 
     LabelSets sets_;
     LabelSets wholes_;                ///< sets of labels that belong together

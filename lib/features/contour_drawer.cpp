@@ -13,6 +13,7 @@
 #include "core/georeference.hpp"
 #include "dem2buildings/error.hpp"
 #include "features/reprojection.hpp"
+#include "features/roof_layer.hpp"
 
 namespace d2b::features {
 
@@ -319,8 +320,10 @@ FeaturePolygon PolygonMaker::roof_face(const roofs::RoofFace& face) {
     project(polygon.exterior);
     for (WorldRing& ring : polygon.interiors)
         project(ring);
-    if (split_by_projection_)
+    if (split_by_projection_) {
+        tally_.count(Reason::outline_split);
         return made;
+    }
     made.parts.push_back(std::move(polygon));
     if (!geos_.invalidity(made.parts).empty()) {
         const WorldPolygon drawn = std::move(made.parts.front());
@@ -422,7 +425,7 @@ DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
     PolygonMaker& maker = makers_[thread];
     const contours::ContourHead& head = input_.contours.head(contour);
     DrawnContour drawn{
-        head.key, head.parent, head.building, input_.is_low_confidence(contour), {}, {}, {}, {}, {}, {}};
+        head.key, head.parent, head.building, input_.is_low_confidence(contour), {}, {}, {}, {}, {}, {}, {}};
     const bool is_building = head.key.level == 1;
     {
         const StageClock clock(maker.tally(), Stage::attributes);
@@ -458,6 +461,15 @@ void ContourDrawer::draw_building(std::size_t contour, PolygonMaker& maker, Draw
     drawn.building = maker.footprint(contour);
     if (!is_written)
         maker.tally().dropped = counted;
+    else if (has_faces(drawn))
+        if (const std::optional<roofs::Roof> roof = input_.roofs->roof(contour))
+            drawn.faces = draw_faces(*roof, drawn.building->measure.area_m2, input_.setup, maker);
+}
+
+/// Faces tile the outline as it was drawn, so a polygon that differs from it has none.
+bool ContourDrawer::has_faces(const DrawnContour& drawn) const {
+    return input_.setup.layers.indices.roofs && !drawn.is_low_confidence && !drawn.building->parts.empty() &&
+           drawn.building->invalid_reason.empty();
 }
 
 }  // namespace d2b::features

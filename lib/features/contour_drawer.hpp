@@ -148,6 +148,12 @@ class PolygonMaker {
 /// Counts vertices without the repeated last ones of rings.
 [[nodiscard]] std::int64_t vertices_of(const std::vector<WorldPolygon>& parts);
 
+/// Face of a roof as it is written. Its id and its building are those of no layer before number_faces().
+struct DrawnFace {
+    RoofFaceRecord record;
+    std::vector<WorldPolygon> parts;
+};
+
 /// Records of a contour and its polygons. A polygon is empty if its layer is not written.
 struct DrawnContour {
     contours::ContourKey key;
@@ -160,6 +166,7 @@ struct DrawnContour {
     BuildingRecord building_record;  ///< level 1 only
     std::optional<FeaturePolygon> building;
     std::optional<FeaturePolygon> contour;
+    std::vector<DrawnFace> faces;  ///< of the roof, if the building and they are written
 };
 
 /// Adds the drawn cells of a contour and its building to the stack, if they are written.
@@ -212,6 +219,7 @@ class ContourDrawer {
 
   private:
     void draw_building(std::size_t contour, PolygonMaker& maker, DrawnContour& drawn) const;
+    [[nodiscard]] bool has_faces(const DrawnContour& drawn) const;
 
     const FeatureInput& input_;
     const RecordBuilder& records_;

@@ -177,11 +177,12 @@ void FeatureWriter::begin() {
     if (indices().rejected)
         rejected_.emplace(input_, *indices().rejected);
     if (indices().roofs)
-        roofs_.emplace(input_.setup, *input_.roofs, *indices().roofs);
+        roofs_.emplace(*indices().roofs, input_.roofs != nullptr && input_.roofs->are_level(), sink_,
+                       context_);
     give_styles(layers, input_, context_.report.units.vertical_metres);
     const StageClock clock(context_.report, Stage::write);
     sink_.begin(layers, make_provenance(input_.setup, context_.report));
-    next_id_ = next_building_ = sink_.first_id();
+    next_id_ = next_building_ = next_face_ = sink_.first_id();
 }
 
 void FeatureWriter::round(RoundedPolygons::Layer layer, std::int64_t id, std::int64_t parent_id,
@@ -200,13 +201,24 @@ void FeatureWriter::write(std::size_t layer, std::span<const Attribute<Record>> 
     sink_.add(layer, {field_values(attributes, record), std::move(made.parts), threshold, record});
 }
 
+BuildingIds FeatureWriter::assign_building(DrawnContour& drawn) {
+    BuildingIds ids{next_building_++, 0, next_face_};
+    BuildingRecord& record = drawn.building_record;
+    record.id = ids.id;
+    // Ids ascend, so the first part that is seen has the lowest one.
+    if (std::ranges::binary_search(input_.divided, record.whole))
+        ids.whole = first_parts_.try_emplace(record.whole, ids.id).first->second;
+    record.whole = ids.whole;
+    next_face_ = number_faces(drawn.faces, record, next_face_);
+    return ids;
+}
+
 void FeatureWriter::assign_ids(AssignedIds& numbers, DrawnContour& drawn) {
     drawn.record.id = next_id_++;
     if (drawn.record.level == 1)
-        numbers.buildings.push_back(next_building_++);
+        numbers.buildings.push_back(assign_building(drawn));
     drawn.record.building_id =
-        drawn.building_index < 0 ? 0 : numbers.buildings[static_cast<std::size_t>(drawn.building_index)];
-    drawn.building_record.id = drawn.record.building_id;
+        drawn.building_index < 0 ? 0 : numbers.buildings[static_cast<std::size_t>(drawn.building_index)].id;
     drawn.record.parent_id =
         drawn.parent < 0 ? 0 : numbers.written[static_cast<std::size_t>(drawn.parent - numbers.before)];
 }
@@ -269,9 +281,6 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
     if (made.parts.empty())
         return;
-    // Faces tile the outline as it was drawn.
-    if (roofs_ && !doubtful && made.invalid_reason.empty())
-        roofs_->note(contour, drawn.building_record, drawn.building_record.area_m2);
     round(RoundedPolygons::Layer::buildings, drawn.building_record.id, 0, made);
     drawn.building_record.status = made.status;
     ++(doubtful ? context_.report.doubtful : context_.report.buildings);
@@ -286,6 +295,8 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     }
     write(*indices().building_layer(doubtful), building_attributes(input_.setup.plan.asked), record,
           std::move(made), drawn.record.threshold);
+    if (roofs_)
+        roofs_->add(std::move(drawn.faces));
 }
 
 bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
@@ -336,7 +347,7 @@ std::optional<DrawnStack> FeatureWriter::finish() {
     split_warnings_.finish(display_name(input_.setup.target, input_.setup.plan.asked.outline.target_crs),
                            context_);
     if (roofs_)
-        roofs_->write(drawer_.makers(), sink_, context_);
+        roofs_->finish();
     if (rejected_)
         rejected_->write(drawer_.makers(), sink_, rounded_ ? &*rounded_ : nullptr, context_);
     if (rounded_)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -77,12 +78,21 @@ class RejectedLayer {
     std::vector<Changed> changed_;
 };
 
+/// Ids of a building, of the building that it is a part of, and of its first face.
+struct BuildingIds {
+    std::int64_t id = 0;
+    std::int64_t whole = 0;  ///< 0: not divided
+    std::int64_t first_face = 0;
+
+    friend bool operator==(const BuildingIds&, const BuildingIds&) = default;
+};
+
 /// Ids in the result of the contours of one list.
 struct AssignedIds {
     /// By contour; if one is not written, the id of its nearest written ancestor.
     std::vector<std::int64_t> written;
-    std::vector<std::int64_t> buildings;  ///< by index in the list
-    std::int64_t before = 0;              ///< index in the list of the first element of `written`
+    std::vector<BuildingIds> buildings;  ///< by index in the list
+    std::int64_t before = 0;             ///< index in the list of the first element of `written`
 };
 
 /// Writes drawn contours to the requested layers. Contours are added in the order of their keys, from one or
@@ -110,6 +120,8 @@ class FeatureWriter {
 
   private:
     [[nodiscard]] const LayerIndices& indices() const { return input_.setup.layers.indices; }
+    /// Assigns the ids of the next building.
+    [[nodiscard]] BuildingIds assign_building(DrawnContour& drawn);
     void count(const DrawnContour& drawn);
     void measure_building(DrawnContour& drawn);
     void add_building(std::size_t contour, DrawnContour& drawn);
@@ -135,6 +147,8 @@ class FeatureWriter {
     std::optional<DrawnStack> stack_;   // set if drawn outlines differ from traced ones
     std::int64_t next_id_ = 1;
     std::int64_t next_building_ = 1;
+    std::int64_t next_face_ = 1;
+    std::unordered_map<std::int64_t, std::int64_t> first_parts_;  // lowest id of the parts of a whole
     std::optional<RejectedLayer> rejected_;
     std::optional<RoofLayer> roofs_;
     std::optional<RoundedPolygons> rounded_;  // set if the destination rounds coordinates

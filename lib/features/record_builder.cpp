@@ -31,41 +31,6 @@ RecordBuilder::RecordBuilder(const contours::ContourList& contours, const Attrib
         ++stacks_[building].parts;
         stacks_[building].levels = std::max(stacks_[building].levels, head.key.level);
     }
-    find_divided_buildings();
-}
-
-/// Finds divided buildings: several labels share a whole. The lowest number among their buildings
-/// identifies the whole.
-void RecordBuilder::find_divided_buildings() {
-    struct Whole {
-        std::int64_t number = 0;
-        Label label = 0;  // label of one part; 0: none yet
-        bool is_divided = false;
-    };
-    const std::vector<Footprint>& footprints = context_.footprints;
-    const auto belongs_to_another = [&](const Footprint& footprint) {
-        return footprint.whole != 0 && footprint.whole != static_cast<Label>(&footprint - footprints.data());
-    };
-    if (std::ranges::none_of(footprints, belongs_to_another))
-        return;
-    std::vector<Whole> wholes(footprints.size());
-    const auto for_buildings = [&](const auto& use) {
-        for (std::size_t i = 0; i < contours_.size(); ++i)
-            if (const contours::ContourHead& head = contours_.head(i);
-                head.key.level == 1 && head.building >= 0)
-                if (const Label whole = footprints[head.label].whole; whole != 0)
-                    use(head, wholes[whole]);
-    };
-    for_buildings([&](const contours::ContourHead& head, Whole& whole) {
-        const std::int64_t number = context_.first_id + head.building;
-        whole.number = whole.label == 0 ? number : std::min(whole.number, number);
-        whole.is_divided = whole.is_divided || (whole.label != 0 && whole.label != head.label);
-        whole.label = head.label;
-    });
-    for_buildings([&](const contours::ContourHead& head, const Whole& whole) {
-        if (whole.is_divided)
-            stacks_[static_cast<std::size_t>(head.building)].whole = whole.number;
-    });
 }
 
 double RecordBuilder::ground_of(Label label, double lowest_outside) const {
@@ -134,7 +99,6 @@ BuildingRecord RecordBuilder::building(std::size_t i, const contours::Contour& c
     building.roof = roof.highest;
     building.height_m = (building.roof - building.ground) * context_.metres;
     building.heights_m = heights_above(building.ground, roof, context_.metres);
-    building.whole = stack.whole;
     building.parts = stack.parts;
     building.levels = stack.levels;
     building.points = record.points;
@@ -145,6 +109,7 @@ BuildingRecord RecordBuilder::building(std::size_t i, const contours::Contour& c
     if (!footprints.empty()) {
         building.doubt = footprints[head.label].doubt;
         building.parcel_number = footprints[head.label].parcel;
+        building.whole = footprints[head.label].whole;
     }
     building.at_edge = touches(contour.exterior.box(), context_.frame);
     return building;

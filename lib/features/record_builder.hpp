@@ -19,7 +19,7 @@ struct Footprint {
     double confidence = 0;  ///< between 0 and 1
     std::string_view doubt;
     std::int64_t parcel = ParcelCell::no_parcel;
-    Label whole = 0;  ///< shared by all labels into which a building was divided; 0: unknown
+    std::int64_t whole = 0;  ///< shared by all labels into which a building was divided; 0: not divided
 };
 
 struct AttributeContext {
@@ -48,6 +48,7 @@ class RecordBuilder {
     [[nodiscard]] double top(std::size_t i) const { return parts_[i].top; }
     /// @param i index of the contour in the list
     [[nodiscard]] ContourRecord contour(std::size_t i, const contours::Contour& contour) const;
+    /// The whole of the record is that of the footprint, which FeatureWriter replaces by an id.
     /// @param record of the same contour, which must be of level 1
     [[nodiscard]] BuildingRecord building(std::size_t i, const contours::Contour& contour,
                                           const ContourRecord& record, const RoofElevations& roof) const;
@@ -62,14 +63,12 @@ class RecordBuilder {
         std::int64_t parts = 0;
         std::int32_t levels = 0;
         double base = 0;
-        std::int64_t whole = 0;  ///< number of the building that it is part of; 0: not divided
     };
     [[nodiscard]] double ground_of(Label label, double lowest_outside) const;
     [[nodiscard]] double threshold(const contours::ContourHead& head) const {
         return context_.plan.threshold(head.label, head.key.level);
     }
     void compute_part_heights();
-    void find_divided_buildings();
 
     const contours::ContourList& contours_;
     AttributeContext context_;

@@ -2,49 +2,44 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/context.hpp"
 #include "dem2buildings/records.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "features/contour_drawer.hpp"
-#include "features/write_features.hpp"
+#include "features/run_setup.hpp"
+#include "roofs/make_roof.hpp"
 
 namespace d2b::features {
+
+/// Draws the faces of a roof. Those that the output CRS tears are left out. @param area_m2 of its outline
+[[nodiscard]] std::vector<DrawnFace> draw_faces(const roofs::Roof& roof, double area_m2,
+                                                const RunSetup& setup, PolygonMaker& maker);
+
+/// Names the building of faces, and numbers them from an id on. @return the id after the last one
+std::int64_t number_faces(std::vector<DrawnFace>& faces, const BuildingRecord& building,
+                          std::int64_t first_id);
+
+[[nodiscard]] std::string_view face_kind_name(roofs::FaceKind kind);
 
 /// Layer of the faces of the roofs of written buildings.
 class RoofLayer {
   public:
-    /// @param setup, roofs must outlive this @param layer index of the layer in the sink
-    RoofLayer(const RunSetup& setup, const StoredRoofs& roofs, std::size_t layer)
-        : setup_(setup), roofs_(roofs), layer_(layer) {}
+    /// @param layer index of the layer in the sink @param level true if no face has a slope
+    /// @param sink, context must outlive this
+    RoofLayer(std::size_t layer, bool level, FeatureSink& sink, Context& context);
 
-    /// Records a building that is written. @param roof its index among the roofs @param area_m2 of its
-    /// outline
-    void note(std::size_t roof, const BuildingRecord& record, double area_m2) {
-        buildings_.push_back({roof, record.id, record.whole, area_m2});
-    }
-    /// Writes the faces of the recorded buildings in their order. @param makers one per thread
-    /// @throws OutputError
-    void write(std::vector<PolygonMaker>& makers, FeatureSink& sink, Context& context) const;
+    /// Writes the numbered faces of a building, and counts them. @throws OutputError
+    void add(std::vector<DrawnFace>&& faces);
+    /// Warns if many faces are doubtful.
+    void finish();
 
   private:
-    struct Building {
-        std::size_t roof;
-        std::int64_t id;
-        std::int64_t whole;
-        double area_m2;
-    };
-    struct Face {
-        RoofFaceRecord record;
-        FeaturePolygon made;
-    };
-    [[nodiscard]] std::vector<Face> draw(const Building& building, PolygonMaker& maker) const;
-
-    const RunSetup& setup_;
-    const StoredRoofs& roofs_;
     std::size_t layer_;
-    std::vector<Building> buildings_;
+    FeatureSink& sink_;
+    Context& context_;
 };
 
 }  // namespace d2b::features

@@ -46,7 +46,8 @@ struct FeatureInput {
     ParcelSource* parcels = nullptr;  ///< gives the names of parcels
     /// Receives the records of all buildings, even of those not written.
     BuildingRecords* building_records = nullptr;
-    const StoredRoofs* roofs = nullptr;  ///< null without -roofs
+    const StoredRoofs* roofs = nullptr;      ///< null without -roofs
+    std::vector<std::int64_t> divided = {};  ///< wholes of which several buildings are parts, ascending
     bool with_cuts = false;  ///< true to report the errors of the stacks truncated at level 1, 2, ...
 
     [[nodiscard]] bool is_low_confidence(std::size_t contour) const {

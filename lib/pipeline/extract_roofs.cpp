@@ -60,26 +60,34 @@ std::vector<std::vector<std::size_t>> footprints_by_label(const contours::Contou
 
 }  // namespace
 
+RoofExtractor::RoofExtractor(const contours::ContourList& contours, const outline::Outliner& outliner,
+                             Label buildings, const features::RunSetup& setup, Context& context)
+    : outliner_(outliner),
+      context_(context),
+      parameters_(roof_parameters(setup, context.report)),
+      footprints_(footprints_by_label(contours, buildings)),
+      roofs_(context.make_spool(), contours.size(), roofs_are_level(context.report)) {}
+
+void RoofExtractor::extract(Label label, const contours::BuildingCells& cells) {
+    if (label >= footprints_.size() || footprints_[label].empty())
+        return;
+    const StopToken& stop = context_.threads->stop();
+    Geos geos(stop);
+    for (const std::size_t contour : footprints_[label]) {
+        const roofs::Roof roof =
+            roofs::make_roof(cells, outliner_.footprint(contour), parameters_, geos, stop);
+        roofs_.put(contour, roof, roof_record(roof, parameters_.metres));
+    }
+}
+
 features::StoredRoofs extract_roofs(ElevationReader& reader, const FoundBuildings& found,
                                     const contours::ContourList& contours, const outline::Outliner& outliner,
                                     const features::RunSetup& setup, Context& context) {
-    const double metres = context.report.units.vertical_metres;
-    const roofs::RoofParameters asked = roof_parameters(setup, context.report);
-    features::StoredRoofs roofs(context.make_spool(), contours.size(), roofs_are_level(context.report));
-    const auto footprints = footprints_by_label(contours, found.buildings);
-    const StopToken& stop = context.threads->stop();
-    contours::for_each_building(reader, found.labels, found.count(), setup.dem.window, Stage::roofs, context,
-                                [&](Label label, contours::BuildingCells&& cells) {
-                                    if (label > found.buildings)
-                                        return;
-                                    Geos geos(stop);
-                                    for (const std::size_t contour : footprints[label]) {
-                                        const roofs::Roof roof = roofs::make_roof(
-                                            cells, outliner.footprint(contour), asked, geos, stop);
-                                        roofs.put(contour, roof, roof_record(roof, metres));
-                                    }
-                                });
-    return roofs;
+    RoofExtractor roofs(contours, outliner, found.buildings, setup, context);
+    contours::for_each_building(
+        reader, found.labels, found.count(), setup.dem.window, Stage::roofs, context,
+        [&](Label label, contours::BuildingCells&& cells) { roofs.extract(label, cells); });
+    return roofs.take();
 }
 
 }  // namespace d2b::pipeline

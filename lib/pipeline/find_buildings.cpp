@@ -329,8 +329,6 @@ void FoundBuildings::drop(const std::vector<bool>& dropped) {
     }
     footprints.resize(kept + std::size_t{1});
     ground.resize(kept + std::size_t{1});
-    for (features::Footprint& footprint : footprints)
-        footprint.whole = number[footprint.whole];
     buildings = kept_buildings;
     labels.relabel(number);
 }

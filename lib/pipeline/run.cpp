@@ -12,6 +12,7 @@
 #include "elevations/elevation_reader.hpp"
 #include "elevations/filter_invalid.hpp"
 #include "features/contour_drawer.hpp"
+#include "features/divided_buildings.hpp"
 #include "features/flow_outlines.hpp"
 #include "features/problem_layer.hpp"
 #include "features/reprojection.hpp"
@@ -237,15 +238,17 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     std::optional<features::BuildingRecords> building_records;
     if (lattice)
         building_records.emplace(context.make_spool());
-    const features::FeatureInput input{setup,
-                                       *contours,
-                                       outliner,
-                                       last_building,
-                                       frame.fixed,
-                                       sources.parcels,
-                                       building_records ? &*building_records : nullptr,
-                                       roofs ? &*roofs : nullptr,
-                                       has_tiers(sinks)};
+    const features::FeatureInput input{
+        setup,
+        *contours,
+        outliner,
+        last_building,
+        frame.fixed,
+        sources.parcels,
+        building_records ? &*building_records : nullptr,
+        roofs ? &*roofs : nullptr,
+        features::divided_wholes(features::parts_of_wholes(*contours, footprints)),
+        has_tiers(sinks)};
     write_result(input, records, reader, sinks, {flow, lattice ? &*lattice : nullptr}, context);
     others.reset();
     if (given)

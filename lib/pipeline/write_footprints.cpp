@@ -192,21 +192,37 @@ void GivenRoofs::extract(const FootprintLayer& layer, const FoundBuildings& labe
 }
 
 void GivenRoofs::write(const features::PolygonParameters& parameters, FeatureSink& sink) {
-    features::RoofLayer faces(setup_, *roofs_, *setup_.layers.indices.given_roofs);
+    std::vector<BuildingRecord> of_polygons(areas_.size());  // only their ids and areas
     for (std::size_t i = 0; i < given_.all.size(); ++i) {
-        BuildingRecord record;
-        record.id = static_cast<std::int64_t>(i) + 1;
         double all = 0;
         for (std::size_t polygon = first_[i]; polygon < first_[i + 1]; ++polygon)
             all += areas_[polygon];
-        for (std::size_t polygon = first_[i]; polygon < first_[i + 1]; ++polygon)
-            faces.note(polygon, record, all > 0 ? given_.all[i].measure.area_m2 * areas_[polygon] / all : 0);
+        for (std::size_t polygon = first_[i]; polygon < first_[i + 1]; ++polygon) {
+            of_polygons[polygon].id = static_cast<std::int64_t>(i) + 1;
+            of_polygons[polygon].area_m2 =
+                all > 0 ? given_.all[i].measure.area_m2 * areas_[polygon] / all : 0;
+        }
     }
     std::vector<features::PolygonMaker> makers;
     makers.reserve(static_cast<std::size_t>(context_.threads->threads()));
     for (int thread = 0; thread < context_.threads->threads(); ++thread)
         makers.emplace_back(parameters);
-    faces.write(makers, sink, context_);
+    features::RoofLayer layer(*setup_.layers.indices.given_roofs, roofs_->are_level(), sink, context_);
+    std::int64_t id = sink.first_id();
+    features::draw_in_order(
+        *context_.threads, of_polygons.size(),
+        [&](std::size_t i, std::size_t thread) {
+            const std::optional<roofs::Roof> roof = roofs_->roof(i);
+            return roof ? features::draw_faces(*roof, of_polygons[i].area_m2, setup_, makers[thread])
+                        : std::vector<features::DrawnFace>();
+        },
+        [&](std::size_t i, std::vector<features::DrawnFace>&& faces) {
+            id = features::number_faces(faces, of_polygons[i], id);
+            layer.add(std::move(faces));
+        });
+    layer.finish();
+    for (features::PolygonMaker& maker : makers)
+        context_.report.merge(maker.tally());
 }
 
 /// Contour cut off at its footprint.

@@ -70,7 +70,8 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
         {},
         {"-write_doubtful", "-split_height", "3", "-disjoint"},
         {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"},
-        {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel"}};
+        {"-t_srs", "EPSG:4326", "-roofs", "-fields", "3dbag"},
+        {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel", "-roofs"}};
     for (const Arguments& options : variants) {
         const std::string report = whole(options, "one.gpkg");
         Arguments plan{"plan"};
@@ -88,6 +89,41 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
         for (const char* name : {"work", "tiles.gpkg", "one.gpkg"})
             std::filesystem::remove_all(path(name));
     }
+}
+
+/// Faces are added behind those of another run, with the ids of their buildings there.
+TEST_F(TilesTool, addsRoofsToThoseThatAreThere) {
+    const auto quarter = [&](const std::string& west, const std::string& east, const Arguments& more) {
+        Arguments arguments{"-q", "-roofs", "-split_height", "3", "-te", west, "5820100", east, "5820300"};
+        arguments.push_back(sample("town.tif"));
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+    };
+    for (const char* name : {"one.gpkg", "tiles.gpkg"})
+        run_well(quarter("391100", "391300", {name}), {.environment = {date_}});
+    run_well(quarter("391300", "391500", {"-append", "one.gpkg"}), {.environment = {date_}});
+    Arguments plan = quarter("391300", "391500", {"-append", "tiles.gpkg", "work"});
+    plan.insert(plan.begin(), "plan");
+    well(plan);
+    run_steps();
+    EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
+}
+
+TEST_F(TilesTool, writesRoofsIntoFilesOfOneLayer) {
+    const Arguments folder{"-q", "-roofs", "-f", "ESRI Shapefile", sample("town.tif")};
+    Arguments one = folder;
+    one.emplace_back("one");
+    run_well(one);
+    Arguments plan = folder;
+    plan.insert(plan.begin(), "plan");
+    plan.insert(plan.end(), {"tiles", "work"});
+    well(plan);
+    run_steps();
+    for (const char* layer : {"buildings", "contours", "roofs"})
+        for (const char* kind : {".shp", ".shx"})
+            EXPECT_TRUE(read_bytes(path("tiles/" + std::string(layer) + kind)) ==
+                        read_bytes(path("one/" + std::string(layer) + kind)))
+                << layer << kind;
 }
 
 /// A report is a part of the result: merge can be run again.
@@ -189,8 +225,8 @@ TEST_F(TilesTool, leavesNothingOfListsThatItRefuses) {
 }
 
 TEST_F(TilesTool, writesPartsWithTheNumbersOfOneRun) {
-    run_well({"-q", "-f", "FlatGeobuf", sample("town.tif"), "one"});
-    well({"plan", "-q", "-f", "FlatGeobuf", sample("town.tif"), "parts", "work"});
+    run_well({"-q", "-roofs", "-f", "FlatGeobuf", sample("town.tif"), "one"});
+    well({"plan", "-q", "-roofs", "-f", "FlatGeobuf", sample("town.tif"), "parts", "work"});
     well({"find", "work", "0"});
     well({"join", "work"});
     well({"draw", "work", "0"});
@@ -199,7 +235,7 @@ TEST_F(TilesTool, writesPartsWithTheNumbersOfOneRun) {
     EXPECT_FALSE(std::filesystem::exists(path("parts")));
     for (int time = 0; time < 2; ++time) {
         well({"write", "work", "0"});
-        for (const std::string layer : {"buildings", "contours"}) {
+        for (const std::string layer : {"buildings", "contours", "roofs"}) {
             EXPECT_TRUE(read_bytes(path("parts/" + layer + "/0.fgb")) ==
                         read_bytes(path("one/" + layer + ".fgb")));
             const std::string mosaic = read_bytes(path("parts/" + layer + ".vrt"));

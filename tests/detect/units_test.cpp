@@ -93,6 +93,7 @@ TEST(UnitMerger, PartsOfABuildingStayTogether) {
     for (const SeenObject& object : merged.objects)
         wholes.push_back(object.object.whole);
     EXPECT_EQ(wholes, (Row{1, 2, 1, 2, 5, 1, 7}));
+    EXPECT_EQ(merged.wholes, (Row{0, 1, 2, 1, 2, 5, 1, 1, 8}));
 }
 
 TEST(UnitMerger, SliversAreLeftOut) {

@@ -213,20 +213,19 @@ test::Records footprint_records(double metres = 1, const std::vector<Footprint>&
     return test::make_records(set, {plan, fixed, of, metres, {{0, 0}, {8, 10}}, 1});
 }
 
-/// Parts have the lowest id among those that a building was divided into; what was not divided has none.
-TEST(FootprintRecords, KnowTheBuildingThatTheyArePartsOf) {
+/// A footprint's whole is that of its record; whether it was divided is seen from all footprints.
+TEST(FootprintRecords, KnowTheWholeThatTheyArePartsOf) {
     std::vector<Footprint> of = footprints;
     for (const BuildingRecord& record : footprint_records(1, of).buildings)
         EXPECT_EQ(record.whole, 0);
-    of[1].whole = 1;
-    of[2].whole = 2;
-    for (const BuildingRecord& record : footprint_records(1, of).buildings)
-        EXPECT_EQ(record.whole, 0);
-    of[2].whole = 1;
-    const test::Records divided = footprint_records(1, of);
-    const std::int64_t lowest = std::min(divided.buildings[0].id, divided.buildings[1].id);
-    for (const BuildingRecord& record : divided.buildings)
-        EXPECT_EQ(record.whole, lowest);
+    of[1].whole = 7;
+    of[2].whole = -2;
+    const test::Records records = footprint_records(1, of);
+    ASSERT_EQ(records.buildings.size(), 2U);
+    std::set<std::int64_t> wholes;
+    for (const BuildingRecord& record : records.buildings)
+        wholes.insert(record.whole);
+    EXPECT_EQ(wholes, (std::set<std::int64_t>{-2, 7}));
 }
 
 TEST(FootprintRecords, StandOnTheirGround) {

@@ -50,7 +50,7 @@ tiles::FoundTile found() {
 
 tiles::JoinedTile joined() {
     tiles::JoinedTile tile;
-    tile.buildings = {{true, detect::CounterEvidence::rough, 1.5, 0.9, -1},
+    tile.buildings = {{true, detect::CounterEvidence::rough, 1.5, 0.9, -1, 3},
                       {false, detect::CounterEvidence::green, 2, 0.4, -1}};
     tile.window = tile_window;
     tile.units = {{0, {0, 1, 2}}, {2, {0, 3}}};
@@ -61,7 +61,9 @@ tiles::JoinedTile joined() {
 tiles::DrawnTile drawn() {
     tiles::DrawnTile tile;
     tile.levels = 2;
-    tile.deferred_buildings = {{{true, detect::CounterEvidence::rough, 1.5, 0.9, -1}, {2.5, 4}}};
+    tile.parts = {{3, 1}, {3, 2}};
+    tile.deferred_buildings = {
+        {{true, detect::CounterEvidence::rough, 1.5, 0.9, -1, 3}, {2.5, 4}, {{{1, 2, 4}}, {6, 7}}}};
     for (std::int32_t level = 1; level <= 2; ++level) {
         tiles::DeferredContour left;
         left.head.key = {level, {level, level}};
@@ -74,7 +76,7 @@ tiles::DrawnTile drawn() {
 }
 
 tiles::NumberedTile numbered() {
-    return {{{1, 2, 2, 4}, {1, 2}, 0}, {{{300, 17}, {1, {3, 4}}}}};
+    return {{{1, 2, 2, 4}, {{1, 1, 1}, {2, 1, 4}}, 0}, {{{300, 17}, {1, {3, 4}}}}};
 }
 
 tiles::NumberedWhole numbered_whole() {
@@ -103,6 +105,11 @@ features::DrawnContour contour() {
     made.measure = {80.5, 39};
     drawn.building = made;
     drawn.contour = made;
+    drawn.building_record.roof_shape.type = "shed";
+    features::DrawnFace& face = drawn.faces.emplace_back();
+    face.record.kind = "pitched";
+    face.parts = made.parts;
+    face.parts[0].elevations = {3, 3, 4, 4, 3, 3.1, 3.2, 3.2, 3.1};
     return drawn;
 }
 

@@ -68,5 +68,55 @@ TEST_F(TwoTiles, WhatAnotherTileDrawsIsOneMoreThanTheBuildings) {
     EXPECT_EQ(placed.map_labels(1, placed.of(1)).number, (Labels{0, 1, 2}));
 }
 
+/// A part is known by a part of the same whole at the seam, even if another tile draws that one, and
+/// otherwise by its unit; what is alone in its unit is a part of nothing.
+TEST(ObjectAssignment, NamesWholesAcrossSeams) {
+    detect::UnitGrid units{Window{0, 0, 100, 200}, CellSize{1, 1}, 64, detect::UnitSize{0, 100}};
+    TileGrid tiles{units, 1};
+    InteriorObjects interior{std::make_unique<MemorySpool>(), 2};
+    BorderObjects seams{2, 2};
+    ObjectAssignment placed{tiles, interior, seams};
+    const auto seen = [](Label whole) {
+        return detect::SeenObject{{0.9, detect::CounterEvidence::rough, 20, -1, whole}, true, 7, 20};
+    };
+    const auto put = [&](std::int64_t unit, std::vector<detect::SeenObject> objects,
+                         detect::UnitEdges edges) {
+        std::vector<Window> boxes(objects.size(), Window{0, unit == 0 ? 0 : 100, 5, 4});
+        FoundUnit found{std::move(objects), std::move(boxes), {}, std::move(edges)};
+        std::int64_t doubtful_ones = 0;
+        const UnitObjects divided = divide_objects(found, {}, doubtful_ones);
+        interior.put(unit, divided);
+        seams.put(unit, std::move(found), divided);
+        seams.compare_known();
+    };
+    detect::UnitEdges left;
+    left.right = {Labels{0, 1, 1}, Labels{0, 1, 1}};
+    detect::UnitEdges right;
+    right.left = {Labels{0, 2, 2}, Labels{0, 2, 2}};
+    put(0, {seen(1), seen(1), seen(3), seen(3), seen(5)}, left);
+    put(1, {seen(2), seen(2), seen(3), seen(3), seen(4)}, right);
+    detect::UnitMerger::Merged merged = seams.merger().finish(1);
+    placed.place(seams.take(), std::move(merged));
+
+    std::vector<std::int64_t> wholes;
+    for (const std::int64_t tile : {0, 1})
+        for (const AssignedObject& object : placed.of(tile))
+            wholes.push_back(object.whole);
+    // The object at the seam, the part beside it in unit 0, two parts that only unit 0 sees, one alone; then
+    // the part in unit 1, and the same again.
+    const std::int64_t seam = wholes.at(0);
+    EXPECT_GT(seam, 0);
+    ASSERT_EQ(wholes.size(), 9U);
+    EXPECT_EQ(wholes[1], seam);
+    EXPECT_LT(wholes[2], 0);
+    EXPECT_EQ(wholes[3], wholes[2]);
+    EXPECT_EQ(wholes[4], 0);
+    EXPECT_EQ(wholes[5], seam);
+    EXPECT_LT(wholes[6], 0);
+    EXPECT_NE(wholes[6], wholes[2]);
+    EXPECT_EQ(wholes[7], wholes[6]);
+    EXPECT_EQ(wholes[8], 0);
+}
+
 }  // namespace
 }  // namespace d2b::tiles

@@ -29,6 +29,7 @@ void expect_same(const std::vector<WorldPolygon>& a, const std::vector<WorldPoly
         EXPECT_EQ(a[i].exterior, b[i].exterior);
         EXPECT_EQ(a[i].interiors, b[i].interiors);
         EXPECT_EQ(a[i].arcs.size(), b[i].arcs.size());
+        EXPECT_EQ(a[i].elevations, b[i].elevations);
     }
 }
 
@@ -62,6 +63,15 @@ void expect_same(const RunReport& a, const RunReport& b) {
     EXPECT_EQ(a.stack_rmse_m, b.stack_rmse_m);
     expect_same(a.building_outlines, b.building_outlines);
     expect_same(a.contour_outlines, b.contour_outlines);
+    ASSERT_EQ(a.roofs.has_value(), b.roofs.has_value());
+    if (a.roofs) {
+        EXPECT_EQ(a.roofs->flat, b.roofs->flat);
+        EXPECT_EQ(a.roofs->pitched, b.roofs->pitched);
+        EXPECT_EQ(a.roofs->doubtful, b.roofs->doubtful);
+        EXPECT_EQ(a.roofs->area_m2, b.roofs->area_m2);
+        EXPECT_EQ(a.roofs->doubtful_area_m2, b.roofs->doubtful_area_m2);
+        EXPECT_EQ(a.roofs->level, b.roofs->level);
+    }
     ASSERT_EQ(a.sampling.has_value(), b.sampling.has_value());
     if (a.sampling) {
         EXPECT_EQ(a.sampling->interpolated_fraction, b.sampling->interpolated_fraction);

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <functional>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <tuple>
 
@@ -30,6 +31,7 @@ Options options_of(unsigned seed) {
     options.detect.split_height = seed % 3 == 1 ? 2 : 0;
     options.write.doubtful = seed % 2 == 0;
     options.outline.disjoint = seed % 7 == 3;
+    options.write.roofs = seed % 5 != 2;
     return options;
 }
 
@@ -121,6 +123,7 @@ TEST(Tiles, OfBlocksThatSeamsCut) {
     MemorySource dem = cut_town().source();
     place_in_utm(dem, 1);
     Options options = options_for_blocks();
+    options.write.roofs = true;
     const detect::UnitSize units{0, 100};
     for (const double split : {0.0, 3.0}) {
         options.detect.split_height = split;
@@ -150,6 +153,7 @@ TEST(Tiles, OfAClusterOverTwelveUnits) {
     place_in_utm(dem, 1);
     Options options = options_for_blocks();
     options.detect.split_height = 2;
+    options.write.roofs = true;
     const TemporaryFolder folder;
     Result whole;
     whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, {0, 100});
@@ -170,6 +174,7 @@ TEST(Tiles, OfRotatedGridsAndDegrees) {
     dem.edit().crs_wkt = Crs("EPSG:25832").wkt();
     Options options = options_for_blocks();
     options.detect.split_height = 3;
+    options.write.roofs = true;
     compare(dem, options, units, {2});
     dem.edit().transform = {9, 1.5e-5, 0, 52, 0, -9e-6};
     dem.edit().crs_wkt = Crs("EPSG:4326").wkt();
@@ -183,7 +188,106 @@ TEST(Tiles, OfAWindowOfALargerRaster) {
     MemorySource dem = cut_town().source();
     place_in_utm(dem, 1);
     dem.edit().window = {15, 25, 370, 440};
-    compare(dem, options_for_blocks(), {0, 97}, {1, true});
+    Options options = options_for_blocks();
+    options.write.roofs = true;
+    compare(dem, options, {0, 97}, {1, true});
+}
+
+constexpr std::size_t roof_layer = 2;  // after buildings and contours
+
+/// The town of blocks, with gables that rise by half a metre a cell, along seams and over them.
+BlockTown gabled_town() {
+    BlockTown town = cut_town();
+    for (const Box& box : {Box{60, 30, 12, 20}, Box{94, 120, 12, 22}, Box{290, 95, 20, 12},
+                           Box{140, 292, 14, 20}, Box{150, 420, 12, 24}})
+        for (int r = 0; r < box.rows; ++r)
+            for (int c = 0; c < box.cols; ++c) {
+                const int across =
+                    box.rows < box.cols ? std::min(r, box.rows - 1 - r) : std::min(c, box.cols - 1 - c);
+                const std::size_t cell = town.index(box.row + r, box.col + c);
+                town.z[cell] = BlockTown::ground(box.row, box.col) + 4 + 0.5 * across + town.noise[cell];
+            }
+    return town;
+}
+
+/// Parts of a building are known by its lowest id, whichever tiles draw them.
+TEST(Tiles, OfRoofsThatSeamsCut) {
+    MemorySource dem = gabled_town().source();
+    place_in_utm(dem, 1);
+    Options options = options_for_blocks();
+    options.write.roofs = true;
+    options.detect.split_height = 3;
+    for (const auto& [side, cells] : {std::pair{1, 100}, std::pair{1, 70}, std::pair{3, 90}}) {
+        Result whole;
+        expect_same_in_tiles({dem}, options, {0, cells}, {side, cells == 70, false, 2}, whole);
+        std::set<std::string> kinds;
+        std::set<std::int64_t> parts;
+        std::set<std::int64_t> named;
+        for (std::size_t i = 0; i < whole.sink.features.at(roof_layer).size(); ++i) {
+            kinds.insert(std::get<std::string>(whole.sink.value(roof_layer, i, "kind")));
+            if (whole.sink.value(roof_layer, i, "part_id") == FieldValue{})
+                continue;
+            parts.insert(whole.sink.whole(roof_layer, i, "bldg_id"));
+            named.insert(whole.sink.whole(roof_layer, i, "part_id"));
+        }
+        EXPECT_TRUE(kinds.contains("flat") && kinds.contains("pitched"));
+        EXPECT_GE(named.size(), 2U);
+        EXPECT_GE(parts.size(), 2 * named.size());
+        EXPECT_TRUE(std::ranges::includes(parts, named));
+    }
+}
+
+/// Where a destination has features already, ids of faces and those that they refer to follow them.
+TEST(Tiles, OfRoofsThatAreAdded) {
+    MemorySource dem = gabled_town().source();
+    place_in_utm(dem, 1);
+    Options options = options_for_blocks();
+    options.write.roofs = true;
+    options.detect.split_height = 3;
+    const detect::UnitSize units{0, 100};
+    Result alone;
+    alone.report = pipeline::run_in_units(options, {dem}, {alone.sink}, {}, units);
+    Result whole;
+    whole.sink.first = 101;
+    whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, units);
+    ASSERT_EQ(whole.sink.features.at(roof_layer).size(), alone.sink.features.at(roof_layer).size());
+    for (std::size_t i = 0; i < whole.sink.features[roof_layer].size(); ++i)
+        for (const char* field : {"id", "bldg_id", "part_id"}) {
+            const FieldValue before = alone.sink.value(roof_layer, i, field);
+            const FieldValue after = whole.sink.value(roof_layer, i, field);
+            if (const auto* id = std::get_if<std::int64_t>(&before))
+                EXPECT_EQ(after, FieldValue{*id + 100}) << field;
+            else
+                EXPECT_EQ(after, before) << field;
+        }
+    const TemporaryFolder folder;
+    Result tiles;
+    tiles.sink.first = 101;
+    StepsInTiles({dem}, options, {folder.path(), some_plan, 1, units}).run({}, tiles);
+    expect_same(tiles, whole);
+}
+
+/// Whether walls are blurred is decided of the whole window, not of a tile.
+TEST(Tiles, OfRoofsWithBlurredWalls) {
+    const BlockTown town = gabled_town();
+    constexpr int reach = 2;
+    MemorySource dem = town.on_grid([&](int row, int col) {
+        double sum = 0;
+        int count = 0;
+        for (int r = std::max(0, row - reach); r <= std::min(town.rows - 1, row + reach); ++r)
+            for (int c = std::max(0, col - reach); c <= std::min(town.cols - 1, col + reach); ++c, ++count)
+                sum += town.z[town.index(r, c)];
+        return sum / count;
+    });
+    place_in_utm(dem, 1);
+    Options options = options_for_blocks();
+    options.write.roofs = true;
+    options.detect.split_height = 3;
+    Result whole;
+    expect_same_in_tiles({dem}, options, {0, 100}, {1}, whole);
+    ASSERT_TRUE(whole.report.roofs);
+    EXPECT_TRUE(whole.report.roofs->level);
+    EXPECT_GT(whole.report.roofs->faces(), 10);
 }
 
 TEST(Tiles, OfContoursOrBuildingsAlone) {
@@ -194,6 +298,7 @@ TEST(Tiles, OfContoursOrBuildingsAlone) {
     const detect::UnitSize units{0, 100};
     for (const Layers layers : {Layers::buildings, Layers::contours}) {
         options.write.layers = layers;
+        options.write.roofs = layers == Layers::buildings;
         Result whole;
         whole.report = pipeline::run_in_units(options, {dem}, {whole.sink}, {}, units);
         TemporaryFolder folder;
@@ -479,7 +584,6 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
         {"-page", "a page needs the whole area", [](Options& o) { o.write.page = "a.html"; }},
         {"-footprints", "the features of one file cannot be divided among tiles",
          [](Options& o) { o.write.footprints = "a.gpkg"; }},
-        {"-roofs", "roofs are extracted from whole buildings", [](Options& o) { o.write.roofs = true; }},
         {"-write_rejected", "only a run without tiles keeps dropped contours",
          [](Options& o) { o.write.rejected = true; }}};
     for (const auto& [option, why, ask] : refused)

@@ -99,6 +99,7 @@ class MemorySink : public FeatureSink {
     }
     void add(std::size_t layer, const Feature& feature) override { features[layer].push_back(feature); }
     void finish() override { finished = true; }
+    [[nodiscard]] std::int64_t first_id() const override { return first; }
 
     /// A value by the name of its field.
     [[nodiscard]] FieldValue value(std::size_t layer, std::size_t feature, const std::string& field) const {
@@ -114,6 +115,7 @@ class MemorySink : public FeatureSink {
         return std::get<double>(value(layer, feature, field));
     }
 
+    std::int64_t first = 1;  ///< id of the first features
     std::vector<LayerSpec> layers;
     std::vector<std::vector<Feature>> features;
     Provenance provenance;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -7,11 +8,15 @@
 #include <vector>
 
 #include "contours/contour_archive.hpp"
+#include "contours/for_each_building.hpp"
 #include "core/lattice.hpp"
+#include "detect/surface_sampling.hpp"
 #include "detect/units.hpp"
 #include "elevations/elevation_reader.hpp"
+#include "features/divided_buildings.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/reprojection.hpp"
+#include "pipeline/extract_roofs.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/drawn_tile.hpp"
@@ -172,6 +177,9 @@ class TileDrawing {
     [[nodiscard]] DividedContours divide(const contours::StoredContours& contours);
     void draw_whole(const contours::StoredContours& contours, const pipeline::FoundBuildings& found,
                     DrawnTile& drawn, DrawnBlocks& blocks);
+    [[nodiscard]] features::StoredRoofs extract_roofs(const contours::StoredContours& contours,
+                                                      const outline::Outliner& outliner,
+                                                      const pipeline::FoundBuildings& found);
     void defer(const contours::StoredContours& contours, DrawnTile& drawn);
     void read_cells(DrawnTile& drawn);
 
@@ -185,7 +193,8 @@ class TileDrawing {
     ElevationReader reader_;
     LatticePoint reach_;
     pipeline::Tiers tiers_;
-    std::vector<bool> deferred_buildings_;  ///< by label - 1
+    std::vector<bool> deferred_buildings_;                 ///< by label - 1
+    std::map<Label, contours::BuildingCells> roof_cells_;  ///< of deferred buildings, with roofs
 };
 
 TileDrawing::TileDrawing(TileRun& run, const JoinedTile& joined)
@@ -198,15 +207,19 @@ TileDrawing::TileDrawing(TileRun& run, const JoinedTile& joined)
       part_(run.sources().dem, joined.window),
       reader_(part_, context_),
       reach_(draw_reach(run.setup(), context_)),
-      deferred_buildings_(joined.buildings.size()) {}
+      deferred_buildings_(joined.buildings.size()) {
+    context_.report.sampling = detect::sampling_report(frame_.scene.sampling, run.metres());
+}
 
 pipeline::FoundBuildings TileDrawing::found() const {
     pipeline::FoundBuildings found;
     found.labels = labels_.own(context_);
     found.buildings = joined_.sure();
-    for (const JoinedBuilding& building : joined_.buildings)
+    for (const JoinedBuilding& building : joined_.buildings) {
         found.add(building.ground / run_.metres(),
                   {.confidence = building.confidence, .doubt = building.doubt, .parcel = building.parcel});
+        found.footprints.back().whole = building.whole;
+    }
     return found;
 }
 
@@ -244,6 +257,24 @@ DividedContours TileDrawing::divide(const contours::StoredContours& contours) {
     return {whole.finish(), left.finish()};
 }
 
+/// Extracts the roofs of contours that are drawn now, and keeps the cells from which merge will extract
+/// others.
+features::StoredRoofs TileDrawing::extract_roofs(const contours::StoredContours& contours,
+                                                 const outline::Outliner& outliner,
+                                                 const pipeline::FoundBuildings& found) {
+    pipeline::RoofExtractor roofs(contours, outliner, found.buildings, run_.setup(), context_);
+    std::mutex mutex;
+    contours::for_each_building(reader_, found.labels, found.count(), joined_.window, Stage::roofs, context_,
+                                [&](Label label, contours::BuildingCells&& cells) {
+                                    roofs.extract(label, cells);
+                                    if (label > found.buildings || !deferred_buildings_[label - 1])
+                                        return;
+                                    const std::lock_guard lock(mutex);
+                                    roof_cells_[label] = std::move(cells);
+                                });
+    return roofs.take();
+}
+
 void TileDrawing::draw_whole(const contours::StoredContours& contours, const pipeline::FoundBuildings& found,
                              DrawnTile& drawn, DrawnBlocks& blocks) {
     const features::RunSetup& setup = run_.setup();
@@ -251,7 +282,11 @@ void TileDrawing::draw_whole(const contours::StoredContours& contours, const pip
                                           {tiers_.plan, fixed_, found.footprints, run_.metres(),
                                            features::lattice_frame(run_.window(), setup.plan.trace)});
     const outline::Outliner outliner = features::draw_outlines(contours, setup, context_);
-    const features::FeatureInput input{setup, contours, outliner, found.buildings, fixed_};
+    std::optional<features::StoredRoofs> roofs;
+    if (setup.plan.needs_roofs())
+        roofs.emplace(extract_roofs(contours, outliner, found));
+    const features::FeatureInput input{setup,  contours, outliner, found.buildings,
+                                       fixed_, nullptr,  nullptr,  roofs ? &*roofs : nullptr};
     features::ContourDrawer drawer(input, records, context_);
     features::DrawnStack stack(context_.make_spool(), joined_.window);
     drawer.draw_all([&](std::size_t, const features::DrawnContour& contour) {
@@ -270,7 +305,8 @@ void TileDrawing::defer(const contours::StoredContours& contours, DrawnTile& dra
     std::vector<Label> number(joined_.buildings.size());
     for (std::size_t i = 0; i < deferred_buildings_.size(); ++i)
         if (deferred_buildings_[i]) {
-            drawn.deferred_buildings.push_back({joined_.buildings[i], tiers_.plan.thresholds[i + 1]});
+            drawn.deferred_buildings.push_back({joined_.buildings[i], tiers_.plan.thresholds[i + 1],
+                                                std::move(roof_cells_[static_cast<Label>(i + 1)])});
             number[i] = static_cast<Label>(drawn.deferred_buildings.size());
         }
     for (std::size_t i = 0; i < contours.size(); ++i) {
@@ -308,6 +344,7 @@ DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
     DrawnTile drawn;
     drawn.levels = tiers_.plan.level_count();
     drawn.buildings = static_cast<std::int64_t>(pipeline::buildings_up_to(buildings.buildings, *contours));
+    drawn.parts = features::parts_of_wholes(*contours, buildings.footprints);
     const DividedContours divided = divide(*contours);
     draw_whole(*divided.whole, buildings, drawn, blocks);
     if (divided.left->size() > 0)

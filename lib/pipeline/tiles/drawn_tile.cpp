@@ -8,6 +8,8 @@
 
 #include "contours/contour_archive.hpp"
 #include "detect/detection.hpp"
+#include "features/roof_layer.hpp"
+#include "roofs/roof_type.hpp"
 
 namespace d2b::tiles {
 namespace {
@@ -27,6 +29,32 @@ std::uint8_t number_of(std::string_view doubt) {
     return number;
 }
 
+/// Number of a type of roofs; that of no type follows the others.
+std::uint8_t number_of_type(std::string_view type) {
+    return static_cast<std::uint8_t>(std::ranges::find(roofs::roof_types, type) - roofs::roof_types.begin());
+}
+
+std::string_view load_roof_type(ByteReader& reader) {
+    const auto number = reader.take<std::uint8_t>();
+    if (number > roofs::roof_types.size())
+        throw CorruptRecord("a roof has an unknown type");
+    return number < roofs::roof_types.size() ? roofs::roof_types[number] : std::string_view();
+}
+
+constexpr std::array face_kinds{roofs::FaceKind::flat, roofs::FaceKind::pitched, roofs::FaceKind::doubtful};
+
+std::uint8_t number_of_kind(std::string_view kind) {
+    return static_cast<std::uint8_t>(std::ranges::find(face_kinds, kind, features::face_kind_name) -
+                                     face_kinds.begin());
+}
+
+std::string_view load_face_kind(ByteReader& reader) {
+    const auto number = reader.take<std::uint8_t>();
+    if (number >= face_kinds.size())
+        throw CorruptRecord("a face of a roof is of an unknown kind");
+    return features::face_kind_name(face_kinds[number]);
+}
+
 OutlineStatus load_status(ByteReader& reader) {
     const auto status = reader.take<std::uint8_t>();
     if (status > static_cast<std::uint8_t>(OutlineStatus::given))
@@ -40,6 +68,7 @@ void save(const WorldPolygon& part, ByteWriter& writer) {
     for (const WorldRing& ring : part.interiors)
         writer.put_list(ring);
     writer.put_list(part.arcs);
+    writer.put_list(part.elevations);
 }
 
 WorldPolygon load_part(ByteReader& reader) {
@@ -49,13 +78,30 @@ WorldPolygon load_part(ByteReader& reader) {
     for (WorldRing& ring : part.interiors)
         ring = reader.take_list<Position>();
     part.arcs = reader.take_list<CircularArc>();
+    part.elevations = reader.take_list<double>();
+    std::size_t vertices = part.exterior.size();
+    for (const WorldRing& ring : part.interiors)
+        vertices += ring.size();
+    if (!part.elevations.empty() && part.elevations.size() != vertices)
+        throw CorruptRecord("there are not as many elevations as vertices");
     return part;
 }
 
-void save(const features::FeaturePolygon& polygon, ByteWriter& writer) {
-    writer.put(static_cast<std::uint64_t>(polygon.parts.size()));
-    for (const WorldPolygon& part : polygon.parts)
+void save(const std::vector<WorldPolygon>& parts, ByteWriter& writer) {
+    writer.put(static_cast<std::uint64_t>(parts.size()));
+    for (const WorldPolygon& part : parts)
         save(part, writer);
+}
+
+std::vector<WorldPolygon> load_parts(ByteReader& reader) {
+    std::vector<WorldPolygon> parts(reader.take_count(sizeof(std::uint64_t)));
+    for (WorldPolygon& part : parts)
+        part = load_part(reader);
+    return parts;
+}
+
+void save(const features::FeaturePolygon& polygon, ByteWriter& writer) {
+    save(polygon.parts, writer);
     writer.put(polygon.measure);
     writer.put(static_cast<std::uint8_t>(polygon.status));
     for (const double value :
@@ -67,9 +113,7 @@ void save(const features::FeaturePolygon& polygon, ByteWriter& writer) {
 
 features::FeaturePolygon load_polygon(ByteReader& reader) {
     features::FeaturePolygon polygon;
-    polygon.parts.resize(reader.take_count(sizeof(std::uint64_t)));
-    for (WorldPolygon& part : polygon.parts)
-        part = load_part(reader);
+    polygon.parts = load_parts(reader);
     polygon.measure = reader.take<Geodesy::Measure>();
     polygon.status = load_status(reader);
     for (double* value :
@@ -93,6 +137,27 @@ std::optional<features::FeaturePolygon> load_optional_polygon(ByteReader& reader
     return load_polygon(reader);
 }
 
+void save(const std::vector<features::DrawnFace>& faces, ByteWriter& writer) {
+    writer.put(static_cast<std::uint64_t>(faces.size()));
+    for (const features::DrawnFace& face : faces) {
+        RoofFaceRecord record = face.record;
+        writer.put(number_of_kind(std::exchange(record.kind, {})));
+        writer.put(record);
+        save(face.parts, writer);
+    }
+}
+
+std::vector<features::DrawnFace> load_faces(ByteReader& reader) {
+    std::vector<features::DrawnFace> faces(reader.take_count(sizeof(RoofFaceRecord)));
+    for (features::DrawnFace& face : faces) {
+        const std::string_view kind = load_face_kind(reader);
+        face.record = reader.take<RoofFaceRecord>();
+        face.record.kind = kind;
+        face.parts = load_parts(reader);
+    }
+    return faces;
+}
+
 }  // namespace
 
 void save(const features::DrawnContour& drawn, ByteWriter& writer) {
@@ -106,8 +171,10 @@ void save(const features::DrawnContour& drawn, ByteWriter& writer) {
     if (drawn.key.level == 1) {
         BuildingRecord record = drawn.building_record;
         writer.put(number_of(std::exchange(record.doubt, {})));
+        writer.put(number_of_type(std::exchange(record.roof_shape.type, {})));
         record.parcel = {};
         writer.put(record);
+        save(drawn.faces, writer);
     }
     save(drawn.building, writer);
     save(drawn.contour, writer);
@@ -124,11 +191,14 @@ features::DrawnContour load_drawn_contour(ByteReader& reader) {
     drawn.own = reader.take<PointStats>();
     if (drawn.key.level == 1) {
         const auto doubt = reader.take<std::uint8_t>();
+        const std::string_view roof_type = load_roof_type(reader);
         drawn.building_record = reader.take<BuildingRecord>();
         drawn.building_record.status = OutlineStatus::traced;
         drawn.building_record.parcel = {};  // restored later from its number
         drawn.building_record.doubt =
             doubt < doubts.size() ? detect::counter_evidence_name(doubts[doubt]) : std::string_view();
+        drawn.building_record.roof_shape.type = roof_type;
+        drawn.faces = load_faces(reader);
     }
     drawn.building = load_optional_polygon(reader);
     drawn.contour = load_optional_polygon(reader);
@@ -139,15 +209,47 @@ features::DrawnContour load_drawn_contour(ByteReader& reader) {
 
 namespace {
 
+/// Throws unless the runs of cells are not empty and have as many cells as there are elevations.
+template <typename Run>
+void require_elevations(const std::vector<Run>& runs, const std::vector<double>& elevations) {
+    std::uint64_t cells = 0;
+    for (const Run& run : runs) {
+        if (run.begin >= run.end)
+            throw CorruptRecord("a run of cells is empty");
+        cells += static_cast<std::uint64_t>(std::int64_t{run.end} - run.begin);
+    }
+    if (cells != elevations.size())
+        throw CorruptRecord("there are not as many elevations as cells");
+}
+
+}  // namespace
+
+void save(const contours::BuildingCells& cells, ByteWriter& writer) {
+    writer.put_list(cells.runs);
+    writer.put_list(cells.elevations);
+}
+
+contours::BuildingCells load_building_cells(ByteReader& reader) {
+    contours::BuildingCells cells;
+    cells.runs = reader.take_list<contours::BuildingCells::Run>();
+    cells.elevations = reader.take_list<double>();
+    require_elevations(cells.runs, cells.elevations);
+    return cells;
+}
+
+namespace {
+
 void save(const DeferredBuilding& building, ByteWriter& writer) {
     writer.put(building.facts);
     writer.put_list(building.thresholds);
+    tiles::save(building.cells, writer);
 }
 
 DeferredBuilding load_deferred_building(ByteReader& reader) {
     DeferredBuilding building;
     building.facts = reader.take<JoinedBuilding>();
     building.thresholds = reader.take_list<double>();
+    building.cells = load_building_cells(reader);
     return building;
 }
 
@@ -181,6 +283,7 @@ void save(const DrawnTile& tile, ByteWriter& writer) {
     writer.put(tile.levels);
     writer.put(tile.buildings);
     writer.put(tile.error);
+    writer.put_list(tile.parts);
     writer.put(static_cast<std::uint64_t>(tile.deferred_buildings.size()));
     for (const DeferredBuilding& building : tile.deferred_buildings)
         save(building, writer);
@@ -197,6 +300,7 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
     tile.levels = reader.take<std::int32_t>();
     tile.buildings = reader.take<std::int64_t>();
     tile.error = reader.take<features::StackError>();
+    tile.parts = reader.take_list<features::PartOfWhole>();
     tile.deferred_buildings.resize(reader.take_count(sizeof(JoinedBuilding)));
     for (DeferredBuilding& building : tile.deferred_buildings)
         building = load_deferred_building(reader);
@@ -205,14 +309,7 @@ DrawnTile load_drawn_tile(ByteReader& reader) {
         tile.left.push_back(load_deferred_contour(reader, tile));
     tile.cells.runs = reader.take_list<RowSpan>();
     tile.cells.elevations = reader.take_list<double>();
-    std::uint64_t cells = 0;
-    for (const RowSpan& run : tile.cells.runs) {
-        if (run.begin >= run.end)
-            throw CorruptRecord("a run of cells is empty");
-        cells += static_cast<std::uint64_t>(std::int64_t{run.end} - run.begin);
-    }
-    if (cells != tile.cells.elevations.size())
-        throw CorruptRecord("there are not as many elevations as cells");
+    require_elevations(tile.cells.runs, tile.cells.elevations);
     return tile;
 }
 
@@ -286,7 +383,7 @@ void save(const NumberedTile& tile, ByteWriter& writer) {
 NumberedTile load_numbered_tile(ByteReader& reader) {
     NumberedTile tile;
     tile.numbers.written = reader.take_list<std::int64_t>();
-    tile.numbers.buildings = reader.take_list<std::int64_t>();
+    tile.numbers.buildings = reader.take_list<features::BuildingIds>();
     tile.left = reader.take_list<DrawnBlock>();
     return tile;
 }

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "contours/contour_archive.hpp"
+#include "contours/merge_regions.hpp"
 #include "core/byte_stream.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/report.hpp"
 #include "dem2buildings/world_polygon.hpp"
 #include "features/contour_drawer.hpp"
+#include "features/divided_buildings.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/feature_writer.hpp"
 #include "pipeline/tiles/checkpoint_file.hpp"
@@ -26,10 +28,16 @@ void save(const features::DrawnContour& drawn, ByteWriter& writer);
 /// Deserialises a contour. @throws CorruptRecord
 [[nodiscard]] features::DrawnContour load_drawn_contour(ByteReader& reader);
 
+/// Serialises the cells of a building without its spires.
+void save(const contours::BuildingCells& cells, ByteWriter& writer);
+/// Deserialises cells. @throws CorruptRecord
+[[nodiscard]] contours::BuildingCells load_building_cells(ByteReader& reader);
+
 /// Building whose outlines depend on those of another tile.
 struct DeferredBuilding {
     JoinedBuilding facts;
     std::vector<double> thresholds;
+    contours::BuildingCells cells;  ///< without spires; empty unless it has a roof
 };
 
 /// Contour of such a building.
@@ -48,9 +56,10 @@ struct DeferredCells {
 /// Results of step draw for a tile, other than the drawn contours.
 struct DrawnTile {
     Tally tally;
-    std::int32_t levels = 1;     ///< number of levels of the tallest stack, including the root
-    std::int64_t buildings = 0;  ///< footprints that are buildings with certainty
-    features::StackError error;  ///< error of the drawn stacks
+    std::int32_t levels = 1;                   ///< number of levels of the tallest stack, including the root
+    std::int64_t buildings = 0;                ///< footprints that are buildings with certainty
+    features::StackError error;                ///< error of the drawn stacks
+    std::vector<features::PartOfWhole> parts;  ///< labels of the tile that have a footprint
     std::vector<DeferredBuilding> deferred_buildings;
     std::vector<DeferredContour> left;
     DeferredCells cells;

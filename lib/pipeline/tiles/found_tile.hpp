@@ -70,6 +70,7 @@ struct JoinedBuilding {
     double ground = 0;  ///< elevation in m; NaN if unknown
     double confidence = 0;
     std::int64_t parcel = ParcelCell::no_parcel;
+    std::int64_t whole = 0;  ///< shared by all buildings, of any tile, into which one may be divided; 0: none
 };
 
 /// Mapping from the labels of a unit to those of a tile.

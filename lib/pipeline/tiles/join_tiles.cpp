@@ -93,7 +93,7 @@ void BorderObjects::put(std::int64_t number, FoundUnit&& found, const UnitObject
     for (const Label label : divided.at_seams) {
         const detect::SeenObject& seen = found.objects[label - 1];
         unit.objects.push_back(seen);
-        unit.places.push_back({found.boxes[label - 1], seen.own_cells, number, label});
+        unit.places.push_back({found.boxes[label - 1], seen.own_cells, number, label, seen.object.whole});
     }
     unit.edges = seam_labels(std::move(found.edges), divided.marks);
     known_[i] = true;
@@ -120,6 +120,10 @@ std::vector<BorderObject> BorderObjects::take() {
 
 void ObjectAssignment::place(std::vector<BorderObject> seen, detect::UnitMerger::Merged merged) {
     number_ = std::move(merged.number);
+    for (std::size_t label = 1; label < seen.size(); ++label)
+        if (const BorderObject& part = seen[label]; part.whole != 0)
+            wholes_.push_back({part.unit, part.whole, merged.wholes[label]});
+    std::ranges::sort(wholes_, {}, [](const SeamWhole& whole) { return std::pair(whole.unit, whole.whole); });
     crossing_.resize(merged.objects.size());
     std::vector<BorderObject> owners(crossing_.size());
     for (std::size_t label = 1; label < seen.size(); ++label) {
@@ -129,7 +133,8 @@ void ObjectAssignment::place(std::vector<BorderObject> seen, detect::UnitMerger:
         const BorderObject& place = seen[label];
         AssignedObject& object = crossing_[number - 1];
         if (object.joined == AssignedObject::none)
-            object = {merged.objects[number - 1], {}, place.unit, place.label, number - 1};
+            object = {merged.objects[number - 1],        {}, place.unit, place.label, number - 1,
+                      std::int64_t{merged.wholes[label]}};
         object.box = bounding_window(object.box, place.box);
         BorderObject& owner = owners[number - 1];
         if (place.cells > owner.cells)
@@ -149,10 +154,31 @@ std::vector<AssignedObject> ObjectAssignment::of(std::int64_t tile) const {
     std::vector<AssignedObject> objects(crossing_.begin() + (begin - drawn_by_.begin()),
                                         crossing_.begin() + (end - drawn_by_.begin()));
     for (const NumberedUnit& placed : tiles_.units_of(tile))
-        for (const InteriorObject& object : interior_.interior_objects(placed.number))
-            objects.push_back({object.seen, object.box, placed.number, object.label, AssignedObject::none});
+        add_interior(placed.number, objects);
     std::ranges::sort(objects, {}, &AssignedObject::order);
     return objects;
+}
+
+/// Wholes without a part at a seam get negative numbers, because those at seams have the merger's labels.
+void ObjectAssignment::add_interior(std::int64_t unit, std::vector<AssignedObject>& objects) const {
+    const std::vector<InteriorObject> interior = interior_.interior_objects(unit);
+    std::unordered_map<Label, std::int64_t> parts;
+    for (const InteriorObject& object : interior)
+        ++parts[object.seen.object.whole];
+    const auto name_of = [&](Label whole) -> std::int64_t {
+        constexpr int label_bits = std::numeric_limits<Label>::digits;
+        if (whole == 0)
+            return 0;
+        const auto at_seam =
+            std::ranges::lower_bound(wholes_, std::pair(unit, whole), {},
+                                     [](const SeamWhole& w) { return std::pair(w.unit, w.whole); });
+        if (at_seam != wholes_.end() && at_seam->unit == unit && at_seam->whole == whole)
+            return at_seam->name;
+        return parts[whole] > 1 ? -((unit << label_bits) | whole) : 0;
+    };
+    for (const InteriorObject& object : interior)
+        objects.push_back({object.seen, object.box, unit, object.label, AssignedObject::none,
+                           name_of(object.seen.object.whole)});
 }
 
 JoinedUnit ObjectAssignment::map_labels(std::int64_t number,
@@ -243,8 +269,8 @@ JoinedTile TileJoiner::joined(std::int64_t tile) const {
     JoinedTile joined;
     for (const AssignedObject& object : objects) {
         const detect::SeenObject& seen = object.seen;
-        joined.buildings.push_back(
-            {seen.is_building, seen.object.doubt, seen.ground, seen.object.confidence, seen.object.parcel});
+        joined.buildings.push_back({seen.is_building, seen.object.doubt, seen.ground, seen.object.confidence,
+                                    seen.object.parcel, object.whole});
         joined.window = bounding_window(joined.window, object.box);
     }
     if (!objects.empty()) {

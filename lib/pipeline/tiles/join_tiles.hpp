@@ -70,6 +70,7 @@ struct BorderObject {
     std::int64_t cells = 0;  ///< number of these cells
     std::int64_t unit = 0;
     Label label = 0;  ///< label in the unit
+    Label whole = 0;  ///< label in the unit of what it is a part of
 };
 
 /// Objects at the seams of all units. Units are added in any order but compared row by row, so that the edges
@@ -120,6 +121,7 @@ struct AssignedObject {
     std::int64_t unit = 0;      ///< first unit that contains it
     Label label = 0;            ///< label in that unit
     std::size_t joined = none;  ///< index among the objects joined at seams; none if it does not cross one
+    std::int64_t whole = 0;     ///< as in JoinedBuilding
 
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     /// Sort key: buildings first, then low-confidence candidates; each in the order of units.
@@ -142,6 +144,15 @@ class ObjectAssignment {
                                         const std::vector<AssignedObject>& objects) const;
 
   private:
+    /// Whole in a unit of which a part touches a seam.
+    struct SeamWhole {
+        std::int64_t unit = 0;
+        Label whole = 0;  ///< label in the unit
+        Label name = 0;   ///< merger's label, which is the same in all units
+    };
+    /// Adds the objects of a unit that do not touch a seam.
+    void add_interior(std::int64_t unit, std::vector<AssignedObject>& objects) const;
+
     const TileGrid& tiles_;
     const InteriorObjects& interior_;
     const BorderObjects& seams_;
@@ -149,6 +160,7 @@ class ObjectAssignment {
     std::vector<Label> number_;
     std::vector<AssignedObject> crossing_;  ///< objects that cross seams, sorted by drawing tile
     std::vector<std::int64_t> drawn_by_;    ///< drawing tile of each
+    std::vector<SeamWhole> wholes_;         ///< sorted by unit and whole
 };
 
 }  // namespace d2b::tiles

@@ -14,11 +14,13 @@
 #include "contours/level_plan.hpp"
 #include "core/lattice.hpp"
 #include "dem2buildings/spool.hpp"
+#include "features/divided_buildings.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/feature_writer.hpp"
 #include "features/record_builder.hpp"
 #include "features/reprojection.hpp"
 #include "features/suspicious_values.hpp"
+#include "pipeline/extract_roofs.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/drawn_tile.hpp"
@@ -66,6 +68,13 @@ class DrawnTiles {
     std::vector<std::int64_t> tiles{-1};  ///< tile that deferred each label
     DeferredElevations elevations;
 
+    /// Returns the wholes that were divided into several buildings, ascending.
+    [[nodiscard]] std::vector<std::int64_t> divided() const { return features::divided_wholes(parts_); }
+    /// Extracts the roofs of deferred buildings. @param outliner of `left` @throws OutputError, Cancelled
+    [[nodiscard]] features::StoredRoofs extract_roofs(const outline::Outliner& outliner,
+                                                      const features::RunSetup& setup,
+                                                      Context& context) const;
+
   private:
     void take(DrawnTile&& tile);
     void number_deferred(double metres);
@@ -76,6 +85,10 @@ class DrawnTiles {
     std::vector<DeferredBuilding> deferred_buildings_;  ///< concatenated over tiles
     std::vector<std::int64_t> deferred_by_;             ///< tile of each deferred_buildings_ entry
     std::vector<DeferredContour> deferred_;  ///< concatenated over tiles, with labels and parents renumbered
+    std::unique_ptr<Spool> cell_spool_;      ///< cells of deferred buildings
+    std::vector<SpoolEntry> cells_;          ///< by label once they are numbered
+    std::vector<features::PartOfWhole> parts_;  ///< of all tiles, with labels renumbered
+    Label parts_before_ = 0;                    ///< highest of these labels
 };
 
 /// Merges the streams of drawn contours of all tiles into one sequence ordered by key.
@@ -148,7 +161,8 @@ features::StackError DeferredElevations::error(const features::DrawnStack& stack
     return error;
 }
 
-DrawnTiles::DrawnTiles(const TileRun& run, Context& context) : elevations(context.make_spool()) {
+DrawnTiles::DrawnTiles(const TileRun& run, Context& context)
+    : elevations(context.make_spool()), cell_spool_(context.make_spool()) {
     for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
         context.check_stop();
         CheckpointFile file(run.file(TileStep::draw, i), run.seal(TileStep::draw, i), &files_);
@@ -175,10 +189,20 @@ void DrawnTiles::take(DrawnTile&& tile) {
     buildings += tile.buildings;
     error.merge(tile.error);
     elevations.add(tile.cells);
+    Label last = parts_before_;
+    for (const features::PartOfWhole& part : tile.parts) {
+        parts_.push_back({part.whole, parts_before_ + part.label});
+        last = std::max(last, parts_.back().label);
+    }
+    parts_before_ = last;
     const auto labels = static_cast<Label>(deferred_buildings_.size());
     const auto before = static_cast<std::int64_t>(deferred_.size());
-    deferred_buildings_.insert(deferred_buildings_.end(), tile.deferred_buildings.begin(),
-                               tile.deferred_buildings.end());
+    for (DeferredBuilding& building : tile.deferred_buildings) {
+        ByteWriter writer;
+        save(std::exchange(building.cells, {}), writer);
+        cells_.push_back(append(*cell_spool_, writer));
+        deferred_buildings_.push_back(std::move(building));
+    }
     deferred_by_.resize(deferred_buildings_.size(), static_cast<std::int64_t>(streams.size()) - 1);
     for (DeferredContour& contour : tile.left) {
         contour.head.label += labels;
@@ -191,6 +215,7 @@ void DrawnTiles::take(DrawnTile&& tile) {
 /// Numbers buildings first, low-confidence candidates after them.
 void DrawnTiles::number_deferred(double metres) {
     std::vector<Label> number(deferred_buildings_.size() + 1);
+    std::vector<SpoolEntry> cells{{}};
     plan.footprints = true;
     plan.thresholds = {{}};
     for (const bool is_sure : {true, false}) {
@@ -200,15 +225,28 @@ void DrawnTiles::number_deferred(double metres) {
                 continue;
             number[i + 1] = static_cast<Label>(footprints.size());
             footprints.push_back({facts.ground / metres, facts.confidence,
-                                  detect::counter_evidence_name(facts.doubt), facts.parcel});
+                                  detect::counter_evidence_name(facts.doubt), facts.parcel, facts.whole});
+            cells.push_back(cells_[i]);
             plan.thresholds.push_back(deferred_buildings_[i].thresholds);
             tiles.push_back(deferred_by_[i]);
         }
         if (is_sure)
             sure = static_cast<Label>(footprints.size() - 1);
     }
+    cells_ = std::move(cells);
     for (DeferredContour& contour : deferred_)
         contour.head.label = number[contour.head.label];
+}
+
+features::StoredRoofs DrawnTiles::extract_roofs(const outline::Outliner& outliner,
+                                                const features::RunSetup& setup, Context& context) const {
+    const StageClock clock(context.report, Stage::roofs);
+    pipeline::RoofExtractor roofs(*left, outliner, sure, setup, context);
+    context.threads->for_each(sure, [&](std::size_t i) {
+        ByteReader reader(*cell_spool_, cells_[i + 1]);
+        roofs.extract(static_cast<Label>(i + 1), load_building_cells(reader));
+    });
+    return roofs.take();
 }
 
 DrawnStreamMerger::DrawnStreamMerger(std::vector<DrawnStream>& streams, features::FeatureWriter& writer,
@@ -320,8 +358,13 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
     pipeline::warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings), &facts.scene,
                              run.sources().terrain, context);
     const outline::Outliner outliner = features::draw_outlines(*drawn.left, setup, context);
-    const features::FeatureInput input{setup,      *drawn.left, outliner,
-                                       drawn.sure, fixed,       run.sources().parcels};
+    std::optional<features::StoredRoofs> roofs;
+    if (setup.plan.needs_roofs())
+        roofs.emplace(drawn.extract_roofs(outliner, setup, context));
+    const features::FeatureInput input{
+        setup,          *drawn.left,           outliner, drawn.sure,
+        fixed,          run.sources().parcels, nullptr,  roofs ? &*roofs : nullptr,
+        drawn.divided()};
     const TileIds numbers = write_all(input, records, drawn, features, parts, context);
     pipeline::prepare_sinks({features}, commit, context);
     if (parts != nullptr) {

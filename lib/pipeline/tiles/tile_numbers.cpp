@@ -11,6 +11,19 @@ namespace d2b::tiles {
 TileIds::TileIds(std::unique_ptr<Spool> spool, std::size_t tiles)
     : spool_(std::move(spool)), spooled_(tiles) {}
 
+template <typename T>
+SpoolEntry TileIds::append(const std::vector<T>& numbers, std::size_t from) {
+    const auto bytes = std::as_bytes(std::span(numbers).subspan(from));
+    return {spool_->append(bytes), bytes.size()};
+}
+
+template <typename T>
+void TileIds::read(const SpoolEntry& entry, std::vector<T>& numbers) const {
+    const std::size_t before = numbers.size();
+    numbers.resize(before + static_cast<std::size_t>(entry.size) / sizeof(T));
+    spool_->read(entry.begin, std::as_writable_bytes(std::span(numbers).subspan(before)));
+}
+
 features::AssignedIds& TileIds::of(std::size_t tile) {
     const auto [at, is_new] = in_memory_.try_emplace(tile);
     features::AssignedIds& numbers = at->second;
@@ -46,17 +59,6 @@ features::AssignedIds TileIds::all(std::size_t tile) const {
         read(entry, numbers.written);
     read(spooled.buildings, numbers.buildings);
     return numbers;
-}
-
-SpoolEntry TileIds::append(const std::vector<std::int64_t>& numbers, std::size_t from) {
-    const auto bytes = std::as_bytes(std::span(numbers).subspan(from));
-    return {spool_->append(bytes), bytes.size()};
-}
-
-void TileIds::read(const SpoolEntry& entry, std::vector<std::int64_t>& numbers) const {
-    const std::size_t before = numbers.size();
-    numbers.resize(before + static_cast<std::size_t>(entry.size) / sizeof(std::int64_t));
-    spool_->read(entry.begin, std::as_writable_bytes(std::span(numbers).subspan(before)));
 }
 
 void IdCollectorSink::begin(std::span<const LayerSpec> layers, const Provenance& /*provenance*/) {

@@ -40,8 +40,10 @@ class TileIds {
         std::int64_t before = 0;          ///< number of contours below the last of these levels
         std::int64_t contours = 0;        ///< total number of contours
     };
-    [[nodiscard]] SpoolEntry append(const std::vector<std::int64_t>& numbers, std::size_t from);
-    void read(const SpoolEntry& entry, std::vector<std::int64_t>& numbers) const;
+    template <typename T>
+    [[nodiscard]] SpoolEntry append(const std::vector<T>& numbers, std::size_t from);
+    template <typename T>
+    void read(const SpoolEntry& entry, std::vector<T>& numbers) const;
 
     std::unique_ptr<Spool> spool_;
     std::vector<SpooledIds> spooled_;

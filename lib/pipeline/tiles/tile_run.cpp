@@ -166,7 +166,6 @@ void require_tileable(const Options& options) {
     refuse(options.outline.min_gap.has_value(), "-min_gap", flow);
     refuse(options.outline.min_wall.has_value(), "-min_wall", flow);
     refuse(options.outline.simplify > 0, "-simplify", "simplified borders may be shared by all tiles");
-    refuse(write.roofs, "-roofs", "roofs are extracted from whole buildings");
     refuse(write.rejected, "-write_rejected", "only a run without tiles keeps dropped contours");
 }
 

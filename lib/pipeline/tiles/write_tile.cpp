@@ -4,6 +4,7 @@
 #include "contours/contour_archive.hpp"
 #include "features/feature_writer.hpp"
 #include "features/reprojection.hpp"
+#include "features/roof_layer.hpp"
 #include "pipeline/report_run.hpp"
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
@@ -37,13 +38,17 @@ class Numbering {
     void number(features::DrawnContour& drawn) {
         drawn.record.id = at(numbers_.written, next_++);
         drawn.record.parent_id = drawn.parent < 0 ? 0 : at(numbers_.written, drawn.parent);
-        drawn.record.building_id =
-            drawn.building_index < 0 ? 0 : at(numbers_.buildings, drawn.building_index);
-        drawn.building_record.id = drawn.record.building_id;
+        if (drawn.building_index < 0)
+            return;
+        const features::BuildingIds building = at(numbers_.buildings, drawn.building_index);
+        drawn.record.building_id = drawn.building_record.id = building.id;
+        drawn.building_record.whole = building.whole;
+        features::number_faces(drawn.faces, drawn.building_record, building.first_face);
     }
 
   private:
-    [[nodiscard]] std::int64_t at(const std::vector<std::int64_t>& numbers, std::int64_t place) const {
+    template <typename T>
+    [[nodiscard]] T at(const std::vector<T>& numbers, std::int64_t place) const {
         if (place >= std::ssize(numbers))
             throw InputError(damaged_);
         return numbers[static_cast<std::size_t>(place)];
