@@ -119,5 +119,79 @@ TEST_F(DrawnStreamTest, RefusesBytesOfNoContour) {
     EXPECT_NE(error_of(stream).find("damaged: it is truncated; delete"), std::string::npos);
 }
 
+features::DrawnContour with_roof() {
+    features::DrawnContour drawn = contour(1, 5);
+    drawn.building_record.roof_shape = {"gabled", 0.25, 12, 9, 0.1};
+    drawn.building_record.whole = -8;
+    features::DrawnFace& face = drawn.faces.emplace_back();
+    face.record.slope = 30;
+    face.record.cells = 12;
+    face.record.kind = "pitched";
+    WorldPolygon& part = face.parts.emplace_back();
+    part.exterior = {{0, 0}, {4, 0}, {4, 4}};
+    part.interiors = {{{1, 1}, {1, 2}, {2, 2}}};
+    part.elevations = {1, 2, 3, 4, 5, 6};
+    return drawn;
+}
+
+std::vector<std::byte> bytes_of(const features::DrawnContour& drawn) {
+    ByteWriter writer;
+    save(drawn, writer);
+    return {writer.bytes().begin(), writer.bytes().end()};
+}
+
+TEST(DrawnContour, KeepsItsRoof) {
+    ByteReader reader(bytes_of(with_roof()));
+    const features::DrawnContour drawn = load_drawn_contour(reader);
+    EXPECT_EQ(reader.left(), 0U);
+    const RoofRecord& roof = drawn.building_record.roof_shape;
+    EXPECT_EQ(roof.type, "gabled");
+    EXPECT_EQ(roof.flat_share, 0.25);
+    EXPECT_EQ(roof.ridge_z, 12);
+    EXPECT_EQ(roof.eave_z, 9);
+    EXPECT_EQ(roof.rmse_m, 0.1);
+    EXPECT_EQ(drawn.building_record.whole, -8);
+    ASSERT_EQ(drawn.faces.size(), 1U);
+    EXPECT_EQ(drawn.faces[0].record.slope, 30);
+    EXPECT_EQ(drawn.faces[0].record.cells, 12);
+    EXPECT_EQ(drawn.faces[0].record.kind, "pitched");
+    EXPECT_EQ(drawn.faces[0].parts.at(0).exterior, with_roof().faces[0].parts[0].exterior);
+    EXPECT_EQ(drawn.faces[0].parts.at(0).interiors, with_roof().faces[0].parts[0].interiors);
+    EXPECT_EQ(drawn.faces[0].parts.at(0).elevations, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+    ByteReader without(bytes_of(contour(1, 5)));
+    EXPECT_EQ(load_drawn_contour(without).building_record.roof_shape.type, "");
+}
+
+TEST(DrawnContour, RefusesARoofThatIsNone) {
+    features::DrawnContour drawn = with_roof();
+    drawn.faces[0].parts[0].elevations.pop_back();
+    ByteReader few(bytes_of(drawn));
+    EXPECT_THROW((void)load_drawn_contour(few), CorruptRecord);
+    drawn = with_roof();
+    drawn.faces[0].record.kind = "thatched";
+    ByteReader unknown(bytes_of(drawn));
+    EXPECT_THROW((void)load_drawn_contour(unknown), CorruptRecord);
+    drawn = with_roof();
+    drawn.building_record.roof_shape.type = "thatched";
+    ByteReader untyped(bytes_of(drawn));
+    EXPECT_EQ(load_drawn_contour(untyped).building_record.roof_shape.type, "");
+}
+
+TEST(BuildingCells, HaveAnElevationEach) {
+    contours::BuildingCells cells{{{3, 4, 6}, {4, 4, 5}}, {1, 2, 3}};
+    const auto loaded = [&] {
+        ByteWriter writer;
+        save(cells, writer);
+        ByteReader reader({writer.bytes().begin(), writer.bytes().end()});
+        return load_building_cells(reader);
+    };
+    EXPECT_EQ(loaded().elevations, cells.elevations);
+    EXPECT_EQ(loaded().runs.at(1).row, 4);
+    cells.elevations.pop_back();
+    EXPECT_THROW((void)loaded(), CorruptRecord);
+    cells = {{{3, 6, 4}}, {}};
+    EXPECT_THROW((void)loaded(), CorruptRecord);
+}
+
 }  // namespace
 }  // namespace d2b::tiles

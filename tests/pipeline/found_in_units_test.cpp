@@ -136,11 +136,11 @@ TEST_P(FoundInUnits, PartsBelongTogetherAsInTheWhole) {
     Found units;
     find(scenery, options, {0, GetParam().side}, 2, units);
     ASSERT_EQ(whole.buildings.buildings, 4 * 14);
-    std::map<Label, Label> wholes;
+    std::map<std::int64_t, std::int64_t> wholes;
     int parts = 0;
     for (const auto& [label, same] : same_cells(whole, units)) {
-        const Label a = whole.buildings.footprints[label].whole;
-        const Label b = units.buildings.footprints[same].whole;
+        const std::int64_t a = whole.buildings.footprints[label].whole;
+        const std::int64_t b = units.buildings.footprints[same].whole;
         EXPECT_EQ(wholes.emplace(a, b).first->second, b) << label;
         parts += a != label ? 1 : 0;
     }
