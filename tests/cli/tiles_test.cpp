@@ -70,7 +70,7 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
         {},
         {"-write_doubtful", "-split_height", "3", "-disjoint"},
         {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"},
-        {"-t_srs", "EPSG:4326", "-roofs", "-fields", "3dbag"},
+        {"-t_srs", "EPSG:4326", "-roofs", "-fields", "osm"},
         {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel", "-roofs"}};
     for (const Arguments& options : variants) {
         const std::string report = whole(options, "one.gpkg");
@@ -230,7 +230,7 @@ TEST_F(TilesTool, writesPartsWithTheNumbersOfOneRun) {
     well({"find", "work", "0"});
     well({"join", "work"});
     well({"draw", "work", "0"});
-    EXPECT_NE(well({"merge", "work"}).find(" contours in parts"), std::string::npos);
+    EXPECT_NE(well({"merge", "work"}).find(" faces of roofs in parts"), std::string::npos);
     EXPECT_EQ(well({"merge", "work"}), "");  // it has been done
     EXPECT_FALSE(std::filesystem::exists(path("parts")));
     for (int time = 0; time < 2; ++time) {
