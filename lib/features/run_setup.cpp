@@ -123,7 +123,7 @@ Provenance make_provenance(const RunSetup& setup, const RunReport& report) {
     provenance.binding = {"D2B_VERTICAL_UNIT", "D2B_CONTOURS"};
     provenance.metadata = {
         {"D2B_VERSION", std::string(version)},
-        {"D2B_SOURCE", setup.dem.name},
+        {"D2B_SOURCE", source_text(setup.dem.name, plan.asked.read)},
         {"D2B_OPTIONS", reproducing_arguments(plan.asked)},
         {"D2B_CONTOURS", plan.asked.outline.disjoint ? "disjoint" : "stacked"},
         {"D2B_THRESHOLDS", thresholds_of(report)},

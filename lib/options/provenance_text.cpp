@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -153,7 +154,23 @@ std::string words_of(const Options& options, bool with_folders) {
     return words;
 }
 
+bool names_several(const ReadOptions& options) {
+    return options.source.find('\n') != std::string::npos;
+}
+
+std::string source_words(const ReadOptions& options, bool with_folders) {
+    std::string words;
+    std::istringstream names(options.source);
+    for (std::string name; std::getline(names, name);)
+        words += (words.empty() ? "" : " ") + quoted(with_folders ? name : base_name(name));
+    return words;
+}
+
 }  // namespace
+
+std::string source_text(const std::string& name, const ReadOptions& options) {
+    return names_several(options) && name != options.source ? source_words(options, true) : name;
+}
 
 std::string reproducing_arguments(const Options& options) {
     return words_of(options, true);
@@ -163,7 +180,9 @@ std::map<std::string, std::string> strip_folders(std::map<std::string, std::stri
                                                  const Options& options) {
     for (auto& [name, value] : metadata) {
         if (name == "D2B_SOURCE")
-            value = base_name(value);
+            value = value == utf8_text(source_words(options.read, true)) && names_several(options.read)
+                        ? utf8_text(source_words(options.read, false))
+                        : base_name(value);
         if (name == "D2B_OPTIONS")
             value = utf8_text(words_of(options, false));
         for (const OptionRow& row : option_table())

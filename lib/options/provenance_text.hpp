@@ -15,6 +15,11 @@ namespace d2b {
 /// "-preset thesis -fl 10 12 -nln 'my roofs'". Without source and destination; "" if there are none.
 [[nodiscard]] std::string reproducing_arguments(const Options& options);
 
+/// Returns the source for the metadata of a result: several rasters as words for a POSIX shell, else the
+/// name.
+/// @param name of the source in messages
+[[nodiscard]] std::string source_text(const std::string& name, const ReadOptions& options);
+
 /// Strips folders from the metadata of a run, for files that are handed to others, because folders reveal who
 /// works where. The options then cannot be executed as they are. @param metadata from make_provenance()
 [[nodiscard]] std::map<std::string, std::string> strip_folders(std::map<std::string, std::string> metadata,

@@ -21,6 +21,7 @@
 #include "read/gdal_setup.hpp"
 #include "read/parcel_reader.hpp"
 #include "read/side_rasters.hpp"
+#include "read/source_place.hpp"
 #include "view/page/page_sink.hpp"
 #include "write/raster/geotiff.hpp"
 #include "write/surface/surface_sink.hpp"
@@ -42,7 +43,8 @@ AuxiliarySinks open_scene_rasters(const Options& options, const DemInfo& dem, co
         writing::RasterMetadata meta;
         meta.description = what;
         meta.elevations = elevations;
-        meta.metadata = {{"D2B_VERSION", std::string(version)}, {"D2B_SOURCE", utf8_text(grid.name)}};
+        meta.metadata = {{"D2B_VERSION", std::string(version)},
+                         {"D2B_SOURCE", utf8_text(source_text(grid.name, options.read))}};
         if (const std::string words = reproducing_arguments(options); !words.empty())
             meta.metadata.emplace("D2B_OPTIONS", utf8_text(words));
         auto sink = writing::open_geotiff_sink({destination, overwrite, in_use}, grid, meta);
@@ -114,7 +116,8 @@ AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& d
 
 AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) {
     const WriteOptions& write = options.write;
-    std::vector<std::string> in_use{options.read.source, write.destination};
+    std::vector<std::string> in_use = reading::rasters_of(options.read.source);
+    in_use.insert(in_use.end(), {options.read.source, write.destination});
     for (const std::string& name :
          {options.ground.terrain, options.detect.mask, options.detect.ndvi, options.detect.split_by})
         if (!name.empty())

@@ -20,7 +20,7 @@
 #include "read/georeferencing.hpp"
 #include "read/open_raster.hpp"
 #include "read/shared_raster.hpp"
-#include "read/temporary_file.hpp"
+#include "read/source_place.hpp"
 
 namespace d2b::reading {
 namespace {
@@ -61,10 +61,11 @@ std::string date_of(GDALDatasetH dataset) {
     return acquired.empty() ? iso_date(GDALGetMetadataItem(dataset, "TIFFTAG_DATETIME", nullptr)) : acquired;
 }
 
-DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Warnings& warnings) {
-    const GdalMessages messages(GDALGetDescription(raster.dataset.get()), options.source);
+DemInfo describe(const OpenRaster& raster, const SourcePlace& place, const ReadOptions& options,
+                 Warnings& warnings) {
+    const GdalMessages messages(GDALGetDescription(raster.dataset.get()), place.name());
     DemInfo info;
-    info.name = options.source;
+    info.name = place.name();
     info.rows = GDALGetRasterYSize(raster.dataset.get());
     info.cols = GDALGetRasterXSize(raster.dataset.get());
     if (const GDALDriverH driver = GDALGetDatasetDriver(raster.dataset.get()))
@@ -89,14 +90,12 @@ DemInfo describe(const OpenRaster& raster, const ReadOptions& options, Warnings&
 
 class GdalDemSource final : public WarningSource {
   public:
-    GdalDemSource(std::unique_ptr<StandardInputCopy> standard_input, OpenRaster raster,
-                  const ReadOptions& options, std::unique_ptr<Warnings> own)
+    GdalDemSource(std::unique_ptr<SourcePlace> place, OpenRaster raster, const ReadOptions& options,
+                  std::unique_ptr<Warnings> own)
         : WarningSource(std::move(own)),
-          standard_input_(std::move(standard_input)),
-          info_(describe(raster, options, warnings())),
-          readers_(make_concurrent(std::move(raster), options,
-                                   standard_input_ ? standard_input_->path() : options.source, info_,
-                                   warnings())),
+          place_(std::move(place)),
+          info_(describe(raster, *place_, options, warnings())),
+          readers_(make_concurrent(std::move(raster), options, place_->path(), info_, warnings())),
           cutline_(open_cutline(options, info_, warnings())) {
         warnings().hold();
     }
@@ -110,7 +109,7 @@ class GdalDemSource final : public WarningSource {
     }
 
   private:
-    std::unique_ptr<StandardInputCopy> standard_input_;  // first, as the readers must be closed before it
+    std::unique_ptr<SourcePlace> place_;  // first, as the readers must be closed before it
     DemInfo info_;
     std::unique_ptr<ConcurrentRaster> readers_;
     std::unique_ptr<CutlineMask> cutline_;
@@ -267,10 +266,11 @@ namespace d2b {
 std::unique_ptr<DemSource> open_dem(const ReadOptions& options, const Callbacks& callbacks) {
     reading::register_formats();
     auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
-    std::unique_ptr<reading::StandardInputCopy> standard_input = reading::copy_standard_input(options.source);
-    reading::OpenRaster raster =
-        reading::open_raster(options, standard_input ? standard_input->path() : options.source, *warnings);
-    return std::make_unique<reading::GdalDemSource>(std::move(standard_input), std::move(raster), options,
+    auto place = std::make_unique<reading::SourcePlace>(options);
+    ReadOptions named = options;
+    named.source = place->name();
+    reading::OpenRaster raster = reading::open_raster(named, place->path(), *warnings);
+    return std::make_unique<reading::GdalDemSource>(std::move(place), std::move(raster), named,
                                                     std::move(warnings));
 }
 

@@ -91,7 +91,7 @@ struct MosaicRaster {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why, const std::string& advice) {
     throw InputError("'" + name + "' cannot be a part of a mosaic: " + why + "; " + advice +
-                     ", or take it off the list.");
+                     ", leave it out, or join the rasters with gdalbuildvrt and give its mosaic.");
 }
 
 MosaicRaster read_mosaic_raster(const std::string& name, int band) {
@@ -247,7 +247,8 @@ void build_mosaic(const std::string& path, const std::vector<std::string>& raste
     DatasetOwner mosaic(GDALBuildVRT(path.c_str(), static_cast<int>(rasters.size()), nullptr, names.get(),
                                      options.get(), &wrong));
     if (!mosaic)
-        throw InputError("The rasters of the list cannot be made into a mosaic: " + messages.reason() + ".");
+        throw InputError("The rasters cannot be made into a mosaic: " + messages.reason() +
+                         "; join them with gdalbuildvrt and give its mosaic.");
     mosaic.reset();  // writes the file
     if (messages.failed())
         throw OutputError("'" + path + "' cannot be written: " + messages.reason() +

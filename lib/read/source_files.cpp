@@ -21,6 +21,7 @@
 #include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"
 #include "read/open_raster.hpp"
+#include "read/source_place.hpp"
 #include "read/temporary_file.hpp"
 
 namespace d2b::reading {
@@ -142,10 +143,15 @@ std::vector<SourceFile> stat_files(std::set<std::string> names, std::vector<std:
 std::vector<SourceFile> source_files(const ReadOptions& options) {
     register_formats();
     Warnings ignored;
-    const OpenRaster raster = open_raster(options, options.source, ignored);
+    const SourcePlace place(options);
+    const OpenRaster raster = open_raster(options, place.path(), ignored);
     const GdalMessages messages(options.source, options.source);
     std::set<std::string> names;
     std::vector<std::string> vrts = add_files(raster.dataset.get(), names);
+    if (!place.rasters().empty()) {  // the mosaic in memory is none of the user's files
+        names.erase(place.path());
+        std::erase(vrts, place.path());
+    }
     return stat_files(std::move(names), std::move(vrts));
 }
 

@@ -1,12 +1,15 @@
 #include "view/preview.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
 #include "core/georeference.hpp"
 #include "dem2buildings/error.hpp"
 #include "options/run_plan.hpp"
+#include "read/source_place.hpp"
 #include "view/map_page.hpp"
 
 namespace d2b::view {
@@ -51,6 +54,7 @@ writing::FileTarget picture_target(const Options& options) {
     writing::FileTarget target{
         write.preview, write.overwrite, {options.read.source}, writing::FileKind::picture};
     std::vector<std::string> others = auxiliary_file_names(write);
+    std::ranges::copy(reading::rasters_of(options.read.source), std::back_inserter(others));
     others.insert(others.end(), {write.destination, options.ground.terrain, options.detect.mask,
                                  options.detect.ndvi, options.detect.split_by});
     for (const std::string& name : others)

@@ -24,7 +24,7 @@ TEST_F(OptionErrors, printsTheUsageWhereThereAreNoArguments) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err,
-              "Usage: dem2buildings [options] <src_raster> <dst_vector>\n"
+              "Usage: dem2buildings [options] <src_raster>... <dst_vector>\n"
               "Try dem2buildings --help for the options.\n");
 }
 

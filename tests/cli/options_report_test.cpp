@@ -164,7 +164,7 @@ TEST_F(OptionEffect, json__warnings) {
 TEST_F(OptionEffect, help) {
     for (const char* name : {"--help", "-help", "-h"}) {
         const std::string text = run_well({name});
-        expect_has(text, "Usage: dem2buildings [options] <src_raster> <dst_vector>");
+        expect_has(text, "Usage: dem2buildings [options] <src_raster>... <dst_vector>");
         expect_has(text, "-min_area <m2>");
         EXPECT_EQ(text.find("-lod <n>"), std::string::npos);
     }

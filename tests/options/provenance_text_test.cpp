@@ -91,6 +91,19 @@ TEST(GivenWords, withoutFolders) {
                                                   {"D2B_SOURCE", "tiles"}}));
 }
 
+/// Several rasters are words of a shell, as the command line had them.
+TEST(GivenWords, ofSeveralSources) {
+    Options options;
+    options.read.source = "/home/ann/west.tif\nbob's tiles/east.tif";
+    const std::string words = source_text("/home/ann/west.tif and 1 other", options.read);
+    EXPECT_EQ(words, "/home/ann/west.tif 'bob'\\''s tiles/east.tif'");
+    EXPECT_EQ(strip_folders({{"D2B_SOURCE", words}}, options).at("D2B_SOURCE"), "west.tif east.tif");
+    options.read.source = "/home/ann/tiles";
+    EXPECT_EQ(source_text("/home/ann/tiles", options.read), "/home/ann/tiles");
+    options.read.source = "<VRTDataset>\n</VRTDataset>";  // a mosaic as text
+    EXPECT_EQ(source_text(options.read.source, options.read), options.read.source);
+}
+
 /// Whatever names a file: an option that is added to the table, too.
 TEST(GivenWords, withoutFoldersOfAnyFile) {
     for (const OptionRow& row : option_table()) {

@@ -1,6 +1,7 @@
 #include "read/raster_mosaic.hpp"
 
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <random>
@@ -13,6 +14,8 @@
 #include "read/gdal_handles.hpp"
 #include "read/rasters.hpp"
 #include "read/shared_raster.hpp"
+#include "read/source_files.hpp"
+#include "read/source_place.hpp"
 #include "support/error_of.hpp"
 
 namespace d2b::test {
@@ -105,8 +108,9 @@ TEST_F(ReadMosaic, refusesWhatIsNotOnOneGrid) {
     write(path("a.tif"), at(10, 20, {1, 2}));
     const auto expect = [&](const RasterSpec& spec, const std::string& why, const std::string& advice) {
         write(path("b.tif"), spec);
-        EXPECT_EQ(refusal({"a.tif", "b.tif"}), "'" + path("b.tif") + "' cannot be a part of a mosaic: " +
-                                                   why + "; " + advice + ", or take it off the list.");
+        EXPECT_EQ(refusal({"a.tif", "b.tif"}),
+                  "'" + path("b.tif") + "' cannot be a part of a mosaic: " + why + "; " + advice +
+                      ", leave it out, or join the rasters with gdalbuildvrt and give its mosaic.");
     };
     const std::string first = "'" + path("a.tif") + "'";
     const std::string warp = "bring it onto that grid with gdalwarp";
@@ -134,7 +138,8 @@ TEST_F(ReadMosaic, refusesWhatIsNotOnOneGrid) {
     EXPECT_EQ(refusal({"a.tif", "b.tif"}),
               "'" + path("b.tif") +
                   "' cannot be a part of a mosaic: it says that its unit is 'ft', not '' as " + first +
-                  "; set the right one with gdal_edit.py -units, or take it off the list.");
+                  "; set the right one with gdal_edit.py -units, leave it out, or join the rasters with "
+                  "gdalbuildvrt and give its mosaic.");
     expect_has(refusal({"a.tif", "c.tif"}), "'" + path("c.tif") + "' cannot be opened as a raster: ");
 }
 
@@ -143,7 +148,7 @@ TEST_F(ReadMosaic, refusesWhatGdalLeavesOut) {
     RasterSpec b = at(12, 20, {1, 2});
     b.bands = 2;
     write(path("b.tif"), b);
-    expect_has(refusal({"a.tif", "b.tif"}), "The rasters of the list cannot be made into a mosaic: ");
+    expect_has(refusal({"a.tif", "b.tif"}), "The rasters cannot be made into a mosaic: ");
 }
 
 TEST_F(ReadMosaic, isWrittenOrNot) {
@@ -154,6 +159,111 @@ TEST_F(ReadMosaic, isWrittenOrNot) {
     } catch (const OutputError& error) {
         expect_has(error.what(), "'/nowhere/source.vrt' cannot be written: ");
     }
+}
+
+class ReadSeveral : public ReadTest {
+  protected:
+    void SetUp() override {
+        ReadTest::SetUp();
+        std::filesystem::remove_all(folder_);
+        std::filesystem::create_directories(folder_);
+        west_ = strip(10, {1, 2});
+        east_ = strip(12, {3, 4});
+        std::filesystem::create_directory(path("tiles"));
+        write(path("tiles/b.tif"), west_);
+        write(path("tiles/a.tif"), east_);
+    }
+    void TearDown() override {
+        std::filesystem::remove_all(folder_);
+        ReadTest::TearDown();
+    }
+    /// A folder on disk, because those in memory are not looked into.
+    [[nodiscard]] std::string path(const std::string& name) const { return folder_ + name; }
+    static RasterSpec strip(double x, const std::vector<double>& values) {
+        return {.cols = 2, .rows = 1, .values = values, .transform = {{x, 1, 0, 20, 0, -1}}};
+    }
+    std::string refusal() {
+        return error_of<Error>([&] { (void)open(); });
+    }
+    std::string folder_ = testing::TempDir() + "d2b_several_" +
+                          testing::UnitTest::GetInstance()->current_test_info()->name() + "/";
+    RasterSpec west_;
+    RasterSpec east_;
+};
+
+TEST_F(ReadSeveral, namesOnePerLine) {
+    options_.source = path("tiles/b.tif") + "\n" + path("tiles/a.tif");
+    expect_values(values(), {1, 2, 3, 4});
+    EXPECT_EQ(open()->info().name, path("tiles/b.tif") + " and 1 other");
+    EXPECT_EQ(open()->info().driver, "VRT");
+    write(path("tiles/a.tif"), strip(11, {7, 8}));
+    expect_values(values(), {1, 7, 8});  // the later one lies above
+    options_.source += "\n" + path("tiles/b.tif");
+    expect_values(values(), {1, 2, 8});
+    EXPECT_EQ(open()->info().name, path("tiles/b.tif") + " and 2 others");
+}
+
+TEST_F(ReadSeveral, aFolder) {
+    options_.source = path("tiles");
+    // Neither a text, an overview, a database of polygons nor a mosaic of the same rasters is one of them.
+    write_text(path("tiles/readme.txt"), "tiles\n");
+    write(path("tiles/a.tif.ovr"), strip(10, {9, 9}));
+    write(path("tiles/all.vrt"),
+          {.driver = "VRT", .cols = 2, .rows = 1, .transform = {{50, 1, 0, 20, 0, -1}}});
+    expect_values(values(), {1, 2, 3, 4});
+    EXPECT_EQ(open()->info().name, path("tiles"));
+    EXPECT_EQ(reading::rasters_of(path("tiles")), (std::vector{path("tiles/a.tif"), path("tiles/b.tif")}));
+    EXPECT_EQ(reading::rasters_of(path("tiles") + "/"),
+              (std::vector{path("tiles/a.tif"), path("tiles/b.tif")}));
+    EXPECT_TRUE(reading::rasters_of(path("tiles/a.tif")).empty());
+    std::filesystem::remove(path("tiles/a.tif"));
+    expect_values(values(), {1, 2});
+}
+
+TEST_F(ReadSeveral, refusesATruncatedRasterOfAFolder) {
+    write_text(path("tiles/c.tif"), "");
+    options_.source = path("tiles");
+    expect_has(refusal(), "'" + path("tiles/c.tif") + "' cannot be opened as a raster: ");
+}
+
+TEST_F(ReadSeveral, refusesWhatIsNoMosaic) {
+    std::filesystem::create_directory(path("empty"));
+    options_.source = path("empty");
+    EXPECT_EQ(refusal(), "The folder '" + path("empty") +
+                             "' holds no raster that GDAL reads; give a raster, several, or another folder.");
+    options_.source = path("tiles");
+    options_.drivers = {"GTiff"};
+    EXPECT_EQ(
+        refusal(),
+        "-if applies to one raster, and the source is several; join them with gdalbuildvrt and give its "
+        "mosaic.");
+    options_.drivers.clear();
+    options_.open_options = {"A=B"};
+    EXPECT_EQ(
+        refusal(),
+        "-oo applies to one raster, and the source is several; join them with gdalbuildvrt and give its "
+        "mosaic.");
+    options_.open_options.clear();
+    options_.source = path("tiles/a.tif") + "\n/vsistdin/";
+    EXPECT_EQ(refusal(),
+              "'/vsistdin/' cannot be one of several sources, because it can be read only once; give files.");
+    write(path("tiles/c.tif"), strip(14.5, {1, 2}));
+    options_.source = path("tiles");
+    EXPECT_EQ(refusal(),
+              "'" + path("tiles/c.tif") +
+                  "' cannot be a part of a mosaic: its cells lie between "
+                  "those of '" +
+                  path("tiles/a.tif") +
+                  "'; bring it onto that grid with gdalwarp, leave it out, or join the rasters with "
+                  "gdalbuildvrt and give its mosaic.");
+}
+
+TEST_F(ReadSeveral, filesThatAreReadAreThoseOfTheRasters) {
+    options_.source = path("tiles");
+    const std::vector<reading::SourceFile> files = reading::source_files(options_);
+    ASSERT_EQ(files.size(), 2U);
+    EXPECT_EQ(files[0].name, path("tiles/a.tif"));
+    EXPECT_EQ(files[1].name, path("tiles/b.tif"));
 }
 
 TEST(ReadList, hasANameALine) {

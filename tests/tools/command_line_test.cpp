@@ -50,6 +50,17 @@ TEST(CommandLine, takesOptionsAnywhere) {
     }
 }
 
+TEST(CommandLine, takesSeveralSourcesBeforeTheDestination) {
+    for (const Texts& arguments : {Texts{"-q", "a.tif", "b.tif", "c.tif", "d.gpkg"},
+                                   {"a.tif", "b.tif", "-fl", "1", "2", "c.tif", "d.gpkg"},
+                                   {"a.tif", "--", "b.tif", "c.tif", "d.gpkg"}}) {
+        const Options options = parse_command_line(arguments).options;
+        EXPECT_EQ(options.read.source, "a.tif\nb.tif\nc.tif");
+        EXPECT_EQ(options.write.destination, "d.gpkg");
+    }
+    EXPECT_EQ(parse_command_line({"a\nb.tif", "c.gpkg"}).options.read.source, "a\nb.tif");
+}
+
 TEST(CommandLine, takesNegativeNumbersForValues) {
     const Options options =
         parse({"-snodata", "-9999", "-i", "1", "-off", "-.5", "-te", "-4", "-3e1", "-2", "-1"}).options;
@@ -81,7 +92,7 @@ TEST(CommandLine, fileNamesThatAreNumbersNeedAPathBehindLevels) {
     EXPECT_EQ(options.write.destination, "30.gpkg");
     EXPECT_EQ(
         refusal_of_all({"-fl", "10", "20", "30.gpkg"}),
-        "The destination is missing, there is only '30.gpkg'; usage: dem2buildings [options] <src_raster> "
+        "The destination is missing, there is only '30.gpkg'; usage: dem2buildings [options] <src_raster>... "
         "<dst_vector>.");
     EXPECT_EQ(parse_command_line({"-fl", "10", "--", "20", "30"}).options.read.source, "20");
     EXPECT_EQ(parse_command_line({"20", "30", "-fl", "10"}).options.read.source, "20");

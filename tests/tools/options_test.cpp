@@ -430,12 +430,16 @@ TEST(OptionErrors, unknownOptions) {
 }
 
 TEST(OptionErrors, fileNames) {
-    const std::string usage = "usage: dem2buildings [options] <src_raster> <dst_vector>.";
+    const std::string usage = "usage: dem2buildings [options] <src_raster>... <dst_vector>.";
     EXPECT_EQ(refusal_of_all({}), "The source and the destination are missing; " + usage);
     EXPECT_EQ(refusal_of_all({"-q"}), "The source and the destination are missing; " + usage);
     EXPECT_EQ(refusal_of_all({"a.tif"}), "The destination is missing, there is only 'a.tif'; " + usage);
-    EXPECT_EQ(refusal_of_all({"a", "b", "c"}),
-              "There are too many file names, 'a', 'b' and 'c'; give one source and one destination.");
+    EXPECT_EQ(refusal_of_all({"a", "b", "", "c"}), "A file name is empty; " + usage);
+    EXPECT_EQ(refusal_of_all({"a", "b", "b"}), "The destination 'b' is the source; give another name.");
+    EXPECT_EQ(
+        refusal_of_all({"a", "b\nc", "d"}),
+        "The name of one of several sources has a line break; rename it, or join them with gdalbuildvrt "
+        "and give its mosaic.");
     EXPECT_EQ(refusal_of_all({"", "b"}), "A file name is empty; " + usage);
     EXPECT_EQ(refusal_of_all({"-", "b"}), "'-' is not a file name here; write /vsistdin/ or /vsistdout/.");
     EXPECT_EQ(refusal_of_all({"a.tif", "a.tif"}),

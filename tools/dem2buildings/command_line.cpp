@@ -1,5 +1,8 @@
 #include "dem2buildings/command_line.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/tokens.hpp"
 #include "options/option_checks.hpp"
@@ -8,7 +11,7 @@
 namespace d2b {
 namespace {
 
-constexpr std::string_view usage = "usage: dem2buildings [options] <src_raster> <dst_vector>";
+constexpr std::string_view usage = "usage: dem2buildings [options] <src_raster>... <dst_vector>";
 
 /// What was asked for in place of a run; the first that was given counts.
 bool asks_for_text(const std::vector<GivenOption>& given, Request& request) {
@@ -33,13 +36,6 @@ void apply_all(const std::vector<GivenOption>& given, Request& request) {
     }
 }
 
-std::string quoted_list(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        text += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
-    return text;
-}
-
 /// A sweep has no destination.
 void take_source(const std::vector<std::string>& names, Options& options) {
     if (names.size() != 1 || names[0].empty())
@@ -53,21 +49,21 @@ void take_file_names(const std::vector<std::string>& names, Options& options) {
     if (names.size() == 1)
         throw OptionError("The destination is missing, there is only '" + names[0] + "'; " +
                           std::string(usage) + ".");
-    if (names.size() > 2)
-        throw OptionError("There are too many file names, " + quoted_list(names) +
-                          "; give one source and one destination.");
     for (const std::string& name : names) {
         if (name.empty())
             throw OptionError("A file name is empty; " + std::string(usage) + ".");
         if (name == "-")
             throw OptionError("'-' is not a file name here; write /vsistdin/ or /vsistdout/.");
     }
-    require_other_file(names[0], names[1]);
-    if (names[1].starts_with("/vsimem/"))
-        throw OptionError("The destination '" + names[1] +
+    const std::string& destination = names.back();
+    const std::vector<std::string> sources(names.begin(), names.end() - 1);
+    for (const std::string& source : sources)
+        require_other_file(source, destination);
+    if (destination.starts_with("/vsimem/"))
+        throw OptionError("The destination '" + destination +
                           "' is in memory and lost when the program ends; give a file.");
-    options.read.source = names[0];
-    options.write.destination = names[1];
+    options.read.source = source_of(sources);
+    options.write.destination = destination;
 }
 
 /// Rasters, surfaces and pictures that are written beside the layers.
@@ -80,6 +76,17 @@ void check_side_files(const WriteOptions& write) {
 }
 
 }  // namespace
+
+std::string source_of(const std::vector<std::string>& names) {
+    std::string source = names.front();
+    for (std::size_t i = 1; i < names.size(); ++i)
+        source += "\n" + names[i];
+    if (names.size() > 1 && std::ranges::count(source, '\n') >= std::ssize(names))
+        throw OptionError(
+            "The name of one of several sources has a line break; rename it, or join them with gdalbuildvrt "
+            "and give its mosaic.");
+    return source;
+}
 
 void require_other_file(const std::string& source, const std::string& destination) {
     if (source == destination)

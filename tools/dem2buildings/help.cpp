@@ -40,7 +40,7 @@ std::string option_facts(const OptionRow& row, bool brief) {
 }
 
 std::string short_usage() {
-    return "Usage: dem2buildings [options] <src_raster> <dst_vector>\n"
+    return "Usage: dem2buildings [options] <src_raster>... <dst_vector>\n"
            "Try dem2buildings --help for the options.\n";
 }
 
@@ -64,10 +64,11 @@ std::string option_list(bool all) {
 }
 
 std::string introduction() {
-    return "Usage: dem2buildings [options] <src_raster> <dst_vector>\n\n" +
+    return "Usage: dem2buildings [options] <src_raster>... <dst_vector>\n\n" +
            wrap(
                "Finds the buildings of a city in an elevation raster (a surface model, DSM). Writes one "
-               "polygon per building, and the contours of its parts from low to high.",
+               "polygon per building, and the contours of its parts from low to high. Several rasters on one "
+               "grid, or a folder of them, are joined.",
                0);
 }
 

@@ -43,17 +43,19 @@ std::string man_page() {
     std::string text =
         ".TH DEM2BUILDINGS 1 \"\" \"dem2buildings " + std::string(version) + "\"\n" + roff_section("NAME") +
         "dem2buildings \\- building footprints from an elevation raster\n" + roff_section("SYNOPSIS") +
-        ".B dem2buildings\n[options] <src_raster> <dst_vector>\n" + roff_section("DESCRIPTION") +
+        ".B dem2buildings\n[options] <src_raster>... <dst_vector>\n" + roff_section("DESCRIPTION") +
         roff_paragraph(
             "Finds the buildings of a city in an elevation raster (a digital surface model, DSM). Writes one "
             "polygon per building, and the contours of its parts from low to high.") +
         roff_paragraph(
-            "The source is any raster that GDAL reads, the destination any vector format that it "
-            "writes. An existing destination is refused without -overwrite or -append. After a failure a "
+            "The source is any raster that GDAL reads, or a folder of rasters, or several rasters on one "
+            "grid, of which later ones cover earlier ones; the last file name is the destination, in any "
+            "vector format that GDAL writes. An existing destination is refused without -overwrite or "
+            "-append. After a failure a "
             "local destination keeps its old content.") +
         roff_paragraph(
             "Options may stand anywhere and begin with one dash or two; values follow after a "
-            "blank or an equals sign. The source stands before the destination. After -- only "
+            "blank or an equals sign. The sources stand before the destination. After -- only "
             "file names follow.");
     text += options() + contour_table();
     text += roff_section("EXIT STATUS") + roff_item("0", "Done; also if nothing was found, with a warning.") +

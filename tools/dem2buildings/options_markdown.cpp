@@ -45,7 +45,7 @@ std::string gdal_contour_section() {
 
 std::string options_markdown() {
     std::string text =
-        "# Options of dem2buildings\n\n    dem2buildings [options] <src_raster> <dst_vector>\n\n"
+        "# Options of dem2buildings\n\n    dem2buildings [options] <src_raster>... <dst_vector>\n\n"
         "Options may stand anywhere and begin with one dash or two; values follow after a blank or an equals "
         "sign. After `--` only file names follow.\n\n";
     for (std::size_t group = 0; group < option_group_names.size(); ++group) {

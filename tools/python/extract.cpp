@@ -70,9 +70,9 @@ Extraction extract(const Options& options, const Opener& open, const AuxiliaryAr
 }
 
 py::tuple extract_listening(const GivenOptions& given, const PyArrays& beside, const py::object& listener,
-                            const Opener& open, const std::string& source) {
+                            const Opener& open, const std::vector<std::string>& sources) {
     Options options = options_of(given);
-    options.read.source = source;
+    options.read.source = source_of(sources);
     const AuxiliaryArrays arrays = side_arrays(beside);
     Extraction result;
     run_listening(listener, [&](const PythonEars& ears) { result = extract(options, open, arrays, ears); });
@@ -80,32 +80,32 @@ py::tuple extract_listening(const GivenOptions& given, const PyArrays& beside, c
                           result.report);
 }
 
-py::tuple extract_path(const std::string& path, const GivenOptions& given, const PyArrays& beside,
-                       const py::object& listener) {
+py::tuple extract_paths(const std::vector<std::string>& paths, const GivenOptions& given,
+                        const PyArrays& beside, const py::object& listener) {
     return extract_listening(
         given, beside, listener,
         [](const ReadOptions& options, const Callbacks& callbacks) { return open_dem(options, callbacks); },
-        path);
+        paths);
 }
 
 py::tuple extract_array(const py::array& values, const std::optional<py::array>& mask,
                         const std::optional<std::array<double, 6>>& transform, const GivenOptions& given,
                         const PyArrays& beside, const py::object& listener) {
     const ElevationArray array = elevation_array("array", values, mask, transform);
-    return extract_listening(
-        given, beside, listener,
-        [&](const ReadOptions& options, const Callbacks& callbacks) {
-            return open_dem(array, options, callbacks);
-        },
-        array.name);
+    return extract_listening(given, beside, listener,
+                             [&](const ReadOptions& options, const Callbacks& callbacks) {
+                                 return open_dem(array, options, callbacks);
+                             },
+                             {array.name});
 }
 
 /// @return the report as JSON
-std::string extract_to_file(const std::string& source, const std::string& destination,
+std::string extract_to_file(const std::vector<std::string>& sources, const std::string& destination,
                             const GivenOptions& given, const PyArrays& beside, const py::object& listener) {
-    require_other_file(source, destination);
+    for (const std::string& source : sources)
+        require_other_file(source, destination);
     Options options = options_of(given);
-    options.read.source = source;
+    options.read.source = source_of(sources);
     options.write.destination = destination;
     const AuxiliaryArrays arrays = side_arrays(beside);
     std::string report;
@@ -118,7 +118,7 @@ std::string extract_to_file(const std::string& source, const std::string& destin
 }  // namespace
 
 void define_extract(py::module_& module) {
-    module.def("extract_path", &extract_path);
+    module.def("extract_paths", &extract_paths);
     module.def("extract_array", &extract_array);
     module.def("extract_file", &extract_to_file);
 }

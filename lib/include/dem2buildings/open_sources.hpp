@@ -14,7 +14,7 @@
 
 namespace d2b {
 
-/// Opens a band of any raster that GDAL reads as a DEM. /vsistdin/ is copied to a temporary file first.
+/// Opens a band of a raster, or of the mosaic of several. /vsistdin/ is copied to a temporary file first.
 /// @throws InputError: cannot be opened, missing band, complex values, a singular transform, only GCPs, an
 /// unusable cutline. @throws OptionError: options that do not fit the raster, or a window outside of it
 [[nodiscard]] std::unique_ptr<DemSource> open_dem(const ReadOptions& options,

@@ -16,7 +16,7 @@ namespace d2b {
 /// set_option().
 
 struct ReadOptions {
-    std::string source;  ///< anything that GDAL opens
+    std::string source;  ///< anything that GDAL opens, a folder of rasters, or several rasters, one per line
     int band = 1;
     std::vector<std::string> open_options;                  ///< NAME=VALUE
     std::vector<std::string> drivers;                       ///< formats to try; all if empty

@@ -1,6 +1,20 @@
 """An array as the compiled part takes it."""
 
+import os
+
 import numpy
+
+
+def is_path(value):
+    """Whether it is a path, or several in a list or tuple."""
+    if isinstance(value, (list, tuple)):
+        return bool(value) and all(isinstance(path, (str, bytes, os.PathLike)) for path in value)
+    return isinstance(value, (str, bytes, os.PathLike))
+
+
+def paths(source):
+    """The bytes of a path, or of each of several."""
+    return [os.fsencode(path) for path in (source if isinstance(source, (list, tuple)) else [source])]
 
 
 def is_array(value):

@@ -6,7 +6,7 @@ import os
 import warnings
 
 from . import _core
-from ._dem import elevations, is_array, six_terms
+from ._dem import elevations, is_array, is_path, paths, six_terms
 from ._errors import Error
 from ._footprints import with_columns, written
 from ._options import EXTRACT, EXTRACT_FILE, SCORE
@@ -37,7 +37,8 @@ class _Ears:
 def extract(dem, *, transform=None, progress=None, **options):
     """Finds the buildings of a DEM and returns them as polygons in memory, a Result.
 
-    dem: a path of anything that GDAL opens, or a NumPy array of rows and columns: float32, float64 or integers. NaN,
+    dem: a path of anything that GDAL opens or of a folder of rasters, or a list of paths of rasters on one grid, of which
+        later ones cover earlier ones; or a NumPy array of rows and columns: float32, float64 or integers. NaN,
         infinite values and masked cells are not valid. An array is not copied, so do not change it during the run.
     transform: for an array, six terms in GDAL's order: (x of the upper left corner, width of a cell, 0, y of that
         corner, 0, -height of a cell) if north is up; or an affine.Affine, as rasterio has it. Without it, coordinates
@@ -67,10 +68,10 @@ def extract(dem, *, transform=None, progress=None, **options):
     ears = _Ears(EXTRACT, progress)
     with written(options) as (frame, named), ears.errors():
         given = EXTRACT.given(options)
-        if isinstance(dem, (str, bytes, os.PathLike)):
+        if is_path(dem):
             if transform is not None:
                 raise TypeError("transform is for an array; a path has its own")
-            found = _core.extract_path(os.fsencode(dem), given, arrays, ears)
+            found = _core.extract_paths(paths(dem), given, arrays, ears)
         else:
             found = _core.extract_array(*elevations(dem), six_terms(transform), given, arrays, ears)
     layers, crs, metadata, report = found
@@ -84,7 +85,7 @@ def extract(dem, *, transform=None, progress=None, **options):
 def extract_file(src, dst, *, progress=None, **options):
     """Does what the program does: finds the buildings of a raster and writes them to a vector dataset.
 
-    src: a path of anything that GDAL opens
+    src: a path of anything that GDAL opens or of a folder of rasters, or a list of paths of rasters on one grid
     dst: a path of any format that GDAL writes, by its extension. It keeps its old content or gets the new one, never
         a part of it. An existing dataset is refused without overwrite or append.
     progress, ground, mask, ndvi: as for extract()
@@ -102,7 +103,7 @@ def extract_file(src, dst, *, progress=None, **options):
     ears = _Ears(EXTRACT_FILE, progress)
     with written(options), ears.errors():
         given = EXTRACT_FILE.given(options)
-        return json.loads(_core.extract_file(os.fsencode(src), os.fsencode(dst), given, arrays, ears))
+        return json.loads(_core.extract_file(paths(src), os.fsencode(dst), given, arrays, ears))
 
 
 @SCORE.describe
