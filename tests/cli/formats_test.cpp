@@ -1,5 +1,7 @@
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -107,6 +109,101 @@ TEST_F(Formats, shapefileFolder) {
         for (const char* extension : {".shp", ".shx", ".dbf", ".prj", ".cpg"})
             EXPECT_TRUE(std::filesystem::exists(path(std::string("folder/") + name + extension)));
     }
+}
+
+/// Rings of a drawing are those of the layers, and texts are the heights of buildings.
+TEST_F(Formats, drawing) {
+    run_well({"-q", "-fl", "34", "--", sample("nodata.tif"), "out.dxf"});
+    const Layer entities = layer("out.dxf", "entities");
+    for (const char* name : {"buildings", "contours"}) {
+        std::multiset<double> areas;
+        for (const Record& record : entities.records)
+            if (record.text("Layer") == name) {
+                OGRGeometryH ring = OGR_G_ForceToPolygon(OGR_G_Clone(record.geometry()));
+                areas.insert(std::round(OGR_G_Area(ring) * 1000));
+                OGR_G_DestroyGeometry(ring);
+            }
+        std::multiset<double> expected;
+        for (const Record& record : layer("reference.gpkg", name).records)
+            for (int part = 0; part < OGR_G_GetGeometryCount(record.geometry()); ++part) {
+                OGRGeometryH polygon = OGR_G_GetGeometryRef(record.geometry(), part);
+                for (int ring = 0; ring < OGR_G_GetGeometryCount(polygon); ++ring)
+                    expected.insert(std::round(OGR_G_Area(OGR_G_GetGeometryRef(polygon, ring)) * 1000));
+            }
+        EXPECT_EQ(areas, expected);
+        EXPECT_GT(areas.size(), 2U);
+    }
+    std::multiset<std::string> texts;
+    for (const Record& record : entities.records)
+        if (record.text("Layer") == "heights")
+            texts.insert(record.text("Text"));
+    std::multiset<std::string> expected;
+    for (const Record& record : layer("reference.gpkg", "buildings").records) {
+        const auto text = [](double height) {
+            std::array<char, 40> buffer{};
+            std::snprintf(buffer.data(), buffer.size(), height < 10 ? "%.1f" : "%.0f", height);
+            return std::string(buffer.data());
+        };
+        const double p50 = record.number("p50");
+        const double p90 = record.number("p90");
+        expected.insert((p90 - p50 > 5 ? text(p50) + "-" : "") + text(p90));
+    }
+    EXPECT_EQ(texts, expected);
+}
+
+/// Several rasters, a folder of them and their mosaic are the raster that they were cut from.
+TEST_F(Formats, severalSources) {
+    std::filesystem::create_directory(path("tiles"));
+    for (const char* side : {"west", "east"}) {
+        const std::string file = path("tiles/" + std::string(side) + ".tif");
+        const bool west = side == std::string("west");
+        ASSERT_EQ(run_tool({"gdal_translate", "-q", "-srcwin", west ? "0" : "50", "0", west ? "50" : "70",
+                            "100", sample("nodata.tif"), file})
+                      .status,
+                  0);
+    }
+    const auto expect = [&](const Arguments& sources, const std::string& said, const std::string& name) {
+        Arguments arguments{"-q", "-fl", "34", "-overwrite", "--"};
+        arguments.insert(arguments.end(), sources.begin(), sources.end());
+        arguments.emplace_back("out.gpkg");
+        run_well(arguments);
+        for (const char* role : {"buildings", "contours"})
+            expect_as_reference(layer("out.gpkg", role), role);
+        EXPECT_EQ(layer("out.gpkg", "buildings").metadata.at("D2B_SOURCE"), said);
+        arguments.insert(arguments.begin(), "-json");
+        EXPECT_EQ(nlohmann::json::parse(run_well(arguments)).at("input").at("name"), name);
+    };
+    expect({"tiles/west.tif", "tiles/east.tif"}, "tiles/west.tif tiles/east.tif",
+           "tiles/west.tif and 1 other");
+    expect({"tiles"}, "tiles", "tiles");
+    expect({"tiles/"}, "tiles/", "tiles/");
+    // No raster of a run may be replaced by it, neither as a picture nor as another raster.
+    for (const Arguments& sources : {Arguments{"tiles"}, {"tiles/east.tif", "tiles/west.tif"}}) {
+        Arguments arguments{"-q", "-preset", "buildings", "-overwrite", "-write_height", "tiles/west.tif"};
+        arguments.insert(arguments.end(), sources.begin(), sources.end());
+        arguments.emplace_back("out.gpkg");
+        expect_error(2, "\"tiles/west.tif\" is already read or written by this run; choose another name.",
+                     arguments);
+    }
+}
+
+TEST_F(Formats, geojsonInMetresGetsAHint) {
+    const auto said = [&](const Arguments& more) {
+        Arguments arguments{"-fl", "34", "-layers", "buildings", "-overwrite"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run_well(arguments);
+    };
+    const std::string hint =
+        "The GeoJSON has coordinates of its CRS, and most programs take them for degrees: -t_srs EPSG:4326 "
+        "writes degrees.\n";
+    const std::string file = sample("nodata.tif");
+    EXPECT_TRUE(said({file, "out.geojson"}).ends_with(hint));
+    EXPECT_TRUE(said({"-f", "GeoJSON", file, "out.json"}).ends_with(hint));
+    for (const Arguments& other : {Arguments{"-t_srs", "EPSG:4326", file, "out.geojson"},
+                                   {"-lco", "RFC7946=YES", file, "out.geojson"},
+                                   {sample("degrees.tif"), "out.geojson"},
+                                   {file, "out.gpkg"}})
+        EXPECT_EQ(said(other).find("GeoJSON"), std::string::npos);
 }
 
 TEST_F(Formats, singleFiles) {

@@ -83,11 +83,15 @@ TEST_F(Messages, aVrtIsNotDamagedWhereItsSourcesAreMissing) {
 }
 
 TEST_F(Messages, formatsThatCannotHoldTheLayers) {
+    refused(2,
+            "-f CityGML is no format of layers; -surface writes CityJSON (.city.json), and citygml-tools "
+            "from-cityjson makes CityGML of it.",
+            {"-f", "CityGML", "dem.tif", "out.gml"});
     refused(
-        1,
-        "Cannot write \"out.dxf\": creating field \"id\" of layer \"out\" failed (DXF layer does not support "
-        "arbitrary field creation, field 'id' not created); write another format, such as GeoPackage.",
-        {"-layers", "buildings", "dem.tif", "out.dxf"});
+        2,
+        "Surfaces are written as CityJSON, OBJ, STL or glTF; for CityGML write a .city.json, and convert it "
+        "with citygml-tools from-cityjson.",
+        {"-preset", "buildings", "-surface", "city.gml", "dem.tif", "out.gpkg"});
     refused(1, "Cannot write \"out.gpx\": creating layer \"out\" failed",
             {"-layers", "buildings", "dem.tif", "out.gpx"});
 }

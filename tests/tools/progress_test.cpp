@@ -176,6 +176,36 @@ TEST(Advice, namesNoOptionThatIsGivenOrRefused) {
     EXPECT_EQ(advice(report, options), "");
 }
 
+TEST(Advice, namesDegreesForAGeoJson) {
+    RunReport report;
+    report.crs = "ETRS89 / UTM zone 33N";
+    report.units.horizontal = "metre";
+    Options options;
+    options.write.destination = "a.GeoJSON";
+    const std::string hint =
+        "The GeoJSON has coordinates of its CRS, and most programs take them for degrees: -t_srs EPSG:4326 "
+        "writes degrees.\n";
+    EXPECT_EQ(advice(report, options), hint);
+    options.outline.target_crs = "EPSG:25832";
+    EXPECT_EQ(advice(report, options), hint);
+    options.outline.target_crs = "EPSG:4258";
+    EXPECT_EQ(advice(report, options), "");
+    options.outline.target_crs.clear();
+    report.units.horizontal = "degree";
+    EXPECT_EQ(advice(report, options), "");
+    report.units.horizontal = "metre";
+    report.crs.clear();
+    EXPECT_EQ(advice(report, options), "");
+    report.crs = "ETRS89 / UTM zone 33N";
+    options.write.layer_options = {"RFC7946=YES"};
+    EXPECT_EQ(advice(report, options), "");
+    options.write.layer_options.clear();
+    options.write.destination = "a.json";
+    EXPECT_EQ(advice(report, options), "");
+    options.write.format = "GEOJSON";
+    EXPECT_EQ(advice(report, options), hint);
+}
+
 TEST(Interrupt, isSeenAndTheNextOneEndsTheProcess) {
     std::signal(SIGINT, SIG_DFL);
     catch_interrupts();

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "common/run_guarded.hpp"
+#include "core/crs.hpp"
 #include "core/system/streams.hpp"
+#include "core/text.hpp"
 #include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/spool.hpp"
 
@@ -177,7 +179,25 @@ std::string summary(const RunReport& report, Layers layers, const std::string& d
     return text + " in " + destination + counts(report) + "\n";
 }
 
-std::string advice(const RunReport& report, const Options& options) {
+namespace {
+
+/// Hint at the coordinates of a GeoJSON, which the standard wants in WGS 84.
+std::string coordinates_advice(const RunReport& report, const Options& options) {
+    const std::string& target = options.outline.target_crs;
+    const bool json = to_lower(options.write.destination).ends_with(".geojson") ||
+                      to_lower(options.write.format) == "geojson";
+    const bool degrees = target.empty() ? report.crs.empty() || report.units.horizontal == "degree"
+                                        : Crs(target).kind() == Crs::Kind::geographic;
+    const auto reprojects = [](const std::string& option) { return to_lower(option) == "rfc7946=yes"; };
+    if (!json || degrees || std::ranges::any_of(options.write.layer_options, reprojects))
+        return "";
+    return "The GeoJSON has coordinates of its CRS, and most programs take them for degrees: -t_srs "
+           "EPSG:4326 "
+           "writes degrees.\n";
+}
+
+/// Names the option that would improve most buildings.
+std::string buildings_advice(const RunReport& report, const Options& options) {
     constexpr std::int64_t one_in = 20;
     const bool detects = options.preset == Preset::buildings;
     const std::int64_t uneven = detects && options.detect.split_height == 0 ? report.uneven : 0;
@@ -191,6 +211,12 @@ std::string advice(const RunReport& report, const Options& options) {
                " by more than 5 m inside: -split_height 3 divides " + (most == 1 ? "it.\n" : "them.\n");
     return of_all + (most == 1 ? " has" : " have") + " a confidence below 0.9: -min_confidence 0.9 " +
            "-write_doubtful writes " + (most == 1 ? "it" : "them") + " to a separate layer.\n";
+}
+
+}  // namespace
+
+std::string advice(const RunReport& report, const Options& options) {
+    return buildings_advice(report, options) + coordinates_advice(report, options);
 }
 
 Callbacks terminal_callbacks(TerminalProgress& progress, bool quiet) {

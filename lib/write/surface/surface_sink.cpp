@@ -99,6 +99,9 @@ std::string surface_formats_advice(const std::string& name) {
         names += between + std::string(row.name);
         endings += between + std::string(row.ending);
     }
+    const std::string lower = to_lower(name);
+    if (lower.ends_with(".gml") || lower.ends_with(".citygml"))
+        return names + "; for CityGML write a .city.json, and convert it with citygml-tools from-cityjson";
     return names + "; give \"" + name + "\" a name that ends in " + endings;
 }
 

@@ -17,6 +17,7 @@
 #include "dem2buildings/options.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/ogr_util.hpp"
+#include "write/vector/dxf_sink.hpp"
 #include "write/vector/vector_format.hpp"
 
 namespace d2b::writing {
@@ -116,6 +117,8 @@ std::string laundered_name(const std::string& base, const std::string& suffix, c
     if (format.name == "PostgreSQL")
         return launder_for_postgresql(base, suffix, NameValueList(options.layer_options));
     std::string name = base + suffix;
+    if (is_drawing(format))
+        return drawing_layer_name(name);
     // Other drivers are tried, because their rules are not known; names in a GeoPackage do not change.
     const bool is_geopackage = format.name == "GPKG" && !NameValueList(options.layer_options).has("LAUNDER");
     if (is_plain(name) || is_geopackage || !format.multiple_layers ||

@@ -14,6 +14,7 @@
 #include "write/staging.hpp"
 #include "write/standard_output.hpp"
 #include "write/vector/dataset_writer.hpp"
+#include "write/vector/dxf_sink.hpp"
 #include "write/vector/io_error_monitor.hpp"
 #include "write/vector/layer_names.hpp"
 #include "write/vector/preflight.hpp"
@@ -256,6 +257,8 @@ std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callba
     writing::VectorFormat format = writing::format_for(options);
     const Layers layers = writing::resolve_layers(options, format);
     writing::Destination destination = writing::locate(options, format);
+    if (writing::is_drawing(format))
+        return writing::open_dxf_sink(options, format, destination);
     writing::keep_footprints(options, format, layers);
     std::optional<writing::ExistingDataset> existing =
         writing::find_existing(destination, format, options, layers);

@@ -180,6 +180,10 @@ bool extension_fits(GDALDriverH driver, const std::string& name) {
 
 GDALDriverH driver_by_name(const std::string& name) {
     GDALDriverH driver = GDALGetDriverByName(name.c_str());
+    if (EQUAL(name.c_str(), "CityGML") || EQUAL(name.c_str(), "CityJSON"))
+        throw OptionError("-f " + name +
+                          " is no format of layers; -surface writes CityJSON (.city.json), and citygml-tools "
+                          "from-cityjson makes CityGML of it.");
     if (driver == nullptr || !can_create(driver))
         throw OptionError("Format \"" + name +
                           "\" cannot hold a new vector dataset; -f takes, among others: " + some_formats() +
@@ -225,7 +229,8 @@ VectorFormat format_for(const WriteOptions& options) {
     FormatProbe probe = probe_format(format.driver, options.destination);
     // GDAL 3.10 writes all layers of a CSV to stdout, one after the other.
     const bool is_one_table = format.name == "CSV" && is_stream(options.destination);
-    format.multiple_layers = probe.multiple_layers && !is_one_table;
+    // Entities of a drawing name their layers, and OGR has all in one.
+    format.multiple_layers = (probe.multiple_layers && !is_one_table) || format.name == "DXF";
     format.transactions = probe.transactions;
     format.preserves_crs = probe.preserves_crs;
     format.folder = probe.folder;
