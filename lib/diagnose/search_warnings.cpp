@@ -227,6 +227,22 @@ std::string surface_doubt(Search search) {
     return ground.empty() ? surface_warning(search.scene.fit, search.dem.name) : ground;
 }
 
+/// Returns true if what was found was found in a picture or a hillshade: three bands of bytes, or bands or
+/// bytes far above the ground that was estimated, because that is their shadows. Lights of a hillshade also
+/// rise by more than a building above all cells around them. One band of bytes above a plausible ground is
+/// elevations in whole metres.
+bool looks_like_picture(Search search, Report report) {
+    constexpr int colours = 3;
+    constexpr std::int64_t fewest_lights = 2;  // one may be a fault of elevations
+    const DemInfo& dem = search.dem;
+    if (picture_warning(dem).empty())
+        return false;
+    const bool shadows =
+        search.plan.ground == GroundMode::automatic && !search_ground_warning(search).empty();
+    const bool lights = dem.bytes && report.counted(Reason::elevation_spike) >= fewest_lights;
+    return (dem.bytes && dem.bands >= colours) || shadows || lights;
+}
+
 /// Share of cells without ground, if they exceed the part outside of the terrain model, of which its source
 /// has warned, and are not all. Threshold: the cells of a building, or half of the window's border, because
 /// resampling a terrain loses cells there.
@@ -296,9 +312,7 @@ constexpr std::array<SearchWarning, 10> search_warnings{{
     {When::plausible_surface,
      [](Search s, Report r) { return r.sampling ? blur_warning(*r.sampling, side_of(s)) : std::string(); }},
     {When::found,
-     [](Search s, Report) {
-         return s.dem.bytes && s.dem.bands >= 3 ? picture_warning(s.dem) : std::string();
-     }},
+     [](Search s, Report r) { return looks_like_picture(s, r) ? picture_warning(s.dem) : std::string(); }},
     {When::found,
      [](Search s, Report r) {
          return r.parcels ? misplaced_warning(*r.parcels, s.cell, s.plan.asked.detect) : std::string();
@@ -311,7 +325,8 @@ constexpr std::array<SearchWarning, 10> search_warnings{{
      [](Search s, Report r) {
          return r.parcels ? validity_warning(*r.parcels, s.plan.asked.detect) : std::string();
      }},
-    {When::found, [](Search s, Report) { return surface_doubt(s); }},
+    {When::found,
+     [](Search s, Report r) { return looks_like_picture(s, r) ? std::string() : surface_doubt(s); }},
 }};
 
 }  // namespace

@@ -51,7 +51,9 @@ std::string picture_warning(const DemInfo& dem) {
         dem.bands < colours ? "byte values"
                             : std::to_string(dem.bands) + " bands" + (dem.bytes ? " of byte values" : "");
     return "'" + dem.name + "' has " + what +
-           ", like a picture; give a surface model (DSM), or choose the band of its elevations with -b";
+           ", like a picture or a hillshade; give a surface model (DSM), or choose the band of its "
+           "elevations "
+           "with -b";
 }
 
 std::string degrees_warning(const DemInfo& dem, bool has_crs) {

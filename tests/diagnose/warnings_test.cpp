@@ -123,7 +123,8 @@ TEST(PictureDoubt, ThreeBandsOrBytes) {
     EXPECT_EQ(picture_warning(dem), "");
     dem.bytes = true;
     EXPECT_EQ(picture_warning(dem),
-              "'dem.tif' has byte values, like a picture; give a surface model (DSM), or choose the band of "
+              "'dem.tif' has byte values, like a picture or a hillshade; give a surface model (DSM), or "
+              "choose the band of "
               "its elevations with -b");
     dem.bands = 3;
     EXPECT_EQ(picture_warning(dem).find("'dem.tif' has 3 bands of byte values, like a picture"), 0U);

@@ -19,6 +19,13 @@ std::vector<double> raised(std::vector<double> z, double by) {
     return z;
 }
 
+/// A surface with single cells far above the ground, as shades are.
+std::vector<double> lit(std::vector<double> z, int cells) {
+    for (int i = 0; i < cells; ++i)
+        z[MadeTown::index(60, 10 + 20 * i)] = 250;
+    return z;
+}
+
 /// How each of a run's warnings begins.
 Texts beginnings(const TownRun& town, std::size_t length) {
     Texts texts = town.report.warnings;
@@ -160,6 +167,29 @@ TEST(SearchWarnings, APictureIsNamedAlsoWhereItsColoursLookLikeBuildings) {
     town.dem.edit().bytes = true;
     expect_warning(town, "'memory' has 4 bands of byte values, like a picture");
     EXPECT_EQ(town.count(), 3U);
+}
+
+/// One band of bytes is elevations in whole metres, unless lights or shadows in it cannot be any.
+TEST(SearchWarnings, AHillshadeIsNamedAlsoWhereItsShadesLookLikeBuildings) {
+    TownRun bytes;
+    bytes.dem.edit().bytes = true;
+    bytes.run();
+    EXPECT_EQ(bytes.count(), 3U);
+    EXPECT_EQ(bytes.report.warnings, Texts{});
+    TownRun lights(lit(MadeTown::surface(), 2));
+    lights.dem.edit().bytes = true;
+    lights.run();
+    EXPECT_EQ(lights.count(), 3U);
+    ASSERT_EQ(lights.report.warnings.size(), 2U);
+    EXPECT_EQ(
+        lights.report.warnings[1].find("'memory' has byte values, like a picture or a hillshade; give a "
+                                       "surface model (DSM)"),
+        0U)
+        << lights.report.warnings[1];
+    TownRun one(lit(MadeTown::surface(), 1));
+    one.dem.edit().bytes = true;
+    one.run();
+    EXPECT_EQ(one.report.warnings.size(), 1U);  // about the cell
 }
 
 TEST(SearchWarnings, DegreesWithoutACrs) {
