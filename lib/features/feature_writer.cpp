@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/context.hpp"
+#include "core/height_text.hpp"
 #include "diagnose/warnings.hpp"
 #include "features/attribute_table.hpp"
 #include "features/reprojection.hpp"
@@ -259,10 +260,9 @@ namespace {
 /// Counts buildings that an option could improve, for the advice after the run.
 void count_advisable(const BuildingRecord& record, RunReport& report) {
     constexpr double certain = 0.9;
-    constexpr double one_roof_m = 5;
     const auto& heights = record.heights_m;
     report.uncertain += record.confidence < certain ? 1 : 0;
-    report.uneven += heights[p90_share] - heights[0] > one_roof_m ? 1 : 0;
+    report.uneven += has_several_roofs(heights[0], heights[p90_share]) ? 1 : 0;
 }
 
 }  // namespace

@@ -103,7 +103,11 @@ export function showBuilding(town, building, onClose) {
     return;
   const {about} = town;
   const name = (field) => texts.fields[field.name] ?? field.alias.replace('(m2)', '(m²)').replace('(m3)', '(m³)');
-  const row = (field) => pair(name(field), spoken(field.values[building]), field.description);
+  // Of a block with roofs at several heights the median as well.
+  const median = town.value('p50', building), high = town.value('p90', building);
+  const range = median !== null && high !== null && high - median > 5 ? `${spoken(median)} – ` : '';
+  const row = (field) =>
+      pair(name(field), (field.name === 'p90' ? range : '') + spoken(field.values[building]), field.description);
   const head = document.createElement('h2');
   const close = document.createElement('button');
   head.append(`${texts.building} ${town.stack.id[building]}`, close);

@@ -12,6 +12,7 @@
 #include <cpl_vsi.h>
 
 #include "core/height_classes.hpp"
+#include "core/height_text.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "read/gdal_messages.hpp"
@@ -25,6 +26,7 @@ namespace d2b::qml {
 struct Columns {
     std::string colour;
     std::string label;
+    std::string median;  ///< of the heights of a building whose p90 is the label; "" in other layers
     std::array<std::string, 2> labelled;
     std::string order;
     std::string certainty;
@@ -205,7 +207,8 @@ std::string height_rules(const LayerStyle& style, const Columns& columns) {
                       "paler: less certain");
         symbols += symbol(classes, veil(style, columns.certainty));
     }
-    return headed_rules(style.title, rules, symbols);
+    const std::string note = columns.median.empty() ? "" : "; label 12\u201325 m: median to 90th percentile";
+    return headed_rules(style.title + note, rules, symbols);
 }
 
 /// Eighth of the compass. Its colour is for the legend and for QGIS where it cannot compute a colour.
@@ -335,7 +338,21 @@ std::string height_text(const std::string& height) {
                ") THEN floor(" + height + " * " + factor + ") / " + factor + " ELSE " + rounded + " END";
     };
     return "CASE WHEN " + height + " &lt; 10 THEN format_number(" + shortened("1", "10") + ", 1) ELSE " +
-           shortened("0", "1") + " END || ' m'";
+           shortened("0", "1") + " END";
+}
+
+/// True if the roofs of a building lie at several heights, as has_several_roofs().
+std::string several_roofs(const Columns& columns) {
+    return columns.label + " - " + columns.median + " &gt; " + number_text(one_roof_m);
+}
+
+/// Expression for the label of a height, or for the range from the median to the 90th percentile.
+std::string height_label(const Columns& columns) {
+    const std::string number = height_text(columns.label);
+    if (columns.median.empty())
+        return number + " || ' m'";
+    return "CASE WHEN " + several_roofs(columns) + " THEN " + height_text(columns.median) +
+           " || '&#8211;' ELSE '' END || " + number + " || ' m'";
 }
 
 }  // namespace
@@ -346,7 +363,7 @@ std::string labeling(const LayerSpec& spec, const Columns& columns) {
     const bool degrees = !columns.slope.empty() && columns.label == columns.slope;
     std::string expression = text      ? columns.label
                              : degrees ? "round(" + columns.label + ") || '&#176;'"
-                                       : height_text(columns.label);
+                                       : height_label(columns);
     if (const auto& [one, other] = columns.labelled; !one.empty() && !other.empty())
         expression = "CASE WHEN " + one + " = " + other + " THEN " + expression + " END";
     // The halo makes labels readable on every colour of the legend.
@@ -456,12 +473,26 @@ std::string aliases(const LayerSpec& spec, const std::vector<std::string>& colum
 
 /// Returns the tooltip of a feature in QGIS.
 std::string map_tip(const qml::Columns& columns) {
-    return columns.height.empty() ? "" : " <mapTip>[% round(" + columns.height + ", 1) %] m</mapTip>\n";
+    if (columns.height.empty())
+        return "";
+    const std::string range = columns.median.empty()
+                                  ? ""
+                                  : "[% CASE WHEN " + qml::several_roofs(columns) + " THEN round(" +
+                                        columns.median + ", 1) || '&#8211;' ELSE '' END %]";
+    return " <mapTip>" + range + "[% round(" + columns.height + ", 1) %] m</mapTip>\n";
 }
 
 }  // namespace
 
 namespace {
+
+/// Returns the field of the median height in a layer of buildings, which has a prefix if given footprints
+/// have a field of its name; "" in other layers.
+std::string median_field(const LayerSpec& spec) {
+    const auto field = std::ranges::find_if(
+        spec.fields, [](const FieldSpec& one) { return one.name == "p50" || one.name.ends_with("d2b_p50"); });
+    return field == spec.fields.end() || spec.style.colour.empty() ? "" : field->name;
+}
 
 /// @param by_sun see qml::Columns
 std::string document(const LayerSpec& spec, const std::vector<std::string>& columns, bool by_sun,
@@ -470,6 +501,7 @@ std::string document(const LayerSpec& spec, const std::vector<std::string>& colu
     const auto named = [&](const std::string& name) { return column(spec, columns, name); };
     const qml::Columns fields{.colour = named(style.colour),
                               .label = named(style.label),
+                              .median = named(median_field(spec)),
                               .labelled = {named(style.labelled[0]), named(style.labelled[1])},
                               .order = named(style.order),
                               .certainty = named(style.certainty),
