@@ -5,6 +5,8 @@ import tempfile
 import unittest
 import warnings
 
+import numpy
+
 import dem2buildings
 from python_case import PLACE, SAMPLES, PythonCase, block, write_grid
 
@@ -44,6 +46,28 @@ class GeoPandas(PythonCase):
                                        crs=found.crs)
         self.assert_is_the_layer(frame, found.buildings)
 
+    def test_a_result_makes_a_frame(self):
+        for name, layer in (("buildings", self.found.buildings), ("contours", self.found.contours)):
+            frame = self.found.to_geodataframe(name)
+            self.assert_is_the_layer(frame, layer)
+            self.assertEqual(list(frame.columns), [*layer.columns, "geometry"])
+        self.assertEqual(len(self.found.to_geodataframe()), len(self.found.buildings))
+        with self.assertRaisesRegex(ValueError, r"^The result has no layer 'roofs'; it has buildings and contours\.$"):
+            self.found.to_geodataframe("roofs")
+
+    def test_gaps_of_columns(self):
+        """Buildings lower than half a storey have no floors, and without a CRS there is none."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            found = dem2buildings.extract(block(), ground="none")
+        frame = found.to_geodataframe()
+        self.assertIsNone(frame.crs)
+        self.assertEqual(frame.num_floors.tolist(), [5])
+        for name, values in found.buildings.columns.items():
+            gaps = numpy.ma.getmaskarray(values)
+            self.assertEqual(frame[name].isna().tolist(), gaps.tolist() if values.dtype.kind != "f" else
+                             (gaps | numpy.isnan(values.filled(numpy.nan) if numpy.ma.isMA(values) else values)).tolist())
+
     def test_features_are_taken_as_they_are(self):
         frame = geopandas.GeoDataFrame.from_features(self.found.buildings, crs=self.found.crs)
         self.assert_is_the_layer(frame, self.found.buildings)
@@ -80,6 +104,13 @@ class Footprints(PythonCase):
         self.assertEqual(list(frame.status), ["given"] * 3)
         self.assertEqual(found.report["footprints"]["outside"], 1)
         self.assertEqual(found.metadata["D2B_FOOTPRINTS"], "GeoDataFrame")
+
+    def test_a_frame_of_the_result_is_that_of_the_footprints(self):
+        found = self.extract()
+        frame = found.to_geodataframe()
+        self.assertTrue(frame.equals(found.footprints))
+        frame["name"] = "changed"
+        self.assertEqual(list(found.footprints.name), list(self.frame().name))
 
     def test_another_crs(self):
         frame = self.extract(t_srs="EPSG:4326").footprints

@@ -4,7 +4,7 @@ import contextlib
 import os
 import tempfile
 
-import numpy
+from ._frames import column
 
 _WORD = "GeoDataFrame"  # what messages and metadata call them
 
@@ -33,14 +33,5 @@ def with_columns(frame, layer, crs):
     rows, in their order."""
     copy = frame.copy() if frame.crs is None or crs is None else frame.to_crs(crs)
     for name, values in layer.columns.items():
-        copy[name] = _column(values)
+        copy[name] = column(values)
     return copy
-
-
-def _column(values):
-    if not isinstance(values, numpy.ma.MaskedArray):
-        return values
-    if values.dtype.kind == "i":
-        import pandas  # GeoPandas has brought it
-        return pandas.array(values.tolist(), dtype="Int64")
-    return numpy.array(values.tolist(), object) if values.dtype.kind == "O" else values.filled(numpy.nan)

@@ -2,6 +2,8 @@
 
 import json
 
+from ._frames import frame_of
+
 
 class Result:
     """Buildings and contours in memory.
@@ -14,7 +16,7 @@ class Result:
     """
 
     def __init__(self, layers, crs, metadata, report):
-        by_name = {layer.name: layer for layer in layers}
+        by_name = self._layers = {layer.name: layer for layer in layers}
         self.buildings = by_name.get("buildings")
         self.contours = by_name.get("contours")
         self.roofs = by_name.get("roofs")
@@ -26,6 +28,18 @@ class Result:
         self.crs = crs or None
         self.metadata = metadata
         self.report = json.loads(report)
+
+    def to_geodataframe(self, layer="buildings"):
+        """A layer as a GeoDataFrame, with its columns, its geometries and the CRS. GeoPandas must be installed.
+
+        layer: its name: buildings, contours, roofs, doubtful, rejected, problems or missing. With footprints= as a
+            GeoDataFrame, buildings are a copy of footprints.
+        """
+        if layer == "buildings" and self.footprints is not None:
+            return self.footprints.copy()
+        if layer not in self._layers:
+            raise ValueError(f"The result has no layer {layer!r}; it has {' and '.join(self._layers)}.")
+        return frame_of(self._layers[layer], self.crs)
 
     def __repr__(self):
         layers = (self.buildings, self.contours, self.roofs, self.doubtful, self.rejected, self.problems,

@@ -76,13 +76,16 @@ class Result:
     crs: str | None
     metadata: dict[str, str]
     report: dict[str, Any]
+
+    def to_geodataframe(self, layer: str = ...) -> Any:
+        """{to_geodataframe}"""
 '''
 
 OWN = {
-    "dem": "_Path | numpy.ndarray[Any, Any]",
+    "dem": "_Path | Sequence[_Path] | numpy.ndarray[Any, Any]",
     "transform": "Sequence[float] | _HasGdalTerms | None",
     "progress": "Callable[[float], object] | None",
-    "src": "_Path",
+    "src": "_Path | Sequence[_Path]",
     "dst": "_Path",
     "ground": "_Raster | None",
     "mask": "_Raster | None",
@@ -115,6 +118,7 @@ def function(call, options, result):
 def stub():
     layer = dem2buildings.Layer
     text = HEAD.format(words=inspect.getdoc(dem2buildings), layer=layer.__doc__, result=dem2buildings.Result.__doc__.strip(),
+                       to_geodataframe=dem2buildings.Result.to_geodataframe.__doc__.strip(),
                        **{f"layer_{name}": getattr(layer, name).__doc__
                           for name in ("name", "crs", "fields", "columns", "wkb")})
     for call, options, result in ((dem2buildings.extract, _options.EXTRACT, "Result"),
