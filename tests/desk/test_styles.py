@@ -62,7 +62,8 @@ class Styles(DeskCase):
         self.assertEqual((checked.returncode, checked.stdout), (0, ""), checked.stderr)
 
     def test_colours_are_classes_of_height_in_metres(self):
-        for name, field, heading in (("buildings", "p90", "Height above ground, 90th percentile, m"),
+        for name, field, heading in (("buildings", "p90", 
+                                      "Height above ground, 90th percentile, m; label 12–25 m: median to 90th percentile"),
                                      ("contours", "height", "Height of the part above ground, m")):
             layer = self.layer(self.town, name)
             self.assertEqual(layer.renderer().type(), "RuleRenderer")
@@ -96,6 +97,18 @@ class Styles(DeskCase):
         for height, text in ((12.3, "12 m"), (9.4, "9.4 m"), (9, "9.0 m"), (9.98, "9.9 m"), (10, "10 m"), (2.97, "2.9 m"),
                              (29.5, "29 m"), (30.4, "30 m"), (99.99, "99 m"), (100.4, "100 m"), (16.5, "17 m")):
             feature["p90"] = height
+            context = QgsExpressionContext()
+            context.setFeature(feature)
+            context.setFields(layer.fields())
+            self.assertEqual(expression.evaluate(context), text)
+
+    def test_a_block_with_several_roofs_is_labelled_by_a_range(self):
+        layer = self.layer(self.town, "buildings")
+        expression = QgsExpression(layer.labeling().settings().fieldName)
+        feature = QgsFeature(layer.fields())
+        for median, height, text in ((12.4, 25.2, "12–25 m"), (20, 25, "25 m"), (19.9, 25, "20–25 m"), (2, 8.3, "2.0–8.3 m"),
+                                     (NULL, 25, "25 m")):
+            feature["p50"], feature["p90"] = median, height
             context = QgsExpressionContext()
             context.setFeature(feature)
             context.setFields(layer.fields())

@@ -9,7 +9,7 @@ import warnings
 import numpy
 
 import dem2buildings
-from python_case import PLACE, PythonCase, block
+from python_case import PLACE, PythonCase, block, write_grid
 
 # Outlines along the borders of all cells that are higher than 7 m.
 METHOD = {"preset": "thesis", "trace": "cells", "fl": 7}
@@ -31,6 +31,32 @@ class Arrays(PythonCase):
         self.assertEqual(bounds(found.buildings), BLOCK)
         self.assertEqual(found.buildings.columns["roof"].tolist(), [height])
         self.assertEqual(found.buildings.columns["n_cells"].tolist(), [300])
+
+    def test_several_paths_are_one_raster(self):
+        """Halves of a grid, in a list, a tuple and a folder."""
+        whole = block()
+        west, east = self.folder / "tiles" / "west.asc", self.folder / "tiles" / "east.asc"
+        west.parent.mkdir()
+        write_grid(west, whole[:, :25])
+        write_grid(east, whole[:, 25:])
+        x = PLACE["transform"][0]
+        east.write_text(east.read_text().replace(f"xllcorner {x}", f"xllcorner {x + 25}"))
+        for source in ([west, east], (str(east), bytes(west)), [str(west), east, west], west.parent):
+            with self.subTest(source=source):
+                found = dem2buildings.extract(source, **METHOD)
+                self.assert_block(found)
+        self.assertEqual(dem2buildings.extract([west, east], **METHOD).metadata["D2B_SOURCE"], f"{west} {east}")
+        report = dem2buildings.extract_file([west, east], self.folder / "out.gpkg", **METHOD)
+        self.assertEqual(report["input"]["name"], f"{west} and 1 other")
+        with self.assertRaisesRegex(dem2buildings.OptionError, "is the source; give another name"):
+            dem2buildings.extract_file([west, east], east, **METHOD)
+        with self.assertRaisesRegex(dem2buildings.OptionError, "input_format= applies to one raster"):
+            dem2buildings.extract([west, east], input_format="AAIGrid", **METHOD)
+        with self.assertRaisesRegex(ValueError, "^The list of sources is empty; give at least one path.$"):
+            dem2buildings.extract_file([], self.folder / "out.gpkg")
+        for source in ([], [west, 1]):
+            with self.assertRaisesRegex(TypeError, "dem must be a path or a NumPy array, not list"):
+                dem2buildings.extract(source, **METHOD)
 
     def test_every_type(self):
         for dtype in ("int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64", "float32", "float64"):

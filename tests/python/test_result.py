@@ -3,7 +3,9 @@
 import json
 import struct
 import subprocess
+import sys
 import unittest
+import unittest.mock
 
 import numpy
 
@@ -33,6 +35,12 @@ class Results(PythonCase):
         more = find(block(), write_doubtful=True, write_rejected=True, layers="buildings")
         self.assertIsNone(more.contours)
         self.assertEqual((len(more.doubtful), len(more.rejected)), (0, 0))
+
+    def test_a_frame_needs_geopandas(self):
+        found = find(block())
+        with unittest.mock.patch.dict(sys.modules, {"geopandas": None}):
+            with self.assertRaisesRegex(ImportError, r"^to_geodataframe\(\) needs GeoPandas; install python3-geopandas"):
+                found.to_geodataframe()
 
     def test_roofs(self):
         dem = block()

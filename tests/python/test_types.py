@@ -18,6 +18,7 @@ import dem2buildings
 dem = numpy.zeros((4, 5), "float32")
 found = dem2buildings.extract(dem, transform=(0, 1, 0, 0, 0, -1), crs="EPSG:25833", lod=6, te=[1, 2, 3, 4],
                               preset="thesis", progress=print, mask=pathlib.Path("mask.tif"), t_srs=4326)
+dem2buildings.extract([pathlib.Path("a.tif"), "b.tif"]).to_geodataframe("contours")
 dem2buildings.extract(b"a.tif", ground=dem, mask=dem > 1, ndvi=b"ndvi.tif", nodata=-9999)
 assert found.buildings is not None
 heights = found.buildings.columns["height"]

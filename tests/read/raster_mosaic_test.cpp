@@ -209,7 +209,7 @@ TEST_F(ReadSeveral, aFolder) {
     write_text(path("tiles/readme.txt"), "tiles\n");
     write(path("tiles/a.tif.ovr"), strip(10, {9, 9}));
     write(path("tiles/all.vrt"),
-          {.driver = "VRT", .cols = 2, .rows = 1, .transform = {{50, 1, 0, 20, 0, -1}}});
+          {.cols = 2, .rows = 1, .transform = {{50, 1, 0, 20, 0, -1}}, .driver = "VRT"});
     expect_values(values(), {1, 2, 3, 4});
     EXPECT_EQ(open()->info().name, path("tiles"));
     EXPECT_EQ(reading::rasters_of(path("tiles")), (std::vector{path("tiles/a.tif"), path("tiles/b.tif")}));

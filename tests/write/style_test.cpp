@@ -209,6 +209,31 @@ TEST(Qml, OnlyWhatIsLabelledIs) {
         std::string::npos);
 }
 
+/// Where the median lies more than 5 m below the height, label and tooltip begin with it, and the legend says
+/// so.
+TEST(Qml, BlocksWithSeveralRoofsAreLabelledByARange) {
+    for (const std::string median : {"p50", "d2b_p50"}) {
+        LayerSpec spec = layer_spec("buildings");
+        spec.fields.push_back({median, "", FieldType::real, "m", ""});
+        spec.style = {.title = "t", .colour = "height", .label = "height", .height = "height"};
+        const std::string qml = qml_style(spec, {"id", "height", "status", "median"});
+        for (const char* part :
+             {"fieldName=\"CASE WHEN &quot;height&quot; - &quot;median&quot; &gt; 5 THEN CASE WHEN "
+              "&quot;median&quot; &lt; 10 THEN",
+              "|| '&#8211;' ELSE '' END || CASE WHEN &quot;height&quot; &lt; 10 THEN",
+              "<mapTip>[% CASE WHEN &quot;height&quot; - &quot;median&quot; &gt; 5 THEN "
+              "round(&quot;median&quot;, 1) || '&#8211;' ELSE '' END %][% round(&quot;height&quot;, 1) %] "
+              "m</mapTip>",
+              "label=\"t; label 12\u201325 m: median to 90th percentile\""})
+            EXPECT_NE(qml.find(part), std::string::npos) << part << '\n' << qml;
+    }
+    LayerSpec contours = layer_spec("contours");
+    contours.style = {.title = "t", .colour = "height", .label = "height", .height = "height"};
+    const std::string qml = qml_style(contours, {"id", "height", "status"});
+    EXPECT_EQ(qml.find("&#8211;"), std::string::npos);
+    EXPECT_NE(qml.find("label=\"t\""), std::string::npos);
+}
+
 TEST(Qml, LabelsMayBeOffered) {
     LayerSpec spec = layer_spec("contours");
     const std::vector<std::string> columns{"id", "height", "status"};

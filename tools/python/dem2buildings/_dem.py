@@ -14,7 +14,10 @@ def is_path(value):
 
 def paths(source):
     """The bytes of a path, or of each of several."""
-    return [os.fsencode(path) for path in (source if isinstance(source, (list, tuple)) else [source])]
+    several = isinstance(source, (list, tuple))
+    if several and not source:
+        raise ValueError("The list of sources is empty; give at least one path.")
+    return [os.fsencode(path) for path in (source if several else [source])]
 
 
 def is_array(value):
