@@ -42,7 +42,7 @@ class Drawing : public WriteTest {
     }
     [[nodiscard]] static std::vector<LayerSpec> layers() {
         LayerSpec buildings = layer_spec("buildings");
-        buildings.fields.push_back({.name = "p90", .type = FieldType::real});
+        buildings.fields.push_back({"p90", "", FieldType::real, "m", ""});
         return {buildings, layer_spec("contours"), layer_spec("roofs")};
     }
     /// A building around a courtyard, on a ground at 40: its left arm is 30 wide, the other three 10.
@@ -81,7 +81,7 @@ TEST_F(Drawing, hasClosedPolylinesAtTheirElevations) {
     draw(to("a.dxf"), {block(12, 14)}, {contour}, {face});
     const std::vector<Entity> all = entities("a.dxf");
     ASSERT_EQ(all.size(), 6U);
-    for (const std::size_t i : {0, 1, 3, 4, 5}) {
+    for (const std::size_t i : {0U, 1U, 3U, 4U, 5U}) {
         EXPECT_EQ(all[i].kind, "LINESTRING");
         EXPECT_EQ(all[i].points.front(), all[i].points.back());
     }
