@@ -162,16 +162,16 @@ TEST_F(Formats, severalSources) {
                       .status,
                   0);
     }
+    int number = 0;
     const auto expect = [&](const Arguments& sources, const std::string& said, const std::string& name) {
-        Arguments arguments{"-q", "-fl", "34", "-overwrite", "--"};
+        const std::string out = std::to_string(++number) + ".gpkg";
+        Arguments arguments{"-json", "-fl", "34", "--"};
         arguments.insert(arguments.end(), sources.begin(), sources.end());
-        arguments.emplace_back("out.gpkg");
-        run_well(arguments);
-        for (const char* role : {"buildings", "contours"})
-            expect_as_reference(layer("out.gpkg", role), role);
-        EXPECT_EQ(layer("out.gpkg", "buildings").metadata.at("D2B_SOURCE"), said);
-        arguments.insert(arguments.begin(), "-json");
+        arguments.push_back(out);
         EXPECT_EQ(nlohmann::json::parse(run_well(arguments)).at("input").at("name"), name);
+        for (const char* role : {"buildings", "contours"})
+            expect_as_reference(layer(out, role), role);
+        EXPECT_EQ(layer(out, "buildings").metadata.at("D2B_SOURCE"), said);
     };
     expect({"tiles/west.tif", "tiles/east.tif"}, "tiles/west.tif tiles/east.tif",
            "tiles/west.tif and 1 other");
@@ -191,7 +191,9 @@ TEST_F(Formats, geojsonInMetresGetsAHint) {
     const auto said = [&](const Arguments& more) {
         Arguments arguments{"-fl", "34", "-layers", "buildings", "-overwrite"};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return run_well(arguments);
+        const ToolResult result = run(arguments);
+        EXPECT_EQ(result.status, 0) << result.err;
+        return result.out;
     };
     const std::string hint =
         "The GeoJSON has coordinates of its CRS, and most programs take them for degrees: -t_srs EPSG:4326 "

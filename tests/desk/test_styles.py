@@ -106,7 +106,7 @@ class Styles(DeskCase):
         layer = self.layer(self.town, "buildings")
         expression = QgsExpression(layer.labeling().settings().fieldName)
         feature = QgsFeature(layer.fields())
-        for median, height, text in ((12.4, 25.2, "12–25 m"), (20, 25, "25 m"), (19.9, 25, "20–25 m"), (2, 8.3, "2.0–8.3 m"),
+        for median, height, text in ((12.4, 25.2, "12–25 m"), (20, 25, "25 m"), (18.9, 25, "19–25 m"), (2, 8.3, "2.0–8.3 m"),
                                      (NULL, 25, "25 m")):
             feature["p50"], feature["p90"] = median, height
             context = QgsExpressionContext()
