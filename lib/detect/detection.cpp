@@ -6,6 +6,7 @@
 
 #include "core/grid.hpp"
 #include "detect/candidates.hpp"
+#include "detect/corrections.hpp"
 #include "detect/detection_passes.hpp"
 #include "detect/divide_buildings.hpp"
 #include "detect/priors.hpp"
@@ -144,11 +145,13 @@ Detection detect_buildings(const Scene& scene, const DetectOptions& options, dou
     Detection result = sorted_by_confidence(detect_candidates(scene, options, min_area_m2, smooth, threads),
                                             options.min_confidence, threads);
     result.smooth = smooth;
+    const std::int64_t min_cells = cells_covering(min_area_m2, scene.cell);
+    confirm_buildings(scene, options.min_height, min_cells, result);
     if (scene.parcels != nullptr)
-        cut_by_parcels(scene, options.split_width, cells_covering(min_area_m2, scene.cell), result, threads);
+        cut_by_parcels(scene, options.split_width, min_cells, result, threads);
+    cut_by_corrections(scene, options.split_width, min_cells, result, threads);
     if (options.split_height > 0)
-        split_buildings(scene, options.split_height, cells_covering(min_area_m2, scene.cell), result,
-                        threads);
+        split_buildings(scene, options.split_height, min_cells, result, threads);
     return result;
 }
 

@@ -62,6 +62,13 @@ enum class CounterEvidence {
 };
 [[nodiscard]] std::string_view counter_evidence_name(detect::CounterEvidence doubt);
 
+/// Reason why an object is left out although it resembles a building.
+enum class LeftOut : std::uint8_t {
+    no,
+    excluded,  ///< half of it lies where there are no buildings
+    denied,    ///< an editor has decided that it is none
+};
+
 /// Object above the ground that resembles a building.
 struct DetectedObject {
     double confidence = 0;  ///< 0 to 1
@@ -69,6 +76,8 @@ struct DetectedObject {
     std::int64_t cells = 0;
     std::int64_t parcel = ParcelCell::no_parcel;  ///< parcel with most of its cells
     Label whole = 0;  ///< shared by all objects that one object was divided into; 0: unknown
+    detect::LeftOut left_out = detect::LeftOut::no;
+    bool confirmed = false;  ///< an editor has decided that it is a building
 };
 
 /// Detected objects and their cells.
@@ -77,9 +86,14 @@ struct Detection {
     std::vector<detect::DetectedObject> objects;  ///< by label - 1
     Label buildings = 0;
     detect::RejectedObjects rejected;
-    SmoothnessThresholds smooth{};  ///< limits of smoothness in the usual pass
+    SmoothnessThresholds smooth{};            ///< limits of smoothness in the usual pass
+    std::vector<std::size_t> effective_cuts;  ///< index of cuts among all corrections
 
     [[nodiscard]] bool is_building(Label label) const { return label != 0 && label <= buildings; }
+    /// Same, but not if it is left out.
+    [[nodiscard]] bool is_kept_building(Label label) const {
+        return is_building(label) && objects[label - 1].left_out == detect::LeftOut::no;
+    }
 };
 
 /// Detects buildings by their shape. Elevated cells are joined to smooth segments, these grow over ridges,
@@ -87,8 +101,9 @@ struct Detection {
 /// its shape, and the tilt and size of its segments (see classify()). Trees are rough, and crowns break up
 /// into small, steep segments.
 ///
-/// Buildings are then divided by parcels if the scene has them (detect/cut_by_parcels.hpp), and at steps of
-/// the surface if options.split_height is set (detect/split.hpp). The noise of the surface and the scale of
+/// Corrections of the scene then make buildings of further objects (confirm_buildings()). Buildings are
+/// divided by parcels and cuts if the scene has them (divide_buildings.hpp), and at steps of the surface if
+/// options.split_height is set. The noise of the surface and the scale of
 /// the smoothness thresholds (estimate_threshold_scale()) are estimated from the scene itself, so results for
 /// a cut-out differ from those for the whole raster.
 ///

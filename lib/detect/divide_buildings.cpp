@@ -313,11 +313,10 @@ void name_parcels(const ParcelGrid& parcels, Detection& detection) {
 
 }  // namespace
 
-void cut_by_parcels(const Scene& scene, double width_m, std::int64_t min_cells, Detection& detection,
-                    Executor& threads) {
-    const ParcelGrid& parcels = *scene.parcels;
+Regions divide_along(const Scene& scene, const ParcelGrid& boundaries, double width_m, std::int64_t min_cells,
+                     Detection& detection, Executor& threads) {
     const Mask cells = building_cells(detection);
-    const Regions pieces = cut(cells, parcels, detection.labels, threads);
+    Regions pieces = cut(cells, boundaries, detection.labels, threads);
     if (pieces.count() > detection.buildings) {
         const Grid<Label> owners = assign_cells(scene, piece_grid(pieces, threads), detection.labels,
                                                 pieces.count(), width_m, threads);
@@ -336,8 +335,17 @@ void cut_by_parcels(const Scene& scene, double width_m, std::int64_t min_cells, 
         add_borders(piece_grid(regions, threads), detection.labels, graph);
         graph.merge_small(min_cells);
         write_pieces(regions, graph.numbered(), detection);
-        detection.rejected.parts = pieces_gone(pieces, detection.labels);
     }
+    return pieces;
+}
+
+void cut_by_parcels(const Scene& scene, double width_m, std::int64_t min_cells, Detection& detection,
+                    Executor& threads) {
+    const ParcelGrid& parcels = *scene.parcels;
+    const Label whole = detection.buildings;
+    const Regions pieces = divide_along(scene, parcels, width_m, min_cells, detection, threads);
+    if (pieces.count() > whole)
+        detection.rejected.parts = pieces_gone(pieces, detection.labels);
     name_parcels(parcels, detection);
 }
 

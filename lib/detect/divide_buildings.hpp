@@ -4,8 +4,14 @@
 
 #include "detect/detection.hpp"
 #include "detect/scene.hpp"
+#include "raster/regions.hpp"
 
 namespace d2b::detect {
+
+/// Divides buildings along boundaries of parcels, or along the cuts of an editor, see cut_by_parcels().
+/// @return the pieces before they were merged
+Regions divide_along(const Scene& scene, const ParcelGrid& boundaries, double width_m, std::int64_t min_cells,
+                     Detection& detection, Executor& threads);
 
 /// Divides buildings along parcel boundaries, and records for each building and doubtful object the parcel
 /// with most of its cells. Neighbouring cells stay together if their centres are in one parcel and no

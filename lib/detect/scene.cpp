@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/context.hpp"
@@ -69,6 +70,25 @@ MetreGrid read_grid(DemSource& source, const Window& part, double factor, Contex
             grid.values[first + i] = static_cast<float>(values[i] * factor);
     });
     return grid;
+}
+
+std::vector<SceneCorrection> corrections_in(const std::vector<Correction>& all, const Window& part) {
+    std::vector<SceneCorrection> here;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        SceneCorrection correction{i, all[i].kind, all[i].is_point, {}, {}};
+        for (const CellRun& run : all[i].cells) {
+            const std::int32_t begin = std::max(run.begin, part.col);
+            const std::int32_t end = std::min(run.end, part.end_col());
+            if (run.row >= part.row && run.row < part.end_row() && begin < end)
+                correction.cells.push_back({run.row - part.row, begin - part.col, end - part.col});
+        }
+        for (const CellCut& cut : all[i].cuts)
+            if (part.holds(cut.row, cut.col))
+                correction.cuts.push_back({cut.row - part.row, cut.col - part.col, cut.below});
+        if (!correction.cells.empty() || !correction.cuts.empty())
+            here.push_back(std::move(correction));
+    }
+    return here;
 }
 
 Mask read_mask(DemSource& source, const Window& part, Context& context) {

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "core/context.hpp"
 #include "core/executor.hpp"
 #include "core/grid.hpp"
+#include "dem2buildings/correction_source.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/parcel_source.hpp"
 
@@ -20,6 +24,18 @@ using ParcelGrid = Grid<ParcelCell>;
     return first.parcel != second.parcel || (below ? first.cut_below : first.cut_right);
 }
 
+/// Part of a correction that lies in a scene, in rows and columns of the scene.
+struct SceneCorrection {
+    std::size_t index = 0;  ///< among all corrections
+    CorrectionKind kind = CorrectionKind::building;
+    bool is_point = false;
+    std::vector<CellRun> cells;
+    std::vector<CellCut> cuts;
+};
+/// Returns the corrections that have cells in a part of the DEM. @param part extent of the scene
+[[nodiscard]] std::vector<detect::SceneCorrection> corrections_in(const std::vector<Correction>& all,
+                                                                  const Window& part);
+
 /// Cells with an NDVI above this are vegetation.
 inline constexpr float vegetation_ndvi = 0.3F;
 
@@ -31,6 +47,7 @@ struct Scene {
     const Mask* allowed = nullptr;                ///< cells in which buildings are searched; null: everywhere
     const MetreGrid* greenness = nullptr;         ///< NDVI, NaN if unknown; may be null
     const detect::ParcelGrid* parcels = nullptr;  ///< parcels that divide buildings; may be null
+    std::span<const detect::SceneCorrection> corrections = {};
 
     [[nodiscard]] float height(std::size_t i) const { return surface.values[i] - terrain.values[i]; }
     /// Side in metres of a square cell of the same area.

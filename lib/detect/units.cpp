@@ -200,6 +200,12 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t min_cells) {
             const SeenObject whole = object(set);
             if (whole.is_building != sure || whole.own_cells < min_cells)
                 continue;
+            merged.doubtful += sure ? 0 : 1;
+            if (whole.object.left_out != LeftOut::no) {
+                if (sure)
+                    ++(whole.object.left_out == LeftOut::denied ? merged.denied : merged.excluded);
+                continue;
+            }
             merged.objects.push_back(whole);
             merged.number[set] = static_cast<Label>(merged.objects.size());
         }

@@ -134,6 +134,9 @@ class UnitMerger {
         /// belong together.
         std::vector<SeenObject> objects;
         Label buildings = 0;
+        std::int64_t doubtful = 0;  ///< doubtful objects, including those that are left out
+        std::int64_t excluded = 0;  ///< buildings with LeftOut::excluded, which are not among the objects
+        std::int64_t denied = 0;    ///< likewise
         std::vector<Label> number;  ///< index in `objects` plus one, by label with offset; 0: dropped
         std::vector<Label> wholes;  ///< lowest label of those that belong together, dropped or not, by label
     };

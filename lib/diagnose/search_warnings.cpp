@@ -175,6 +175,17 @@ std::string validity_warning(const ParcelReport& report, const DetectOptions& op
 
 namespace {
 
+/// @return "" unless -exclude leaves out more buildings than remain
+std::string exclusion_warning(const SearchSummary& search) {
+    const std::int64_t excluded = search.tally.counted(Reason::building_excluded);
+    const auto kept = static_cast<std::int64_t>(search.buildings);
+    if (excluded <= kept)
+        return {};
+    return "-exclude '" + search.plan.asked.detect.exclude + "' leaves out " + std::to_string(excluded) +
+           " of " + std::to_string(excluded + kept) +
+           " buildings that were found; check that its polygons are bridges, water and the like";
+}
+
 /// Option that rejects objects, and their number.
 struct Sieve {
     const char* option;
@@ -270,7 +281,7 @@ double side_of(Search search) {
 }
 
 /// Reasons why nothing was found, the most frequent first.
-constexpr std::array<std::string (*)(Search), 9> empty_search_reasons{
+constexpr std::array<std::string (*)(Search), 10> empty_search_reasons{
     [](Search s) { return empty_auxiliary_warning(s.scene.sides, s.plan.asked); },
     [](Search s) { return picture_warning(s.dem); },
     [](Search s) { return degrees_warning(s.dem, s.has_crs); },
@@ -279,6 +290,7 @@ constexpr std::array<std::string (*)(Search), 9> empty_search_reasons{
                               s.dem.window.rows * s.cell.down * s.cell.sine);
     },
     search_ground_warning,
+    [](Search s) { return exclusion_warning(s); },
     [](Search s) { return rejected_by(s, true); },
     [](Search s) { return surface_warning(s.scene.fit, s.dem.name); },
     [](Search s) { return slope_warning(s.scene.slope, s.dem.name); },
@@ -298,7 +310,7 @@ struct SearchWarning {
 
 /// Warnings about a search in the order in which they are issued. A report without sampling or parcels has
 /// nothing to warn of.
-constexpr std::array<SearchWarning, 10> search_warnings{{
+constexpr std::array<SearchWarning, 11> search_warnings{{
     {When::always, [](Search s, Report) { return ndvi_warning(s.scene.sides, s.plan.asked); }},
     {When::always, terrain_gap_warning},
     {When::always,
@@ -313,6 +325,7 @@ constexpr std::array<SearchWarning, 10> search_warnings{{
      [](Search s, Report r) { return r.sampling ? blur_warning(*r.sampling, side_of(s)) : std::string(); }},
     {When::found,
      [](Search s, Report r) { return looks_like_picture(s, r) ? picture_warning(s.dem) : std::string(); }},
+    {When::found, [](Search s, Report) { return exclusion_warning(s); }},
     {When::found,
      [](Search s, Report r) {
          return r.parcels ? misplaced_warning(*r.parcels, s.cell, s.plan.asked.detect) : std::string();

@@ -59,6 +59,7 @@ struct SearchSummary {
     CellSize cell;
     bool has_crs = true;
     double terrain_outside = 0;  ///< share of the window outside of the given terrain model
+    std::size_t buildings = 0;   ///< number that remains
 };
 
 /// Returns the most probable reason why no building was found, and possible remedies. A clause without a full

@@ -164,10 +164,14 @@ constexpr std::array needs{
                      "it writes the problems of a surface or a flow solver",
                      {"flow_ready", "min_gap", "min_wall"}},
     OptionDependency{"mask_layer", "mask", "it names the layer of its polygons"},
+    OptionDependency{"exclude_layer", "exclude", "it names the layer of its polygons"},
+    OptionDependency{"exclude_buffer", "exclude", "it widens its polygons"},
+    OptionDependency{"corrections_layer", "corrections", "it names the layer of the corrections"},
     OptionDependency{"footprints_layer", "footprints", "it names the layer of the footprints"},
     OptionDependency{"split_layer", "split_by", "it names the layer of the parcels"},
     OptionDependency{"split_field", "split_by", "it is a field of the parcels"},
-    OptionDependency{"split_width", "split_by", "it is the width of parts that parcels cut off"},
+    OptionDependency{
+        "split_width", "split_by", "it is the width of parts that parcels cut off", {"corrections"}},
 };
 
 }  // namespace

@@ -100,6 +100,55 @@ std::vector<OptionRow> parcels() {
     return rows;
 }
 
+std::vector<OptionRow> exclusion() {
+    std::vector<OptionRow> rows;
+    rows.push_back(
+        text_row("exclude", OptionKind::polygons, "<polygons>",
+                 [](auto& r) -> auto& { return r.options.detect.exclude; },
+                 {.title = "Polygons of what is no building",
+                  .section = DialogSection::detail,
+                  .help = "Leave out objects of which half lies in these polygons, such as bridges.",
+                  .details = "In any CRS: bridges, water, ships, tanks. The number is reported. "
+                             "Beside -footprints it concerns the layer missing alone.",
+                  .scope = detection_scope(),
+                  .item = "EXCLUDE"}));
+    rows.push_back(text_row("exclude_layer", OptionKind::text, "<layer>",
+                            [](auto& r) -> auto& { return r.options.detect.exclude_layer; },
+                            {.title = "Layer of what is no building",
+                             .help = "Layer of -exclude; by default the first with geometries.",
+                             .scope = detection_scope()}));
+    rows.push_back(number_row("exclude_buffer", "<m>", {.lowest = 0},
+                              [](auto& r) -> auto& { return r.options.detect.exclude_buffer; },
+                              {.title = "Margin around what is no building",
+                               .help = "Widen the polygons of -exclude on all sides.",
+                               .details = "For polygons that are drawn inside the edges of the object.",
+                               .unit = "m",
+                               .scope = detection_scope(),
+                               .item = "EXCLUDE_BUFFER_M"}));
+    return rows;
+}
+
+std::vector<OptionRow> corrections() {
+    std::vector<OptionRow> rows;
+    rows.push_back(
+        text_row("corrections", OptionKind::polygons, "<points, polygons and lines>",
+                 [](auto& r) -> auto& { return r.options.detect.corrections; },
+                 {.title = "Corrections of an editor",
+                  .section = DialogSection::detail,
+                  .help = "Obey an editor's decisions: what is a building, what is none, and cuts.",
+                  .details = "The field kind is 'building', 'no building' (points or polygons) or "
+                             "'cut' (lines). In any CRS. Corrections without effect are named. "
+                             "Beside -footprints they concern the layer missing alone.",
+                  .scope = detection_scope(),
+                  .item = "CORRECTIONS"}));
+    rows.push_back(text_row("corrections_layer", OptionKind::text, "<layer>",
+                            [](auto& r) -> auto& { return r.options.detect.corrections_layer; },
+                            {.title = "Layer of the corrections",
+                             .help = "Layer of -corrections; by default all that have a field kind.",
+                             .scope = detection_scope()}));
+    return rows;
+}
+
 std::vector<OptionRow> evidence() {
     std::vector<OptionRow> rows;
     rows.push_back(
@@ -126,6 +175,10 @@ std::vector<OptionRow> evidence() {
                             {.title = "Layer of the mask",
                              .help = "Layer of -mask; by default the first with geometries.",
                              .scope = detection_scope()}));
+    for (OptionRow& row : exclusion())
+        rows.push_back(std::move(row));
+    for (OptionRow& row : corrections())
+        rows.push_back(std::move(row));
     rows.push_back(text_row("ndvi", OptionKind::raster, "<raster>",
                             [](auto& r) -> auto& { return r.options.detect.ndvi; },
                             {.title = "Vegetation index (NDVI)",

@@ -17,6 +17,7 @@
 #include "elevations/filter_invalid.hpp"
 #include "options/provenance_text.hpp"
 #include "options/run_plan.hpp"
+#include "read/correction_reader.hpp"
 #include "read/footprint_reader.hpp"
 #include "read/gdal_setup.hpp"
 #include "read/parcel_reader.hpp"
@@ -97,6 +98,13 @@ AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& d
         sources.mask =
             reading::open_mask(pipeline::side_raster("mask", options.detect.mask, arrays.mask, grid),
                                options.detect.mask_layer, grid, callbacks);
+    if (!options.detect.exclude.empty())
+        sources.exclusion = reading::open_exclusion(
+            {options.detect.exclude, options.detect.exclude_layer, options.detect.exclude_buffer}, grid,
+            callbacks);
+    if (!options.detect.corrections.empty())
+        sources.corrections = reading::open_corrections(
+            {options.detect.corrections, options.detect.corrections_layer}, grid, callbacks);
     if (!options.detect.ndvi.empty())
         sources.ndvi = reading::open_ndvi(
             pipeline::side_raster("ndvi", options.detect.ndvi, arrays.ndvi, grid), grid, callbacks);
@@ -118,8 +126,8 @@ AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) 
     const WriteOptions& write = options.write;
     std::vector<std::string> in_use = reading::rasters_of(options.read.source);
     in_use.insert(in_use.end(), {options.read.source, write.destination});
-    for (const std::string& name :
-         {options.ground.terrain, options.detect.mask, options.detect.ndvi, options.detect.split_by})
+    for (const std::string& name : {options.ground.terrain, options.detect.mask, options.detect.exclude,
+                                    options.detect.corrections, options.detect.ndvi, options.detect.split_by})
         if (!name.empty())
             in_use.push_back(name);
     AuxiliarySinks sinks = pipeline::open_scene_rasters(

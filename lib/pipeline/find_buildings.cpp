@@ -12,8 +12,10 @@
 #include "core/context.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/run.hpp"
+#include "detect/corrections.hpp"
 #include "detect/detection.hpp"
 #include "detect/ground_level.hpp"
+#include "detect/left_out.hpp"
 #include "detect/scene.hpp"
 #include "detect/units.hpp"
 #include "ground/ground.hpp"
@@ -100,7 +102,7 @@ class Heights {
     [[nodiscard]] float height(std::size_t i) const { return scene_.height(i); }
     [[nodiscard]] float canopy(std::size_t i) const {
         const float height = scene_.height(i);
-        const bool building = detection_.is_building(detection_.labels.values[i]);
+        const bool building = detection_.is_kept_building(detection_.labels.values[i]);
         return !std::isnan(height) && (building || height <= least_) ? 0 : height;
     }
 
@@ -232,10 +234,20 @@ FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit) {
         sources.parcels->read(unit.seen, parcels.values);
         scene.parcels = &parcels;
     }
+    std::vector<detect::SceneCorrection> corrections;
+    if (sources.corrections != nullptr) {
+        corrections = detect::corrections_in(sources.corrections->corrections(), unit.seen);
+        scene.corrections = corrections;
+    }
     detect::Detection detection = [&] {
         const StageClock clock(context.report, Stage::detect);
         return detect::detect_buildings(scene, options.detect, search.plan.building_m2, context);
     }();
+    detect::mark_denied(scene, detection, threads);
+    if (sources.exclusion != nullptr)
+        detect::mark_left_out(detect::read_mask(*sources.exclusion, unit.seen, context),
+                              detect::LeftOut::excluded, detection, threads);
+    found.effective = detect::effective_corrections(scene, detection, own);
     statistics.add_buildings(scene, detection, own, threads);
     count_rejected(detection.rejected, own, context.report);
     write_scene_rasters(search.sinks, scene, detection, options.detect.min_height, unit);
@@ -272,6 +284,7 @@ class UnitCollector {
         const StageClock clock(search_.context.report, Stage::detect);
         Executor& threads = *search_.context.threads;
         found_.scene.merge(here.scene);
+        found_.effective.insert(here.effective.begin(), here.effective.end());
         const Label more = merger_.add(here.objects);
         detect::UnitEdges edges = detect::edges_of(unit, here.labels);
         edges.add(more);
@@ -337,8 +350,9 @@ detect::UnitMerger::Merged merge_found_units(detect::UnitMerger& merger, const R
                                              const detect::UnitGrid& units, const CellSize& cell,
                                              RunReport& report) {
     detect::UnitMerger::Merged merged = merger.finish(min_cells(plan, units, cell));
-    report.count(Reason::building_doubtful,
-                 static_cast<std::int64_t>(merged.objects.size()) - merged.buildings);
+    report.count(Reason::building_doubtful, merged.doubtful);
+    report.count(Reason::building_excluded, merged.excluded);
+    report.count(Reason::building_denied, merged.denied);
     if (plan.asked.write.doubtful)
         return merged;
     merged.objects.resize(merged.buildings);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "core/context.hpp"
@@ -70,6 +71,7 @@ struct FoundInUnit {
     std::vector<detect::SeenObject> objects;                       ///< by label - 1
     detect::SceneStatistics scene;                                 ///< of the unit's own cells
     std::vector<std::vector<detect::SeenFootprint>> footprints{};  ///< by layer of given footprints
+    std::vector<std::size_t> effective{};                          ///< corrections that have had an effect
 };
 
 /// Estimates or reads the terrain, detects buildings above it, and writes the requested rasters. The result
@@ -89,6 +91,7 @@ struct FoundBuildings {
     std::vector<features::Footprint> footprints;  ///< by label; [0] is not used
     std::vector<double> ground;                   ///< ground elevations in the vertical unit, by label
     detect::SceneStatistics scene;
+    std::set<std::size_t> effective;  ///< corrections that have had an effect
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
     /// Keeps some of the objects. @param dropped by label; [0] is not used

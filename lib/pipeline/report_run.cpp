@@ -59,10 +59,11 @@ void move_warnings(From* from, std::vector<std::string>& all) {
 
 std::vector<std::string> take_warnings(const Sources& sources) {
     std::vector<std::string> all;
-    for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi})
+    for (DemSource* source : {&sources.dem, sources.terrain, sources.mask, sources.ndvi, sources.exclusion})
         move_warnings(source, all);
     move_warnings(sources.parcels, all);
     move_warnings(sources.footprints, all);
+    move_warnings(sources.corrections, all);
     return all;
 }
 
@@ -108,8 +109,65 @@ void warn_of_result(const features::RunSetup& setup, const contours::LevelPlan& 
     report.sampling = detect::sampling_report(scene->sampling, report.units.vertical_metres);
     diagnose::warn_about_search(
         {setup.dem, setup.plan, report, *scene, setup.cell, setup.crs.kind() != Crs::Kind::none,
-         terrain != nullptr ? terrain->share_outside() : 0},
+         terrain != nullptr ? terrain->share_outside() : 0, buildings},
         buildings > 0, context);
+}
+
+namespace {
+
+/// Names the first few corrections.
+class NamedCorrections {
+  public:
+    void add(const Correction& correction) {
+        constexpr std::int64_t most_named = 5;
+        if (++count_ <= most_named)
+            names_ += (names_.empty() ? "" : ", ") + correction.name + " ('" +
+                      std::string(correction_names[static_cast<std::size_t>(correction.kind)]) + "')";
+        else if (count_ == most_named + 1)
+            names_ += " and others";
+    }
+    [[nodiscard]] std::int64_t count() const { return count_; }
+    [[nodiscard]] std::string text() const {
+        return std::to_string(count_) + (count_ == 1 ? " correction" : " corrections");
+    }
+    [[nodiscard]] const std::string& names() const { return names_; }
+
+  private:
+    std::int64_t count_ = 0;
+    std::string names_;
+};
+
+}  // namespace
+
+void report_corrections(const CorrectionSource* source, const std::set<std::size_t>& effective,
+                        const std::string& dataset, Context& context) {
+    if (source == nullptr)
+        return;
+    CorrectionReport report;
+    NamedCorrections idle;
+    NamedCorrections outside;
+    const std::vector<Correction>& all = source->corrections();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const CorrectionKind kind = all[i].kind;
+        ++(kind == CorrectionKind::building      ? report.building
+           : kind == CorrectionKind::no_building ? report.no_building
+                                                 : report.cut);
+        if (all[i].is_outside())
+            outside.add(all[i]);
+        else if (!effective.contains(i))
+            idle.add(all[i]);
+    }
+    report.outside = outside.count();
+    report.without_effect = idle.count();
+    report.unusable = source->unusable();
+    if (idle.count() > 0)
+        context.warn(idle.text() + " of '" + dataset + "' had no effect: " + idle.names() +
+                     "; nothing is there that could be changed, or a cut does not go through or cuts off "
+                     "too little.");
+    if (outside.count() > 0)
+        context.warn(outside.text() + " of '" + dataset + (outside.count() == 1 ? "' lies" : "' lie") +
+                     " outside of the raster, or between the centres of its cells: " + outside.names() + ".");
+    context.report.corrections = report;
 }
 
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,11 @@ void report_levels(const contours::LevelPlan& plan, int levels, RunReport& repor
 /// @param scene null if there was no search @param terrain given terrain model or null
 void warn_of_result(const features::RunSetup& setup, const contours::LevelPlan& plan, std::size_t buildings,
                     const detect::SceneStatistics* scene, const DemSource* terrain, Context& context);
+
+/// Counts the corrections by kind, and warns of those that have had no effect.
+/// @param source null without corrections @param effective their indices
+void report_corrections(const CorrectionSource* source, const std::set<std::size_t>& effective,
+                        const std::string& dataset, Context& context);
 
 /// Completes the results of all sinks. @param commit publishes them @throws OutputError, Cancelled
 void prepare_sinks(const Sinks& sinks, CommitList& commit, Context& context);

@@ -221,6 +221,8 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     });
 
     pass_warnings(sources, sinks, context);
+    if (found != nullptr)
+        report_corrections(sources.corrections, found->effective, decided.asked.detect.corrections, context);
     const std::vector<features::Footprint> nothing_found;
     const std::vector<features::Footprint>& footprints = found != nullptr ? found->footprints : nothing_found;
     const features::RecordBuilder records(*contours, {plan, frame.fixed, footprints, metres,

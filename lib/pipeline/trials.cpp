@@ -130,9 +130,11 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
     OptionalSource terrain;
     OptionalSource mask;
     OptionalSource ndvi;
+    OptionalSource exclusion;
     cache(sources.terrain, terrain);
     cache(sources.mask, mask);
     cache(sources.ndvi, ndvi);
+    cache(sources.exclusion, exclusion);
     const std::vector<std::vector<std::string>> all = sweep_values(plan);
     std::vector<Trial> trials;
     std::set<std::string> warned;
@@ -152,8 +154,10 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
         const std::unique_ptr<TrialView> view = make_view ? make_view(discarded, values) : nullptr;
         Sinks sinks{view ? view->features() : discarded};
         sinks.elevations = view ? &view->elevations() : nullptr;
-        RunReport report =
-            run(tried, {dem, get(terrain), get(mask), get(ndvi), sources.parcels}, sinks, of_trial);
+        RunReport report = run(tried,
+                               {dem, get(terrain), get(mask), get(ndvi), sources.parcels, nullptr,
+                                get(exclusion), sources.corrections},
+                               sinks, of_trial);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         trials.push_back({values, std::move(report), took.count(), discarded.digest()});
     }

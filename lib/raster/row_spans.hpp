@@ -53,7 +53,24 @@ void for_each_crossing(std::pair<double, double> from, std::pair<double, double>
         use(step, from.second + (step + 0.5 - from.first) * rise);
 }
 
-/// Same for rings under the even-odd rule, in columns (x) and rows (y) of a raster, (0, 0) being the outer
+/// Calls use(row, col, below) for each pair of neighbouring cells with an edge between their centres: the
+/// cell at this row and column, and the one below it or to its right. @param rows, cols limits of the cells
+template <typename Use>
+void for_each_cut(const Position& a, const Position& b, const IndexRange& rows, const IndexRange& cols,
+                  const Use& use) {
+    for_each_crossing({a.y, a.x}, {b.y, b.x}, rows, [&](std::int32_t row, double col) {
+        const double left = std::ceil(col - 0.5) - 1;
+        if (left >= cols.low && left < cols.high)
+            use(row, static_cast<std::int32_t>(left), false);
+    });
+    for_each_crossing({a.x, a.y}, {b.x, b.y}, cols, [&](std::int32_t col, double row) {
+        const double above = std::ceil(row - 0.5) - 1;
+        if (above >= rows.low && above < rows.high)
+            use(static_cast<std::int32_t>(above), col, true);
+    });
+}
+
+/// Rasterizes rings under the even-odd rule, in columns (x) and rows (y) of a raster, (0, 0) being the outer
 /// corner of the first cell. Polygons that share an edge leave no gap and do not overlap.
 /// @param rings may repeat their first position at the end @param window the cells beyond it are left out
 [[nodiscard]] std::vector<RowSpan> row_spans(std::span<const WorldRing> rings, const Window& window);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -10,6 +11,9 @@
 #include <gdal_alg.h>
 #include <ogr_api.h>
 
+#include "core/crs.hpp"
+#include "core/georeference.hpp"
+#include "core/grid.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_handles.hpp"
@@ -126,6 +130,73 @@ std::vector<PixelPolygon> read_cutline(const PolygonSource& source, const DemInf
 
 namespace {
 
+/// Converts between pixel coordinates and a plane in metres, in which a buffer is as wide on all sides.
+class PixelPlane {
+  public:
+    explicit PixelPlane(const DemInfo& info) {
+        const AffineTransform& g = info.transform;
+        const CellSize cell = cell_steps(info.window, Georeference(g, TraceMode::cells), Crs(info.crs_wkt));
+        const double cosine = std::sqrt(std::max(0.0, 1 - cell.sine * cell.sine));
+        across_ = cell.across;
+        skew_ = std::copysign(cell.down * cosine, g[1] * g[2] + g[4] * g[5]);
+        down_ = cell.down * cell.sine;
+    }
+    [[nodiscard]] Position metres(const Position& p) const {
+        return {p.x * across_ + p.y * skew_, p.y * down_};
+    }
+    [[nodiscard]] Position pixels(const Position& p) const {
+        const double row = p.y / down_;
+        return {(p.x - row * skew_) / across_, row};
+    }
+
+  private:
+    double across_ = 1;
+    double skew_ = 0;
+    double down_ = 1;
+};
+
+GeometryOwner in_metres(const PixelPolygon& polygon, const PixelPlane& plane) {
+    GeometryOwner geometry(OGR_G_CreateGeometry(wkbPolygon));
+    for (const WorldRing& ring : polygon) {
+        GeometryOwner line(OGR_G_CreateGeometry(wkbLinearRing));
+        for (const Position& pixel : ring) {
+            const Position p = plane.metres(pixel);
+            OGR_G_AddPoint_2D(line.get(), p.x, p.y);
+        }
+        OGR_G_CloseRings(line.get());
+        OGR_G_AddGeometryDirectly(geometry.get(), line.release());
+    }
+    return geometry;
+}
+
+}  // namespace
+
+std::vector<PixelPolygon> buffered(const std::vector<PixelPolygon>& polygons, double metres,
+                                   const DemInfo& info, const std::string& name) {
+    constexpr int segments_per_quadrant = 8;
+    const PixelPlane plane(info);
+    const GdalMessages messages;
+    std::vector<PixelPolygon> all;
+    for (const PixelPolygon& polygon : polygons) {
+        GeometryOwner area = in_metres(polygon, plane);
+        if (!is_valid(area.get()))
+            area.reset(OGR_G_MakeValid(area.get()));
+        const GeometryOwner wide(area ? OGR_G_Buffer(area.get(), metres, segments_per_quadrant) : nullptr);
+        if (!wide)
+            throw InputError("The polygons of the " + name + " cannot be widened: " + messages.reason() +
+                             "; make them valid, for example by ogr2ogr -makevalid.");
+        for (OGRGeometryH const part : polygons_within(wide.get())) {
+            PixelPolygon& pixels = all.emplace_back(rings_of(part));
+            for (WorldRing& ring : pixels)
+                for (Position& p : ring)
+                    p = plane.pixels(p);
+        }
+    }
+    return all;
+}
+
+namespace {
+
 constexpr std::int64_t max_strip_cells = std::int64_t{1} << 24;
 
 /// Pixel coordinates of the first cell of a strip.
@@ -199,8 +270,8 @@ void CutlineMask::burn(const Window& strip) {
                                 nullptr) != CE_None ||
         GDALRasterIO(GDALGetRasterBand(cells.get(), 1), GF_Read, 0, 0, strip.cols, strip.rows, inside_.data(),
                      strip.cols, strip.rows, GDT_Byte, 0, 0) != CE_None)
-        throw InputError("The polygons of the cutline or mask cannot be rasterised: " + messages.reason() +
-                         "; simplify them.");
+        throw InputError("The polygons of the cutline, mask or -exclude cannot be rasterised: " +
+                         messages.reason() + "; simplify them.");
 }
 
 void CutlineMask::apply(const Window& part, std::span<double> elevations) {

@@ -31,6 +31,12 @@ using PixelPolygon = std::vector<WorldRing>;
 [[nodiscard]] std::vector<PixelPolygon> read_cutline(const PolygonSource& source, const DemInfo& info,
                                                      Warnings& warnings);
 
+/// Widens polygons by a distance; corners become arcs. Invalid polygons are those of their odd rings.
+/// @param info grid of their pixel coordinates, which gives the size of a cell in metres
+/// @throws InputError if GEOS fails
+[[nodiscard]] std::vector<PixelPolygon> buffered(const std::vector<PixelPolygon>& polygons, double metres,
+                                                 const DemInfo& info, const std::string& name);
+
 /// Envelope of all rings in pixel coordinates.
 [[nodiscard]] ClipBox box_of(const PixelPolygon& polygon);
 [[nodiscard]] bool meets(const ClipBox& box, const Window& window);

@@ -53,20 +53,10 @@ void Burner::fill(const std::vector<WorldRing>& rings, const PixelParcel& parcel
 }
 
 void Burner::draw(const WorldRing& line) {
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const Position& a = line[i - 1];
-        const Position& b = line[i];
-        for_each_crossing({a.y, a.x}, {b.y, b.x}, rows_, [&](std::int32_t row, double col) {
-            const double left = std::ceil(col - 0.5) - 1;
-            if (left >= cols_.low && left < cols_.high)
-                cell(row, static_cast<std::int32_t>(left)).cut_right = true;
+    for (std::size_t i = 1; i < line.size(); ++i)
+        for_each_cut(line[i - 1], line[i], rows_, cols_, [&](std::int32_t row, std::int32_t col, bool below) {
+            (below ? cell(row, col).cut_below : cell(row, col).cut_right) = true;
         });
-        for_each_crossing({a.x, a.y}, {b.x, b.y}, cols_, [&](std::int32_t col, double row) {
-            const double above = std::ceil(row - 0.5) - 1;
-            if (above >= rows_.low && above < rows_.high)
-                cell(static_cast<std::int32_t>(above), col).cut_below = true;
-        });
-    }
 }
 
 }  // namespace
@@ -138,13 +128,6 @@ std::optional<LayerBox> box_around(const Window& part, const AffineTransform& g,
     const double x = back != nullptr ? margin_share * (box.right - box.left) : 0;
     const double y = back != nullptr ? margin_share * (box.high - box.low) : 0;
     return LayerBox{box.left - x, box.low - y, box.right + x, box.high + y};
-}
-
-WorldRing points_of(OGRGeometryH line) {
-    WorldRing points(static_cast<std::size_t>(OGR_G_GetPointCount(line)));
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = {OGR_G_GetX(line, static_cast<int>(i)), OGR_G_GetY(line, static_cast<int>(i))};
-    return points;
 }
 
 class ParcelReader final : public ParcelSource {

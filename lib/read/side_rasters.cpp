@@ -418,16 +418,16 @@ class RasterMask final : public WarningSource {
 
 class PolygonMask final : public WarningSource {
   public:
-    PolygonMask(const PolygonSource& place, const DemInfo& grid, std::unique_ptr<Warnings> own)
+    PolygonMask(const PolygonSource& place, const DemInfo& grid, std::unique_ptr<Warnings> own,
+                double buffer_m = 0)
         : WarningSource(std::move(own)),
           info_(grid),
-          mask_(read_cutline(place, grid, warnings()), grid.window) {
+          mask_(polygons_of(place, grid, buffer_m, warnings()), grid.window) {
         info_.name = place.path;
-        if (!mask_.meets_window())
-            throw InputError("The mask '" + place.path + "' has no polygon in the part of '" + grid.name +
-                             "' that is used; give one of the same area.");
         warnings().hold();
     }
+
+    [[nodiscard]] bool meets_window() const { return mask_.meets_window(); }
 
     [[nodiscard]] const DemInfo& info() const override { return info_; }
 
@@ -440,6 +440,13 @@ class PolygonMask final : public WarningSource {
     }
 
   private:
+    [[nodiscard]] static std::vector<PixelPolygon> polygons_of(const PolygonSource& place,
+                                                               const DemInfo& grid, double buffer_m,
+                                                               Warnings& warnings) {
+        std::vector<PixelPolygon> polygons = read_cutline(place, grid, warnings);
+        return buffer_m > 0 ? buffered(polygons, buffer_m, grid, place.name()) : polygons;
+    }
+
     DemInfo info_;
     CutlineMask mask_;
 };
@@ -456,7 +463,28 @@ bool is_vector(const std::string& path, Warnings& warnings) {
     return GDALGetRasterCount(dataset.get()) == 0 && GDALDatasetGetLayerCount(dataset.get()) > 0;
 }
 
+std::unique_ptr<DemSource> open_polygon_mask(const std::string& path, const std::string& layer,
+                                             const DemInfo& grid, std::unique_ptr<Warnings> warnings) {
+    auto mask = std::make_unique<PolygonMask>(PolygonSource{"mask", "mask_layer", path, layer}, grid,
+                                              std::move(warnings));
+    if (!mask->meets_window())
+        throw InputError("The mask '" + path + "' has no polygon in the part of '" + grid.name +
+                         "' that is used; give one of the same area.");
+    return mask;
+}
+
 }  // namespace
+
+std::unique_ptr<DemSource> open_exclusion(const ExclusionChoice& choice, const DemInfo& grid,
+                                          const Callbacks& callbacks) {
+    const PolygonSource place{"exclusion dataset", "exclude_layer", choice.dataset, choice.layer};
+    auto mask = std::make_unique<PolygonMask>(place, grid, std::make_unique<Warnings>(callbacks.on_warning),
+                                              choice.buffer_m);
+    if (!mask->meets_window() && callbacks.on_warning)
+        callbacks.on_warning("The " + place.name() + " has no polygon in the part of '" + grid.name +
+                             "' that is used, so it leaves nothing out.");
+    return mask;
+}
 
 std::unique_ptr<DemSource> open_mask(const AuxiliaryRaster& mask, const std::string& layer,
                                      const DemInfo& grid, const Callbacks& callbacks) {
@@ -464,8 +492,7 @@ std::unique_ptr<DemSource> open_mask(const AuxiliaryRaster& mask, const std::str
     auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
     // Standard input can be opened only once, and GDAL reads no rasters from it by itself.
     if (mask.array == nullptr && !is_standard_input(path) && is_vector(path, *warnings))
-        return std::make_unique<PolygonMask>(PolygonSource{"mask", "mask_layer", path, layer}, grid,
-                                             std::move(warnings));
+        return open_polygon_mask(path, layer, grid, std::move(warnings));
     if (!layer.empty())
         throw OptionError("The mask '" + path + "' is a raster and has no layers; leave out -mask_layer.");
     return std::make_unique<RasterMask>(mask, grid, std::move(warnings));

@@ -158,8 +158,9 @@ std::vector<SourceFile> source_files(const ReadOptions& options) {
 std::vector<SourceFile> list_auxiliary_files(const Options& options) {
     register_formats();
     std::vector<SourceFile> files;
-    for (const std::string& path : {options.ground.terrain, options.detect.mask, options.detect.ndvi,
-                                    options.detect.split_by, options.read.cutline}) {
+    for (const std::string& path :
+         {options.ground.terrain, options.detect.mask, options.detect.exclude, options.detect.corrections,
+          options.detect.ndvi, options.detect.split_by, options.read.cutline}) {
         if (path.empty())
             continue;
         const GdalMessages messages;

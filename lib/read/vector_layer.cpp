@@ -72,6 +72,20 @@ std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry) {
     return parts_within(geometry, [](OGRwkbGeometryType type) { return type == wkbLineString; });
 }
 
+std::vector<OGRGeometryH> points_within(OGRGeometryH geometry) {
+    std::vector<OGRGeometryH> points =
+        parts_within(geometry, [](OGRwkbGeometryType type) { return type == wkbPoint; });
+    std::erase_if(points, [](OGRGeometryH point) { return OGR_G_IsEmpty(point) != FALSE; });
+    return points;
+}
+
+WorldRing points_of(OGRGeometryH line) {
+    WorldRing points(static_cast<std::size_t>(OGR_G_GetPointCount(line)));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] = {OGR_G_GetX(line, static_cast<int>(i)), OGR_G_GetY(line, static_cast<int>(i))};
+    return points;
+}
+
 PolygonFeature polygon_feature_of(OGRGeometryH geometry, std::vector<double>* elevations) {
     PolygonFeature feature;
     const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));

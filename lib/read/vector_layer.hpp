@@ -19,6 +19,11 @@ namespace d2b::reading {
 [[nodiscard]] std::vector<OGRGeometryH> polygons_within(OGRGeometryH geometry);
 /// Same for lines; edges of polygons do not count.
 [[nodiscard]] std::vector<OGRGeometryH> lines_within(OGRGeometryH geometry);
+/// Same for points that are not empty; vertices do not count.
+[[nodiscard]] std::vector<OGRGeometryH> points_within(OGRGeometryH geometry);
+
+/// Returns the vertices of a line or ring, without heights.
+[[nodiscard]] WorldRing points_of(OGRGeometryH line);
 
 /// Returns the polygons of a geometry of any type without heights of vertices. Curves become lines; the
 /// result is empty if it contains no polygon. @param elevations gets the heights, ring by ring in the order

@@ -55,8 +55,9 @@ writing::FileTarget picture_target(const Options& options) {
         write.preview, write.overwrite, {options.read.source}, writing::FileKind::picture};
     std::vector<std::string> others = auxiliary_file_names(write);
     std::ranges::copy(reading::rasters_of(options.read.source), std::back_inserter(others));
-    others.insert(others.end(), {write.destination, options.ground.terrain, options.detect.mask,
-                                 options.detect.ndvi, options.detect.split_by});
+    others.insert(others.end(),
+                  {write.destination, options.ground.terrain, options.detect.mask, options.detect.exclude,
+                   options.detect.corrections, options.detect.ndvi, options.detect.split_by});
     for (const std::string& name : others)
         if (!name.empty())
             target.in_use.push_back(name);

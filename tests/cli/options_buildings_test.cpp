@@ -313,6 +313,140 @@ TEST_F(OptionEffect, split_by) {
         EXPECT_NE(field, "parcel");
 }
 
+/// Half of the flat house and a column; a third of the podium, which a margin makes more than half.
+VectorLayer bridges() {
+    return {"bridges", {{rectangle(20, 20, 30, 34)}, {rectangle(30, 83, 66, 94)}}, 25833};
+}
+
+TEST_F(OptionEffect, exclude) {
+    write_layer(path("bridges.gpkg"), bridges());
+    const nlohmann::json report = nlohmann::json::parse(find({"-exclude", "bridges.gpkg", "-json"}));
+    EXPECT_EQ(buildings().records.size(), 2U);
+    at(buildings(), MadeTown::gabled);
+    at(buildings(), MadeTown::podium);
+    for (const Record& record : contours().records)
+        EXPECT_FALSE(record.box().MaxX < 391045 && record.box().MinY > 5819960);
+    EXPECT_EQ(report["dropped"]["building_excluded"], 1);
+    EXPECT_EQ(buildings().metadata.at("D2B_EXCLUDE"), "bridges.gpkg");
+}
+
+/// Footprints are measured all the same; the layer of those without one loses the podium.
+TEST_F(OptionEffect, exclude__besideFootprints) {
+    write_layer(path("mine.gpkg"), {"mine", {{rectangle(20, 20, 38, 34)}}, 25833, "storeys"});
+    write_layer(path("water.gpkg"), {"water", {{rectangle(0, 0, 70, 140)}}, 25833});
+    find({"-footprints", "mine.gpkg", "-exclude", "water.gpkg"});
+    ASSERT_EQ(buildings().records.size(), 1U);
+    EXPECT_NEAR(buildings().records[0].number("p50"), MadeTown::flat_height, 0.5);
+    ASSERT_EQ(layer("out.gpkg", "missing").records.size(), 1U);
+    at(layer("out.gpkg", "missing"), MadeTown::gabled);
+}
+
+TEST_F(OptionEffect, exclude__isNamedWhereItIsMuch) {
+    write(path("town.tif"), town_raster(MadeTown::surface()));
+    write_layer(path("most.gpkg"), {"most", {{rectangle(0, 0, 70, 140)}}, 25833});
+    write_layer(path("all.gpkg"), {"all", {{rectangle(0, 0, 170, 140)}}, 25833});
+    const auto with = [](const std::string& file) {
+        return Arguments{"-preset", "buildings", "-q",       "-overwrite", "-exclude",
+                         file,      "--",        "town.tif", "out.gpkg"};
+    };
+    run_warned(with("most.gpkg"),
+               {"-exclude 'most.gpkg' leaves out 2 of 3 buildings that were found; check that its polygons "
+                "are bridges, water and the like"});
+    EXPECT_EQ(buildings().records.size(), 1U);
+    run_warned(with("all.gpkg"), {"No building was found: -exclude 'all.gpkg' leaves out 3 of 3 buildings"});
+}
+
+TEST_F(OptionEffect, exclude_layer) {
+    write_layer(path("bridges.gpkg"), bridges());
+    write_layer(path("bridges.gpkg"), {"ships", {{rectangle(80, 20, 102, 32)}}, 25833});
+    find({"-exclude", "bridges.gpkg", "-exclude_layer", "ships"});
+    EXPECT_EQ(buildings().records.size(), 2U);
+    at(buildings(), MadeTown::flat);
+    at(buildings(), MadeTown::podium);
+}
+
+TEST_F(OptionEffect, exclude_buffer) {
+    write_layer(path("bridges.gpkg"), bridges());
+    find({"-exclude", "bridges.gpkg", "-exclude_buffer", "4"});
+    ASSERT_EQ(buildings().records.size(), 1U);
+    at(buildings(), MadeTown::gabled);
+}
+
+/// Points, a line and a polygon in layers of their own: the wood is a building, the flat house is none, and
+/// the podium is cut through its middle.
+void write_town_corrections(const std::string& path) {
+    const std::vector<RowField> kind{{"kind"}};
+    write_rows(path, {.name = "points",
+                      .fields = kind,
+                      .rows = {{"POINT(391029.5 5819973.5)", {"no building"}},
+                               {"POINT(391005 5819995)", {"building"}}},
+                      .epsg = 25833});
+    write_rows(path, {.name = "lines",
+                      .fields = kind,
+                      .rows = {{"LINESTRING(391036 5819930,391036 5819890)", {"cut"}}},
+                      .epsg = 25833});
+    write_rows(path, {.name = "areas",
+                      .fields = kind,
+                      .rows = {{rectangle(105, 80, 145, 120), {"building"}}},
+                      .epsg = 25833});
+}
+
+TEST_F(OptionEffect, corrections) {
+    write(path("town.tif"), town_raster(MadeTown::surface()));
+    write_town_corrections(path("edits.gpkg"));
+    const ToolResult result =
+        run({"-preset", "buildings", "-json", "-corrections", "edits.gpkg", "--", "town.tif", "out.gpkg"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.err.find("1 correction of 'edits.gpkg' had no effect: feature 2 of 'points' "
+                              "('building'); nothing is there that could be changed"),
+              std::string::npos)
+        << result.err;
+    const nlohmann::json report = nlohmann::json::parse(result.out);
+    EXPECT_EQ(report["corrections"], nlohmann::json::parse(R"({"building": 2, "no_building": 1, "cut": 1,
+        "outside": 0, "without_effect": 1, "unusable": 0})"));
+    EXPECT_EQ(report["dropped"]["building_denied"], 1);
+    // The gable, two parts of the podium and the wood.
+    const Layer found = buildings();
+    double podium = 0;
+    double wood = 0;
+    for (const Record& record : found.records) {
+        if (record.box().MaxX < 391070) {
+            EXPECT_LT(record.box().MaxY, 5819930);
+            EXPECT_TRUE(record.box().MaxX < 391037 || record.box().MinX > 391035);
+            podium += record.area();
+        }
+        if (record.box().MinX > 391103) {
+            EXPECT_EQ(record.number("confidence"), 1);
+            EXPECT_TRUE(record.is_null("doubt"));
+            wood += record.area();
+        }
+    }
+    EXPECT_NEAR(podium, MadeTown::podium.area(), 0.03 * MadeTown::podium.area());
+    // Four fifths of its cells are trees, and one in seven of these is lower than 2 m.
+    EXPECT_GT(wood, 0.5 * MadeTown::wood.area());
+    at(found, MadeTown::gabled);
+    EXPECT_EQ(found.metadata.at("D2B_CORRECTIONS"), "edits.gpkg");
+}
+
+TEST_F(OptionEffect, corrections_layer) {
+    write_town_corrections(path("edits.gpkg"));
+    find({"-corrections", "edits.gpkg", "-corrections_layer", "lines"});
+    EXPECT_EQ(buildings().records.size(), 4U);
+    at(buildings(), MadeTown::flat);
+}
+
+/// Below the level of certainty nothing is left but what an editor confirms.
+TEST_F(OptionEffect, corrections__beatTheLeastConfidence) {
+    write_rows(path("edits.gpkg"), {.name = "points",
+                                    .fields = {{"kind"}},
+                                    .rows = {{"POINT(391029.5 5819973.5)", {"building"}}},
+                                    .epsg = 25833});
+    find({"-corrections", "edits.gpkg", "-min_confidence", "1"});
+    at(buildings(), MadeTown::flat);
+    for (const Record& record : buildings().records)
+        EXPECT_EQ(record.number("confidence"), 1);
+}
+
 TEST_F(OptionEffect, footprints) {
     write_layer(path("mine.gpkg"), {"mine", {{rectangle(18, 18, 40, 36)}}, 25833, "storeys"});
     find({"-footprints", "mine.gpkg"});

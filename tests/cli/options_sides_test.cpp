@@ -9,6 +9,7 @@
 #include "cli/option_effect.hpp"
 #include "cli/town_files.hpp"
 #include "core/text.hpp"
+#include "support/vector_file.hpp"
 
 namespace d2b::test {
 namespace {
@@ -200,6 +201,18 @@ TEST_F(OptionEffect, write_canopy) {
     find({"-write_canopy", "canopy.tif", "-min_height", "8"});  // replaced
     const WrittenRaster higher(path("canopy.tif"));
     EXPECT_TRUE(std::ranges::all_of(higher.values, [](double z) { return z == 0 || z > 8; }));
+}
+
+/// What is excluded is no building.
+TEST_F(OptionEffect, write_canopy__withExclude) {
+    write_layer(path("bridges.gpkg"),
+                {"bridges",
+                 {{"POLYGON((391020 5819980,391038 5819980,391038 5819966,391020 5819966,391020 5819980))"}},
+                 25833});
+    find({"-exclude", "bridges.gpkg", "-write_canopy", "canopy.tif"});
+    const WrittenRaster canopy(path("canopy.tif"));
+    EXPECT_NEAR(canopy.at(27, 29), MadeTown::flat_height, 0.5);
+    EXPECT_EQ(canopy.at(26, 91), 0);  // another roof
 }
 
 TEST_F(OptionEffect, write_doubtful) {

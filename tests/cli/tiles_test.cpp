@@ -49,6 +49,20 @@ class TilesTool : public CliTest {
         EXPECT_EQ(result.out, "");
         EXPECT_EQ(entries(), before);
     }
+    /// Water around a hall of the town, a cut through four blocks and a point on a house.
+    void write_decisions() const {
+        const std::string head = R"({"type": "FeatureCollection", "crs": {"type": "name", "properties":
+            {"name": "urn:ogc:def:crs:EPSG::25833"}}, "features": [)";
+        const auto feature = [](const std::string& kind, const std::string& geometry) {
+            return R"({"type": "Feature", "properties": {"kind": ")" + kind + R"("}, "geometry": )" +
+                   geometry + "}";
+        };
+        std::ofstream(path("bridges.geojson")) << head << feature("", R"({"type": "Polygon", "coordinates":
+                [[[391140, 5820090], [391300, 5820090], [391300, 5820180], [391140, 5820180], [391140, 5820090]]]})")
+                                               << "]}";
+        std::ofstream(path("edits.geojson"})")
+            << "," << feature("building", R"({"type": "Point", "coordinates": [391372.8, 5820958.6]})") << "]}";
+    }
     /// The report without what differs from run to run.
     [[nodiscard]] static json facts(const std::string& report) {
         json all = json::parse(report);
@@ -71,7 +85,10 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
         {"-write_doubtful", "-split_height", "3", "-disjoint"},
         {"-t_srs", "EPSG:4326", "-3d", "-nf", "12"},
         {"-t_srs", "EPSG:4326", "-roofs", "-fields", "osm"},
-        {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel", "-roofs"}};
+        {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel", "-roofs"},
+        {"-exclude", "bridges.geojson", "-exclude_buffer", "2", "-corrections", "edits.geojson",
+         "-storey_height", "4"}};
+    write_decisions();
     for (const Arguments& options : variants) {
         const std::string report = whole(options, "one.gpkg");
         Arguments plan{"plan"};

@@ -279,7 +279,8 @@ class Toolbox(DeskCase):
 
     def test_the_layer_that_was_chosen_is_the_one_that_is_named(self):
         for option, layer in (("cutline", "cutline_layer"), ("mask", "mask_layer"), ("split_by", "split_layer"),
-                              ("footprints", "footprints_layer")):
+                              ("footprints", "footprints_layer"), ("exclude", "exclude_layer"),
+                              ("corrections", "corrections_layer")):
             for place in ("layername=west", "layerid=1"):
                 _, log = self.log_of(**{option: f"{self.areas()}|{place}"})
                 self.assertIn(f"-{option} {self.areas()} -{layer} west", log)

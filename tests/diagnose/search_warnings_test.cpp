@@ -106,6 +106,15 @@ TEST_F(NothingFound, WhatOptionsLeaveOut) {
     expect("-min_height 10 leaves 3 out; a smaller value may show them");
 }
 
+TEST_F(NothingFound, WhatIsExcluded) {
+    tally_.count(Reason::building_small, 12);
+    tally_.count(Reason::building_excluded, 4);
+    options_.detect.exclude = "water.gpkg";
+    expect(
+        "-exclude 'water.gpkg' leaves out 4 of 4 buildings that were found; check that its polygons are "
+        "bridges, water and the like");
+}
+
 TEST(GroundSlope, IsToldWhereMostOfItIsSteep) {
     constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
     detect::GroundSlope slope;

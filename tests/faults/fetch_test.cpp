@@ -66,7 +66,7 @@ TEST_F(Fetches, aFileThatRefersToAnAddressAsPolygons) {
             R"(<gml:posList>391000 5819700 391300 5819700 391300 5820000 391000 5820000 391000 5819700</gml:posList></gml:LinearRing></gml:exterior>)"
             R"(</gml:Polygon></foo:geom></foo:a></gml:featureMember></wfs:FeatureCollection>)");
     for (const std::string& file : std::vector<std::string>{link(), "url.geojson", "features.gml"})
-        for (const char* option : {"-cutline", "-mask", "-split_by", "-footprints"}) {
+        for (const char* option : {"-cutline", "-mask", "-split_by", "-footprints", "-exclude"}) {
             SCOPED_TRACE(file + " " + option);
             std::filesystem::remove(path("features.gfs"));  // which GDAL leaves, and then asks no more
             const Asked run = asked({"-q", "-overwrite", option, file, "dem.tif", "out.gpkg"});

@@ -97,84 +97,97 @@ TEST(OptionRules, refuseInEitherOrderWithOneSentence) {
 }
 
 TEST(OptionRules, sayWhichTwoAndWhatToDo) {
-    for (const auto& [words, message] : std::vector<std::pair<Texts, std::string>>{
-             {{"-arcs", "-regularize", "off"},
-              "-arcs has no effect with -regularize off; only -regularize auto makes round walls."},
-             {{"-wall_inset", "0.3", "-regularize", "off"},
-              "-wall_inset has no effect with -regularize off; it moves straight walls."},
-             {{"-disjoint", "-layers", "buildings"},
-              "-disjoint has no effect with -layers buildings; only contours become bands, with -layers "
-              "contours or both."},
-             {{"-simplify", "0.5", "-regularize", "right"},
-              "-simplify 0.5 cannot be used together with -regularize right; straight walls need no "
-              "simplification."},
-             {{"-max_building_width", "40", "-ground", "dtm.tif"},
-              "-max_building_width has no effect with -ground dtm.tif; it helps to find the ground, which is "
-              "given."},
-             {{"-sweep", "lod=1..3,nf=2", "-lod", "2"},
-              "-lod has no effect with -sweep lod=...; the sweep names the values itself."},
-             {{"-sweep", "detail=1", "-detail", "2"},
-              "-detail has no effect with -sweep detail=...; the sweep names the values itself."},
-             {{"-sweep", "min_area=10..50", "-min_area", "20"},
-              "-min_area has no effect with -sweep min_area=...; the sweep names the values itself."},
-             {{"-sweep", "min_height=2..3", "-preset", "thesis"},
-              "-min_height has no effect with -preset thesis; it detects no buildings, so leave one of them "
-              "out."},
-             {{"-sweep", "split_width=1..2"},
-              "-split_width needs -split_by <polygons or lines>; it is the width of parts that parcels cut "
-              "off."},
-             {{"-preview", "p.png", "-preview_size", "900", "-preview_paper", "A4"},
-              "-preview_size cannot be used together with -preview_paper; the size of a PNG follows from its "
-              "paper."},
-             {{"-preview", "p.png", "-landscape"},
-              "-landscape needs -preview_paper A0|A1|A2|A3|A4|A5; it turns the paper."},
-             {{"-title", "Town"},
-              "-title needs -preview <file> or -page <file.html>; it is the title of a picture or a page."},
-             {{"-roofs", "-detail", "0"},
-              "-roofs cannot be used together with -detail 0; borders between faces would cost nothing, so "
-              "give a larger -detail."},
-             {{"-roofs", "-layers", "contours"},
-              "-roofs has no effect with -layers contours; only buildings have roofs."},
-             {{"-roof_min_area", "15"},
-              "-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces."},
-             {{"-surface", "s.obj", "-surface_of", "buildings", "-roof_min_area", "15"},
-              "-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces."},
-             {{"-surface", "s.obj", "-surface_of", "roofs", "-flow_ready", "1"},
-              "-surface_of roofs cannot be used together with -flow_ready 1; roofs are planes that meet, and "
-              "have edges of any length."},
-             {{"-surface", "s.obj", "-surface_of", "roofs", "-surface_roof", "p90"},
-              "-surface_roof has no effect with -surface_of roofs; planes have heights of their own."},
-             {{"-mask_layer", "roofs"},
-              "-mask_layer needs -mask <raster or polygons>; it names the layer of its polygons."},
-             {{"-split_width", "2"},
-              "-split_width needs -split_by <polygons or lines>; it is the width of parts that parcels cut "
-              "off."},
-             {{"-footprints_layer", "roofs"},
-              "-footprints_layer needs -footprints <polygons>; it names the layer of the footprints."},
-             {{"-split_by", "p.gpkg", "-footprints", "f.gpkg"},
-              "-split_by cannot be used together with -footprints; each footprint is a building "
-              "already."},
-             {{"-split_height", "3", "-footprints", "f.gpkg"},
-              "-split_height 3 cannot be used together with -footprints; each footprint is a building "
-              "already."},
-             {{"-mask", "m.gpkg", "-footprints", "f.gpkg"},
-              "-mask cannot be used together with -footprints; all footprints are measured, so give those of "
-              "the area."},
-             {{"-append", "-footprints", "f.gpkg"},
-              "-append cannot be used together with -footprints; write to another layer, with -overwrite if "
-              "the file exists."},
-             {{"-layers", "contours", "-footprints", "f.gpkg"},
-              "-layers contours cannot be used together with -footprints; the footprints are the layer of "
-              "buildings."},
-             {{"-surface", "s.obj", "-footprints", "f.gpkg"},
-              "-surface cannot be used together with -footprints; blocks are made of outlines of found "
-              "buildings."},
-             {{"-flow_ready", "3", "-footprints", "f.gpkg"},
-              "-flow_ready cannot be used together with -footprints; footprints are written as they are."},
-             {{"-write_rejected", "-footprints", "f.gpkg"},
-              "-write_rejected cannot be used together with -footprints; no footprint is left out."},
-             {{"-split_by", "p.gpkg", "-split_field", "no", "-layers", "contours"},
-              "-split_field has no effect with -layers contours; only buildings have the field parcel."}})
+    for (
+        const auto& [words, message] : std::vector<std::pair<Texts, std::string>>{
+            {{"-arcs", "-regularize", "off"},
+             "-arcs has no effect with -regularize off; only -regularize auto makes round walls."},
+            {{"-wall_inset", "0.3", "-regularize", "off"},
+             "-wall_inset has no effect with -regularize off; it moves straight walls."},
+            {{"-disjoint", "-layers", "buildings"},
+             "-disjoint has no effect with -layers buildings; only contours become bands, with -layers "
+             "contours or both."},
+            {{"-simplify", "0.5", "-regularize", "right"},
+             "-simplify 0.5 cannot be used together with -regularize right; straight walls need no "
+             "simplification."},
+            {{"-max_building_width", "40", "-ground", "dtm.tif"},
+             "-max_building_width has no effect with -ground dtm.tif; it helps to find the ground, which is "
+             "given."},
+            {{"-sweep", "lod=1..3,nf=2", "-lod", "2"},
+             "-lod has no effect with -sweep lod=...; the sweep names the values itself."},
+            {{"-sweep", "detail=1", "-detail", "2"},
+             "-detail has no effect with -sweep detail=...; the sweep names the values itself."},
+            {{"-sweep", "min_area=10..50", "-min_area", "20"},
+             "-min_area has no effect with -sweep min_area=...; the sweep names the values itself."},
+            {{"-sweep", "min_height=2..3", "-preset", "thesis"},
+             "-min_height has no effect with -preset thesis; it detects no buildings, so leave one of them "
+             "out."},
+            {{"-sweep", "split_width=1..2"},
+             "-split_width needs -split_by <polygons or lines> or -corrections <points, polygons and lines>; "
+             "it is the width of parts that parcels cut off."},
+            {{"-preview", "p.png", "-preview_size", "900", "-preview_paper", "A4"},
+             "-preview_size cannot be used together with -preview_paper; the size of a PNG follows from its "
+             "paper."},
+            {{"-preview", "p.png", "-landscape"},
+             "-landscape needs -preview_paper A0|A1|A2|A3|A4|A5; it turns the paper."},
+            {{"-title", "Town"},
+             "-title needs -preview <file> or -page <file.html>; it is the title of a picture or a page."},
+            {{"-roofs", "-detail", "0"},
+             "-roofs cannot be used together with -detail 0; borders between faces would cost nothing, so "
+             "give a larger -detail."},
+            {{"-roofs", "-layers", "contours"},
+             "-roofs has no effect with -layers contours; only buildings have roofs."},
+            {{"-roof_min_area", "15"},
+             "-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces."},
+            {{"-surface", "s.obj", "-surface_of", "buildings", "-roof_min_area", "15"},
+             "-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces."},
+            {{"-surface", "s.obj", "-surface_of", "roofs", "-flow_ready", "1"},
+             "-surface_of roofs cannot be used together with -flow_ready 1; roofs are planes that meet, and "
+             "have edges of any length."},
+            {{"-surface", "s.obj", "-surface_of", "roofs", "-surface_roof", "p90"},
+             "-surface_roof has no effect with -surface_of roofs; planes have heights of their own."},
+            {{"-mask_layer", "roofs"},
+             "-mask_layer needs -mask <raster or polygons>; it names the layer of its polygons."},
+            {{"-split_width", "2"},
+             "-split_width needs -split_by <polygons or lines> or -corrections <points, polygons and lines>; "
+             "it is the width of parts that parcels cut off."},
+            {{"-exclude_layer", "bridges"},
+             "-exclude_layer needs -exclude <polygons>; it names the layer of its polygons."},
+            {{"-exclude_buffer", "2"}, "-exclude_buffer needs -exclude <polygons>; it widens its polygons."},
+            {{"-corrections_layer", "edits"},
+             "-corrections_layer needs -corrections <points, polygons and lines>; it names the layer of the "
+             "corrections."},
+            {{"-exclude", "b.gpkg", "-preset", "thesis"},
+             "-exclude has no effect with -preset thesis; it detects no buildings, so leave one of them "
+             "out."},
+            {{"-corrections", "e.gpkg", "-preset", "thesis"},
+             "-corrections has no effect with -preset thesis; it detects no buildings, so leave one of them "
+             "out."},
+            {{"-footprints_layer", "roofs"},
+             "-footprints_layer needs -footprints <polygons>; it names the layer of the footprints."},
+            {{"-split_by", "p.gpkg", "-footprints", "f.gpkg"},
+             "-split_by cannot be used together with -footprints; each footprint is a building "
+             "already."},
+            {{"-split_height", "3", "-footprints", "f.gpkg"},
+             "-split_height 3 cannot be used together with -footprints; each footprint is a building "
+             "already."},
+            {{"-mask", "m.gpkg", "-footprints", "f.gpkg"},
+             "-mask cannot be used together with -footprints; all footprints are measured, so give those of "
+             "the area."},
+            {{"-append", "-footprints", "f.gpkg"},
+             "-append cannot be used together with -footprints; write to another layer, with -overwrite if "
+             "the file exists."},
+            {{"-layers", "contours", "-footprints", "f.gpkg"},
+             "-layers contours cannot be used together with -footprints; the footprints are the layer of "
+             "buildings."},
+            {{"-surface", "s.obj", "-footprints", "f.gpkg"},
+             "-surface cannot be used together with -footprints; blocks are made of outlines of found "
+             "buildings."},
+            {{"-flow_ready", "3", "-footprints", "f.gpkg"},
+             "-flow_ready cannot be used together with -footprints; footprints are written as they are."},
+            {{"-write_rejected", "-footprints", "f.gpkg"},
+             "-write_rejected cannot be used together with -footprints; no footprint is left out."},
+            {{"-split_by", "p.gpkg", "-split_field", "no", "-layers", "contours"},
+             "-split_field has no effect with -layers contours; only buildings have the field parcel."}})
         EXPECT_EQ(refusal_of(words), message);
 }
 

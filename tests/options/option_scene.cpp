@@ -150,6 +150,27 @@ std::string wkt_of(const Block& block) {
 
 using Areas = std::vector<std::pair<const char*, Block>>;
 
+/// Two layers of what is no building: a house and the ridge of two others, and a house.
+void write_exclusions(const std::string& path) {
+    write_layer(path,
+                {"bridges", {{wkt_of(flat)}, {wkt_of({56, 8, 3, 38})}}, 25833, "", OFTReal, wkbPolygon});
+    write_layer(path, {"ships", {{wkt_of(pair)}}, 25833, "", OFTReal, wkbPolygon});
+}
+
+/// A cut through the flat house, and a point that denies it.
+void write_corrections(const std::string& path) {
+    write_rows(path, {.name = "lines",
+                      .fields = {{"kind"}},
+                      .rows = {{"LINESTRING(391017 5819999,391017 5819970)", {"cut"}}},
+                      .epsg = 25833,
+                      .geometry = wkbLineString});
+    write_rows(path, {.name = "points",
+                      .fields = {{"kind"}},
+                      .rows = {{"POINT(391010.5 5819988.5)", {"no building"}}},
+                      .epsg = 25833,
+                      .geometry = wkbPoint});
+}
+
 void write_areas(const std::string& path, const Areas& areas) {
     for (const auto& [name, block] : areas)
         write_layer(path, {name, {{wkt_of(block)}}, 25833, "", OFTReal, wkbPolygon});
@@ -266,7 +287,7 @@ void run_into(Writer& writer, const Texts& words) {
         surfaces.push_back(&tiers);
     run(options,
         {*source, sides.terrain.get(), sides.mask.get(), sides.ndvi.get(), sides.parcels.get(),
-         sides.footprints.get()},
+         sides.footprints.get(), sides.exclusion.get(), sides.corrections.get()},
         {sink, &ground_raster, &height, &canopy, nullptr, surfaces});
     const auto given = sink.provenance.metadata.find("D2B_OPTIONS");
     if (given != sink.provenance.metadata.end())
@@ -290,6 +311,8 @@ void OptionScene::SetUpTestSuite() {
     write_rasters(folder);
     write_areas(folder + "areas.gpkg", {{"west", {0, 0, 100, 72}}, {"north", {0, 0, 58, 120}}});
     write_parcels(folder + "parcels.gpkg");
+    write_corrections(folder + "corrections.gpkg");
+    write_exclusions(folder + "exclusions.gpkg");
     write_areas(folder + "footprints.gpkg", {{"low", gabled}, {"high", podium}});
     write_areas(folder + "masks.gpkg", {{"east", {0, 12, 100, 108}}, {"middle", {4, 0, 76, 120}}});
 }

@@ -29,8 +29,8 @@ class TwoTiles : public testing::Test {
     void put(std::int64_t unit, std::vector<detect::SeenObject> objects, std::vector<Window> boxes,
              detect::UnitEdges edges) {
         FoundUnit found{std::move(objects), std::move(boxes), {}, std::move(edges)};
-        std::int64_t doubtful_ones = 0;
-        const UnitObjects divided = divide_objects(found, {}, doubtful_ones);
+        Tally left_out;
+        const UnitObjects divided = divide_objects(found, {}, left_out);
         interior.put(unit, divided);
         seams.put(unit, std::move(found), divided);
         seams.compare_known();

@@ -39,11 +39,12 @@ class Fetches(PythonCase):
         path.write_text(json.dumps({
             "type": "FeatureCollection",
             "crs": {"type": "link", "properties": {"href": self.url + "/secret", "type": "proj4"}},
-            "features": [{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [ring]}}]}))
+            "features": [{"type": "Feature", "properties": {"kind": "building"},
+                          "geometry": {"type": "Polygon", "coordinates": [ring]}}]}))
         return path
 
     def test_polygons_beside_an_array(self):
-        for option in ("cutline", "mask", "split_by", "footprints"):
+        for option in ("cutline", "mask", "split_by", "footprints", "exclude", "corrections"):
             with self.subTest(option=option), self.assertWarnsRegex(UserWarning, "refers to .*/secret, which is not fetched"):
                 dem2buildings.extract(block(), **{option: self.link()}, **PLACE)
         self.assertEqual(self.asked, [])

@@ -106,6 +106,13 @@ TEST(Summary, saysWhatOptionsLeftOut) {
     report.dropped = {};
     report.count(Reason::building_doubtful, 7);
     EXPECT_EQ(summary(report, Layers::buildings, "x"), "65 buildings in x\n");
+    report.dropped = {};
+    report.doubtful = 0;
+    report.count(Reason::building_excluded, 2);
+    report.count(Reason::building_denied, 1);
+    EXPECT_EQ(summary(report, Layers::buildings, "x"),
+              "65 buildings in x (left out: 1 by -corrections, 2 in -exclude)\n");
+    report.dropped = {};
     report.count(Reason::contour_small, 4);
     EXPECT_EQ(summary(report, Layers::contours, "x"), "200 contours in x (left out: 4 below -min_area)\n");
 }

@@ -114,6 +114,15 @@ Json footprints_of(const FootprintReport& footprints) {
             {"missing", footprints.missing}};
 }
 
+Json corrections_of(const CorrectionReport& corrections) {
+    return {{"building", corrections.building},
+            {"no_building", corrections.no_building},
+            {"cut", corrections.cut},
+            {"outside", corrections.outside},
+            {"without_effect", corrections.without_effect},
+            {"unusable", corrections.unusable}};
+}
+
 Json number_of(const std::optional<double>& number) {
     return number ? Json(*number) : Json();
 }
@@ -156,6 +165,8 @@ std::string json_report(const RunReport& report) {
         json["parcels"] = parcels_of(*report.parcels);
     if (report.footprints)
         json["footprints"] = footprints_of(*report.footprints);
+    if (report.corrections)
+        json["corrections"] = corrections_of(*report.corrections);
     if (report.sampling)
         json["sampling"] = sampling_of(*report.sampling);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

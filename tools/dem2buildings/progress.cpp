@@ -49,6 +49,8 @@ const std::vector<Part>& parts() {
         {"left out", "", "below -min_height", {Reason::building_low}},
         {"left out", "", "below -min_building_height", {Reason::building_not_tall}},
         {"left out", "", "below -min_confidence", {Reason::building_doubtful}},
+        {"left out", "", "by -corrections", {Reason::building_denied}},
+        {"left out", "", "in -exclude", {Reason::building_excluded}},
         {"left out", "", "below -nf", {Reason::contour_short}},
         {"left out", "", "on parts that were left out", {Reason::contour_on_dropped}},
         {"left out", "", "split by -t_srs", {Reason::outline_split}},

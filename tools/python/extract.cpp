@@ -63,7 +63,7 @@ Extraction extract(const Options& options, const Opener& open, const AuxiliaryAr
     CollectingSink sink;
     RunReport report = run(options,
                            {*source, side.terrain.get(), side.mask.get(), side.ndvi.get(), side.parcels.get(),
-                            side.footprints.get()},
+                            side.footprints.get(), side.exclusion.get(), side.corrections.get()},
                            {sink}, callbacks);
     report.warnings = std::move(warnings);
     return {sink.collected(), sink.provenance(), json_report(report)};

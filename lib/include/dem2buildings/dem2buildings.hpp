@@ -4,6 +4,7 @@
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/compare.hpp"
+#include "dem2buildings/correction_source.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/extract_file.hpp"

@@ -20,7 +20,9 @@ struct Inputs {
                 side.mask.get(),
                 side.ndvi.get(),
                 side.parcels.get(),
-                side.footprints.get()};
+                side.footprints.get(),
+                side.exclusion.get(),
+                side.corrections.get()};
     }
 };
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dem2buildings/callbacks.hpp"
+#include "dem2buildings/correction_source.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/footprint_source.hpp"
 #include "dem2buildings/options.hpp"
@@ -54,6 +55,8 @@ struct AuxiliarySources {
     std::unique_ptr<DemSource> ndvi;
     std::unique_ptr<ParcelSource> parcels;
     std::unique_ptr<FootprintSource> footprints;
+    std::unique_ptr<DemSource> exclusion;
+    std::unique_ptr<CorrectionSource> corrections;
 };
 
 /// Rasters in memory that replace those named by the options: one value per cell of the whole DEM, with its
@@ -64,8 +67,8 @@ struct AuxiliaryArrays {
     std::optional<ElevationArray> ndvi;
 };
 
-/// Opens a terrain model, a mask, an NDVI and parcels on the grid of the DEM, and footprints. @throws
-/// InputError; OptionError, also if an array differs in size from the DEM
+/// Opens a terrain model, a mask, an NDVI, parcels, exclusions and corrections on the grid of the DEM, and
+/// footprints. @throws InputError; OptionError, also if an array differs in size from the DEM
 [[nodiscard]] AuxiliarySources open_auxiliary_sources(const Options& options, const DemInfo& dem,
                                                       const Callbacks& callbacks = {},
                                                       const AuxiliaryArrays& arrays = {});

@@ -53,9 +53,11 @@ enum class Reason {
     flow_changed,                 ///< a wall, gap or corner unsuitable for flow solvers was repaired
     flow_unchanged,               ///< a wall, gap or corner unsuitable for flow solvers was left
     roof_face_doubtful,           ///< no plane suits a face of a roof, or it is too narrow for a slope
-    part_merged,  ///< cut off by parcels, but too small or narrow, so merged with its neighbour
+    part_merged,        ///< cut off by parcels, but too small or narrow, so merged with its neighbour
+    building_excluded,  ///< half of it lies in polygons of what is no building
+    building_denied,    ///< an editor has decided that it is no building
 };
-inline constexpr std::array<std::string_view, 32> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 34> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -86,7 +88,9 @@ inline constexpr std::array<std::string_view, 32> reason_names{"threshold_not_ab
                                                                "flow_changed",
                                                                "flow_unchanged",
                                                                "roof_face_doubtful",
-                                                               "part_merged"};
+                                                               "part_merged",
+                                                               "building_excluded",
+                                                               "building_denied"};
 
 struct LevelReport {
     int level = 0;
@@ -180,6 +184,16 @@ struct FootprintReport {
     std::int64_t missing = 0;          ///< buildings found of which footprints cover less than half
 };
 
+/// Corrections of an editor.
+struct CorrectionReport {
+    std::int64_t building = 0;        ///< corrections of this kind, with or without an effect
+    std::int64_t no_building = 0;     ///< likewise
+    std::int64_t cut = 0;             ///< likewise
+    std::int64_t outside = 0;         ///< those beyond the used part of the raster
+    std::int64_t without_effect = 0;  ///< those inside that have changed nothing
+    std::int64_t unusable = 0;        ///< features of another kind, or with a geometry that does not suit it
+};
+
 /// Resolution of the raster, estimated from its own values.
 struct SamplingReport {
     double interpolated_fraction =
@@ -242,13 +256,14 @@ struct RunReport : Tally {
                                 ///< written), closing ones not counted
     OutlineLength building_outlines;  ///< lengths as written; 0 if the layer is not written
     OutlineLength contour_outlines;
-    std::optional<RoofReport> roofs;            ///< if requested
-    std::optional<SurfaceReport> surface;       ///< if requested
-    std::vector<CutStack> cuts;                 ///< level 1 first; only if a sink gets the tiers of stacks
-    std::optional<ParcelReport> parcels;        ///< if parcels cut buildings
-    std::optional<FootprintReport> footprints;  ///< if existing footprints got heights
-    std::optional<SamplingReport> sampling;     ///< if buildings were detected
-    int threads = 1;                            ///< number used
+    std::optional<RoofReport> roofs;              ///< if requested
+    std::optional<SurfaceReport> surface;         ///< if requested
+    std::vector<CutStack> cuts;                   ///< level 1 first; only if a sink gets the tiers of stacks
+    std::optional<ParcelReport> parcels;          ///< if parcels cut buildings
+    std::optional<FootprintReport> footprints;    ///< if existing footprints got heights
+    std::optional<CorrectionReport> corrections;  ///< if there are any
+    std::optional<SamplingReport> sampling;       ///< if buildings were detected
+    int threads = 1;                              ///< number used
     std::vector<std::string> warnings;
 };
 

@@ -4,6 +4,7 @@
 
 #include "dem2buildings/callbacks.hpp"
 #include "dem2buildings/commit_list.hpp"
+#include "dem2buildings/correction_source.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/footprint_source.hpp"
 #include "dem2buildings/options.hpp"
@@ -20,8 +21,10 @@ struct Sources {
     DemSource* terrain = nullptr;  ///< needed for GroundMode::given, in the DEM's vertical unit
     DemSource* mask = nullptr;     ///< buildings are searched in cells that are neither 0 nor invalid
     DemSource* ndvi = nullptr;
-    ParcelSource* parcels = nullptr;        ///< cut buildings
-    FootprintSource* footprints = nullptr;  ///< get heights, instead of outlines of found buildings
+    ParcelSource* parcels = nullptr;          ///< cut buildings
+    FootprintSource* footprints = nullptr;    ///< get heights, instead of outlines of found buildings
+    DemSource* exclusion = nullptr;           ///< objects half of whose cells are not 0 here are no buildings
+    CorrectionSource* corrections = nullptr;  ///< an editor's decisions
 };
 
 /// Outputs of a run. Rasters are in metres.

@@ -29,8 +29,9 @@ FoundUnit found_unit(const detect::Unit& unit, pipeline::FoundInUnit&& here) {
 
 void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, ElevationReader& reader,
                 FoundTile& found) {
-    const Sources sources{part, run.sources().terrain, run.sources().mask, run.sources().ndvi,
-                          run.sources().parcels};
+    const Sources& of_run = run.sources();
+    const Sources sources{part,           of_run.terrain, of_run.mask,      of_run.ndvi,
+                          of_run.parcels, nullptr,        of_run.exclusion, of_run.corrections};
     PlannedSink nowhere(run.setup().plan.layers);
     AuxiliarySinks rasters = open_tile_rasters(run, tile);
     const Sinks sinks{nowhere, rasters.ground.get(), rasters.height.get(), rasters.canopy.get()};
@@ -41,6 +42,7 @@ void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, Elevatio
     for (const NumberedUnit& placed : run.tiles().units_of(tile)) {
         pipeline::FoundInUnit here = pipeline::find_in_unit(search, placed.unit);
         facts.scene.merge(here.scene);
+        facts.effective.insert(here.effective.begin(), here.effective.end());
         found.units.push_back(found_unit(placed.unit, std::move(here)));
     }
     finish_tile_rasters(run, tile, rasters);

@@ -125,6 +125,7 @@ void FoundFacts::merge(const FoundFacts& other) {
     for (const std::string& text : other.warnings)
         if (std::ranges::find(warnings, text) == warnings.end())
             warnings.push_back(text);
+    effective.insert(other.effective.begin(), other.effective.end());
 }
 
 void FoundFacts::save(ByteWriter& writer) const {
@@ -136,6 +137,7 @@ void FoundFacts::save(ByteWriter& writer) const {
     writer.put(static_cast<std::uint64_t>(warnings.size()));
     for (const std::string& text : warnings)
         save_text(text, writer);
+    writer.put_list(std::vector<std::uint64_t>(effective.begin(), effective.end()));
 }
 
 void FoundFacts::load(ByteReader& reader) {
@@ -147,6 +149,8 @@ void FoundFacts::load(ByteReader& reader) {
     warnings.resize(reader.take_count(sizeof(std::uint64_t)));
     for (std::string& text : warnings)
         text = load_text(reader);
+    const auto corrections = reader.take_list<std::uint64_t>();
+    effective = {corrections.begin(), corrections.end()};
 }
 
 void save(const FoundTile& tile, ByteWriter& writer) {

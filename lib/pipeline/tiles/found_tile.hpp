@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +52,7 @@ struct FoundFacts {
                                        ///< count some of them more than once
     Tally tally;
     std::vector<std::string> warnings;
+    std::set<std::size_t> effective;  ///< corrections that have had an effect
 };
 
 /// Results of step find for a tile.

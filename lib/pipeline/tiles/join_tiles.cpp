@@ -38,7 +38,7 @@ std::vector<T> take_list(const Spool& spool, const SpoolEntry& entry) {
 
 }  // namespace
 
-UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, std::int64_t& doubtful) {
+UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, Tally& tally) {
     const std::vector<bool> at_seam = labels_at_seams(unit);
     UnitObjects divided;
     divided.marks.assign(unit.objects.size(), UnitObjects::left_out);
@@ -52,7 +52,14 @@ UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, st
         detect::SeenObject seen = unit.objects[i];
         if (seen.own_cells < rules.min_cells)
             continue;
-        doubtful += seen.is_building ? 0 : 1;
+        if (!seen.is_building)
+            tally.count(Reason::building_doubtful);
+        if (seen.object.left_out != detect::LeftOut::no) {
+            tally.count(seen.object.left_out == detect::LeftOut::denied ? Reason::building_denied
+                                                                        : Reason::building_excluded,
+                        seen.is_building ? 1 : 0);
+            continue;
+        }
         if (!seen.is_building && !rules.doubtful)
             continue;
         divided.marks[i] = UnitObjects::interior;
@@ -229,7 +236,7 @@ class TileJoiner {
 
     TileRun& run_;
     InteriorObjects interior_;
-    std::int64_t interior_low_confidence_ = 0;
+    Tally interior_left_out_;
     BorderObjects seams_;
     ObjectAssignment placed_{run_.tiles(), interior_, seams_};
     FoundFacts facts_;
@@ -250,7 +257,7 @@ void TileJoiner::load() {
 }
 
 void TileJoiner::load(FoundUnit&& found, std::int64_t number, const InteriorRules& rules) {
-    const UnitObjects divided = divide_objects(found, rules, interior_low_confidence_);
+    const UnitObjects divided = divide_objects(found, rules, interior_left_out_);
     interior_.put(number, divided);
     seams_.put(number, std::move(found), divided);
 }
@@ -259,7 +266,7 @@ void TileJoiner::join() {
     Context& context = run_.context();
     detect::UnitMerger::Merged merged = pipeline::merge_found_units(
         seams_.merger(), run_.setup().plan, run_.tiles().units(), run_.setup().cell, context.report);
-    context.report.count(Reason::building_doubtful, interior_low_confidence_);
+    context.report.Tally::merge(interior_left_out_);
     facts_.tally.merge(context.report);
     placed_.place(seams_.take(), std::move(merged));
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "dem2buildings/report.hpp"
 #include "dem2buildings/spool.hpp"
 #include "detect/units.hpp"
 #include "pipeline/tiles/found_tile.hpp"
@@ -39,9 +40,8 @@ struct InteriorRules {
     std::int64_t min_cells = 1;  ///< objects with fewer cells are rejected
     bool doubtful = false;       ///< true to keep low-confidence candidates
 };
-/// @param[in,out] doubtful is increased by the number of low-confidence interior objects with enough cells
-[[nodiscard]] UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules,
-                                         std::int64_t& doubtful);
+/// @param tally counts the interior objects with enough cells that are doubtful or left out
+[[nodiscard]] UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, Tally& tally);
 
 /// Spools interior objects until all seams are known, because they may not fit in memory.
 class InteriorObjects {

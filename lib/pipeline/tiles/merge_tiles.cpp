@@ -351,6 +351,8 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
     DrawnTiles drawn(run, context);
     report.merge(drawn.tally);
     drawn.plan.minimum = global.minimum;
+    pipeline::report_corrections(run.sources().corrections, facts.effective, options.detect.corrections,
+                                 context);
     const features::RecordBuilder records(*drawn.left,
                                           {drawn.plan, fixed, drawn.footprints, run.metres(),
                                            features::lattice_frame(run.window(), setup.plan.trace)});

@@ -12,7 +12,7 @@ from qgis.core import (QgsProcessingException, QgsProcessingFeedback, QgsProcess
 # What the dialog does itself: it shows progress, its file dialog has asked whether to replace a file, and a layer that
 # is chosen has its name.
 LEFT_OUT = {"q", "json", "sweep", "help", "help_all", "version", "overwrite", "f", "srcwin", "projwin", "if", "cutline_layer",
-            "mask_layer", "split_layer", "footprints_layer"}
+            "mask_layer", "split_layer", "footprints_layer", "exclude_layer", "corrections_layer"}
 # The option that names the layer of another one, where that is not its name with _layer.
 LAYER_OF = {"split_by": "split_layer"}
 # In the order in which they are asked for; the table says which option is in which.

@@ -1,0 +1,249 @@
+#include "detect/corrections.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "detect/building_pieces.hpp"
+#include "detect/divide_buildings.hpp"
+#include "detect/left_out.hpp"
+
+namespace d2b::detect {
+namespace {
+
+/// Calls use(index) for the cells of a correction.
+template <typename Use>
+void for_correction_cells(const SceneCorrection& correction, std::int32_t cols, const Use& use) {
+    for (const CellRun& run : correction.cells) {
+        const std::size_t first = static_cast<std::size_t>(run.row) * static_cast<std::size_t>(cols);
+        for (std::int32_t c = run.begin; c < run.end; ++c)
+            use(first + static_cast<std::size_t>(c));
+    }
+}
+
+bool is_area(const SceneCorrection& correction, CorrectionKind kind) {
+    return correction.kind == kind && !correction.is_point;
+}
+
+bool is_point(const SceneCorrection& correction, CorrectionKind kind) {
+    return correction.kind == kind && correction.is_point;
+}
+
+/// Gives cells to the buildings of polygons. Labels of polygons follow those of objects until they are
+/// renumbered.
+class BuildingMaker {
+  public:
+    BuildingMaker(const Scene& scene, double min_height, std::int64_t min_cells, Detection& detection)
+        : scene_(scene),
+          min_height_(static_cast<float>(min_height)),
+          min_cells_(min_cells),
+          detection_(detection),
+          cells_(cells_by_object()),
+          merged_(detection.objects.size() + 1) {}
+
+    void add_area(const SceneCorrection& correction);
+    void add_point(const SceneCorrection& correction);
+    void renumber();
+
+  private:
+    [[nodiscard]] std::vector<std::int64_t> cells_by_object() const {
+        std::vector<std::int64_t> cells(detection_.objects.size() + 1);
+        for (const Label label : detection_.labels.values)
+            ++cells[label];
+        return cells;
+    }
+    /// Number of objects that detection has found.
+    [[nodiscard]] std::size_t found() const { return merged_.size() - 1; }
+    [[nodiscard]] Label label_of(std::size_t cell) const {
+        const Label label = detection_.labels.values[cell];
+        return label <= found() && merged_[label] != 0 ? merged_[label] : label;
+    }
+    void confirm(Label label) {
+        DetectedObject& object = detection_.objects[label - 1];
+        object.confirmed = true;
+        object.confidence = 1;
+    }
+
+    const Scene& scene_;
+    float min_height_;
+    std::int64_t min_cells_;
+    Detection& detection_;
+    std::vector<std::int64_t> cells_;  ///< by label of an object that was found
+    std::vector<Label> merged_;        ///< label of the polygon that takes an object whole; 0: none
+};
+
+void BuildingMaker::add_area(const SceneCorrection& correction) {
+    std::map<Label, std::int64_t> met;  // cells by object
+    for_correction_cells(correction, scene_.surface.cols,
+                         [&](std::size_t i) { ++met[detection_.labels.values[i]]; });
+    std::vector<Label> whole;
+    std::int64_t size = 0;
+    for (const auto& [label, cells] : met)
+        if (label != 0 && label <= found() && merged_[label] == 0 && 2 * cells >= cells_[label]) {
+            whole.push_back(label);
+            size += cells_[label];
+        }
+    std::vector<std::size_t> taken;
+    for_correction_cells(correction, scene_.surface.cols, [&](std::size_t i) {
+        const Label label = detection_.labels.values[i];
+        const bool is_free =
+            label == 0 ? scene_.height(i) > min_height_ : label <= found() && merged_[label] == 0;
+        if (is_free && !std::ranges::binary_search(whole, label))
+            taken.push_back(i);
+    });
+    if (size + std::ssize(taken) < min_cells_)
+        return;
+    detection_.objects.emplace_back();
+    const auto own = static_cast<Label>(detection_.objects.size());
+    confirm(own);
+    for (const Label label : whole)
+        merged_[label] = own;
+    for (const std::size_t i : taken)
+        detection_.labels.values[i] = own;
+}
+
+void BuildingMaker::add_point(const SceneCorrection& correction) {
+    for_correction_cells(correction, scene_.surface.cols, [&](std::size_t i) {
+        if (const Label label = label_of(i); label != 0)
+            confirm(label);
+    });
+}
+
+void BuildingMaker::renumber() {
+    const std::size_t count = detection_.objects.size();
+    std::vector<Label> order;  // labels by their first cells
+    std::vector<std::int64_t> cells(count + 1);
+    for (std::size_t i = 0; i < detection_.labels.size(); ++i)
+        if (const Label label = label_of(i); label != 0 && ++cells[label] == 1)
+            order.push_back(label);
+    std::vector<Label> number(count + 1);
+    std::vector<DetectedObject> objects;
+    for (const bool sure : {true, false}) {
+        for (const Label label : order) {
+            const bool is_building = label <= detection_.buildings || detection_.objects[label - 1].confirmed;
+            if (is_building != sure)
+                continue;
+            objects.push_back(detection_.objects[label - 1]);
+            number[label] = static_cast<Label>(objects.size());
+            objects.back().cells = cells[label];
+            objects.back().whole = number[label];
+        }
+        if (sure)
+            detection_.buildings = static_cast<Label>(objects.size());
+    }
+    for (std::size_t i = 0; i < detection_.labels.size(); ++i)
+        detection_.labels.values[i] = number[label_of(i)];
+    detection_.objects = std::move(objects);
+}
+
+}  // namespace
+
+void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_cells, Detection& detection) {
+    if (std::ranges::find(scene.corrections, CorrectionKind::building, &SceneCorrection::kind) ==
+        scene.corrections.end())
+        return;
+    BuildingMaker maker(scene, min_height, min_cells, detection);
+    for (const SceneCorrection& correction : scene.corrections)
+        if (is_area(correction, CorrectionKind::building))
+            maker.add_area(correction);
+    for (const SceneCorrection& correction : scene.corrections)
+        if (is_point(correction, CorrectionKind::building))
+            maker.add_point(correction);
+    maker.renumber();
+}
+
+namespace {
+
+/// Returns the object with most cells of each piece; the first one wins ties.
+std::vector<Label> main_objects(const Regions& pieces, const Grid<Label>& objects) {
+    std::vector<std::map<Label, std::int64_t>> shared(pieces.cells.size());
+    for (std::int32_t r = 0; r < pieces.rows; ++r)
+        for (const RegionRun& run : pieces.row(r))
+            for (std::int32_t c = run.begin; c < run.end; ++c)
+                ++shared[run.label][objects.at(r, c)];
+    std::vector<Label> most(pieces.cells.size());
+    for (std::size_t piece = 1; piece < most.size(); ++piece)
+        if (!shared[piece].empty())
+            most[piece] = std::ranges::max_element(shared[piece], {}, [](const auto& entry) {
+                              return entry.second;
+                          })->first;
+    return most;
+}
+
+}  // namespace
+
+void cut_by_corrections(const Scene& scene, double width_m, std::int64_t min_cells, Detection& detection,
+                        Executor& threads) {
+    ParcelGrid lines;
+    for (const SceneCorrection& correction : scene.corrections)
+        for (const CellCut& cut : correction.cuts) {
+            if (lines.size() == 0)
+                lines = ParcelGrid(scene.surface.rows, scene.surface.cols);
+            ParcelCell& cell = lines.at(cut.row, cut.col);
+            (cut.below ? cell.cut_below : cell.cut_right) = true;
+        }
+    if (lines.size() == 0)
+        return;
+    const Grid<Label> before = detection.labels;
+    const Label buildings = detection.buildings;
+    const Regions pieces = divide_along(scene, lines, width_m, min_cells, detection, threads);
+    const std::vector<Label> objects = main_objects(pieces, detection.labels);
+    const Grid<Label> piece = piece_grid(pieces, threads);
+    const auto separates = [&](const CellCut& cut) {
+        const std::int32_t row = cut.row + (cut.below ? 1 : 0);
+        const std::int32_t col = cut.col + (cut.below ? 0 : 1);
+        if (row >= before.rows || col >= before.cols)
+            return false;
+        const Label label = before.at(cut.row, cut.col);
+        return label != 0 && label <= buildings && label == before.at(row, col) &&
+               objects[piece.at(cut.row, cut.col)] != objects[piece.at(row, col)];
+    };
+    for (const SceneCorrection& correction : scene.corrections)
+        if (std::ranges::any_of(correction.cuts, separates))
+            detection.effective_cuts.push_back(correction.index);
+}
+
+void mark_denied(const Scene& scene, Detection& detection, Executor& threads) {
+    Mask areas;
+    for (const SceneCorrection& correction : scene.corrections) {
+        if (is_area(correction, CorrectionKind::no_building) && areas.size() == 0)
+            areas = Mask(scene.surface.rows, scene.surface.cols);
+        if (is_area(correction, CorrectionKind::no_building))
+            for_correction_cells(correction, areas.cols, [&](std::size_t i) { areas.values[i] = 1; });
+        if (is_point(correction, CorrectionKind::no_building))
+            for_correction_cells(correction, scene.surface.cols, [&](std::size_t i) {
+                if (const Label label = detection.labels.values[i]; label != 0)
+                    detection.objects[label - 1].left_out = LeftOut::denied;
+            });
+    }
+    if (areas.size() > 0)
+        mark_left_out(areas, LeftOut::denied, detection, threads);
+}
+
+std::vector<std::size_t> effective_corrections(const Scene& scene, const Detection& detection,
+                                               const Window& own) {
+    const auto has_effect = [&](const SceneCorrection& correction) {
+        return std::ranges::any_of(correction.cells, [&](const CellRun& run) {
+            if (run.row < own.row || run.row >= own.end_row())
+                return false;
+            for (std::int32_t c = std::max(run.begin, own.col); c < std::min(run.end, own.end_col()); ++c) {
+                const Label label = detection.labels.at(run.row, c);
+                if (label == 0)
+                    continue;
+                const DetectedObject& object = detection.objects[label - 1];
+                if (correction.kind == CorrectionKind::building ? object.confirmed
+                                                                : object.left_out == LeftOut::denied)
+                    return true;
+            }
+            return false;
+        });
+    };
+    std::vector<std::size_t> effective = detection.effective_cuts;
+    for (const SceneCorrection& correction : scene.corrections)
+        if (has_effect(correction))
+            effective.push_back(correction.index);
+    return effective;
+}
+
+}  // namespace d2b::detect
