@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -44,7 +45,6 @@ std::string_view field_name(FieldNames names, std::string_view own) {
 namespace {
 
 using Unit = AttributeUnit;
-constexpr double storey_m = 3.0;
 
 FieldValue number(double value) {
     return std::isfinite(value) ? FieldValue{value} : FieldValue{};
@@ -67,10 +67,62 @@ FieldValue doubt(const BuildingRecord& record) {
         return {};
     return std::string(record.doubt);
 }
-FieldValue floors(double height_m) {
-    if (!std::isfinite(height_m))
+/// Mean width of a building: the side of a square, or twice the width of a long wing, with as much area per
+/// wall.
+double width_of(const BuildingRecord& record) {
+    return record.perimeter_m > 0 ? 4 * record.area_m2 / record.perimeter_m : 0;
+}
+
+/// Height of the eaves above the ground in metres; NaN without -roofs.
+double eaves_m(const BuildingRecord& record) {
+    const double metres = record.height_m / (record.roof - record.ground);  // in a vertical unit
+    return record.roof_shape.type.empty() ? std::nan("")
+                                          : (record.roof_shape.eave_z - record.ground) * metres;
+}
+
+/// True for chimneys and masts, which are more slender than towers with flats.
+bool is_slender(const BuildingRecord& record, double height_m) {
+    constexpr double slender = 4;
+    const double width = width_of(record);
+    return width > 0 && height_m > slender * width;
+}
+
+/// True for tanks and silos: round, with a domed or conical roof.
+bool is_tank(const BuildingRecord& record) {
+    constexpr double least_roundness = 0.9;  // 1 for a circle, 0.79 for a square
+    return record.roof_shape.type == "domed" &&
+           4 * std::numbers::pi * record.area_m2 > least_roundness * record.perimeter_m * record.perimeter_m;
+}
+
+/// True for halls: one roof over an area that is wide for daylight, and more than three times as wide as
+/// high.
+bool is_hall(const BuildingRecord& record, double height_m) {
+    constexpr double least_width_m = 30;
+    const double width = width_of(record);
+    return width >= least_width_m && 3 * height_m < width &&
+           height_m - record.heights_m[0] <= record.storey_m && height_m >= 1.5 * record.storey_m;
+}
+
+/// True for naves with a spire or a steep roof, and other buildings whose parts differ so much that one
+/// number says nothing.
+bool is_church(const BuildingRecord& record, double height_m) {
+    constexpr double least_storeys = 4;
+    constexpr double most_storeys_of_roof = 3;
+    const double body_m = record.heights_m[0];
+    if (body_m >= least_storeys * record.storey_m && record.height_m >= 2 * body_m)
+        return true;
+    const std::string_view type = record.roof_shape.type;
+    const double rise_m = height_m - eaves_m(record);
+    return (type == "gabled" || type == "hipped" || type == "pyramidal") &&
+           rise_m > most_storeys_of_roof * record.storey_m && 2 * rise_m > height_m - rise_m;
+}
+
+FieldValue floors(const BuildingRecord& record) {
+    const double height_m = record.heights_m[3];
+    if (!std::isfinite(height_m) || is_slender(record, height_m) || is_tank(record) ||
+        is_hall(record, height_m) || is_church(record, height_m))
         return {};
-    return std::max<std::int64_t>(1, std::llround(std::min(height_m, 1e6) / storey_m));
+    return std::max<std::int64_t>(1, std::llround(std::min(height_m, 1e6) / record.storey_m));
 }
 
 constexpr std::string_view status_words =
@@ -108,8 +160,9 @@ constexpr std::array building_table{
                               "height above ground that 95 % of the points do not exceed",
                               [](const BuildingRecord& r) { return measure(r.heights_m[3]); }},
     Attribute<BuildingRecord>{"num_floors", "Floors", FieldType::integer, Unit::none,
-                              "estimate: p95 in storeys of 3 m, at least 1",
-                              [](const BuildingRecord& r) { return floors(r.heights_m[3]); }},
+                              "estimate: p95 in storeys of 3 m (-storey_height), at least 1; NULL for halls, "
+                              "churches, tanks and chimneys",
+                              [](const BuildingRecord& r) { return floors(r); }},
     Attribute<BuildingRecord>{
         "has_parts", "Has parts", FieldType::integer, Unit::none,
         "1 if the stack has more than one contour, else 0",

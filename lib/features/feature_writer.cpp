@@ -251,6 +251,7 @@ void FeatureWriter::measure_building(DrawnContour& drawn) {
     take_measures(made, record);
     record.deviation_m = made.deviation / std::sqrt(input_.setup.georeference.cell_area()) * cell_m_;
     record.area_change = made.area_change;
+    record.storey_m = input_.setup.plan.asked.write.storey_height;
     if (input_.parcels != nullptr)
         record.parcel = input_.parcels->name(record.parcel_number);
 }

@@ -130,6 +130,7 @@ constexpr std::array rules{
     no_effect(given("nln"), given("sweep"), no_layers),
     no_effect(given("append"), given("sweep"), no_layers),
     no_effect(given("fields"), given("sweep"), no_layers),
+    no_effect(given("storey_height"), given("sweep"), no_layers),
     no_effect(given("split_field"), given("sweep"), no_layers),
     no_effect(given("arcs"), given("sweep"), no_layers),
     no_effect(given("write_doubtful"), given("sweep"), no_layers),
@@ -312,6 +313,15 @@ void check_roofs(const Request& request) {
         throw OptionError("-roof_min_area needs -roofs or -surface_of roofs; it is the size of their faces.");
 }
 
+/// Contours alone have no floors.
+void check_storeys(const Request& request) {
+    const WriteOptions& write = request.options.write;
+    const bool has_buildings = write.layers != Layers::contours || write.doubtful || write.has_footprints() ||
+                               !write.surfaces.empty() || !write.page.empty();
+    if (find_option("storey_height")->is_given(request) && !has_buildings)
+        throw OptionError("-storey_height has no effect with -layers contours; only buildings have floors.");
+}
+
 /// Checks everything but the values of a sweep.
 void check_run(const Request& request) {
     for (const OptionRule& rule : option_rules())
@@ -322,6 +332,7 @@ void check_run(const Request& request) {
     check_offset(request.options.levels);
     check_solids(request);
     check_roofs(request);
+    check_storeys(request);
 }
 
 /// Checks each trial as a run of its own.

@@ -129,6 +129,12 @@ std::vector<OptionRow> also_written() {
                                .details = "urock and city4cfd are wind models, osm is OpenStreetMap. Names "
                                           "that are too long for a Shapefile are refused.",
                                .choice_titles = {"dem2buildings", "URock", "City4CFD", "OpenStreetMap"}}));
+    rows.push_back(number_row("storey_height", "<m>", {.lowest = 0, .above_lowest = true},
+                              [](auto& r) -> auto& { return r.options.write.storey_height; },
+                              {.title = "Height of a storey",
+                               .help = "Height of a storey, for the number of floors.",
+                               .details = "Halls, churches and chimneys have no number of floors.",
+                               .unit = "m"}));
     rows.push_back(switch_row(
         "roofs", [](auto& r) -> auto& { return r.options.write.roofs; },
         {.title = "Also write the planes of roofs",

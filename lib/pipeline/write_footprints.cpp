@@ -347,8 +347,9 @@ void CutContours::write(const contours::StoredContours& contours, const features
         context_.report.merge(maker.tally());
 }
 
-BuildingRecord given_record(const PlacedFootprint& placed, std::int64_t id, double metres) {
+BuildingRecord given_record(const PlacedFootprint& placed, std::int64_t id, double metres, double storey_m) {
     BuildingRecord record;
+    record.storey_m = storey_m;
     record.id = id;
     record.ground = placed.ground;
     record.roof = placed.roof.highest;
@@ -384,7 +385,8 @@ void write_features_of(const GivenFootprints& given, const features::RunSetup& s
         context.check_stop();
         const PlacedFootprint& placed = given.all[i];
         const BuildingRecord record =
-            given_record(placed, static_cast<std::int64_t>(i) + 1, context.report.units.vertical_metres);
+            given_record(placed, static_cast<std::int64_t>(i) + 1, context.report.units.vertical_metres,
+                         setup.plan.asked.write.storey_height);
         report.measured += placed.points > 0 ? 1 : 0;
         report.without_data += placed.cell_count > 0 && placed.points == 0 ? 1 : 0;
         report.flat += placed.points > 0 && record.seen_share < flat_share ? 1 : 0;

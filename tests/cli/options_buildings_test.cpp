@@ -447,6 +447,16 @@ TEST_F(OptionEffect, corrections__beatTheLeastConfidence) {
         EXPECT_EQ(record.number("confidence"), 1);
 }
 
+TEST_F(OptionEffect, storey_height) {
+    find({});
+    EXPECT_EQ(at(buildings(), MadeTown::flat).number("num_floors"), 2);
+    find({"-storey_height", "3.5"});
+    EXPECT_EQ(at(buildings(), MadeTown::flat).number("num_floors"), 2);
+    EXPECT_EQ(at(buildings(), MadeTown::podium).number("num_floors"), 7);
+    find({"-storey_height", "2.3"});
+    EXPECT_EQ(at(buildings(), MadeTown::flat).number("num_floors"), 3);
+}
+
 TEST_F(OptionEffect, footprints) {
     write_layer(path("mine.gpkg"), {"mine", {{rectangle(18, 18, 40, 36)}}, 25833, "storeys"});
     find({"-footprints", "mine.gpkg"});

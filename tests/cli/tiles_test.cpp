@@ -60,7 +60,10 @@ class TilesTool : public CliTest {
         std::ofstream(path("bridges.geojson")) << head << feature("", R"({"type": "Polygon", "coordinates":
                 [[[391140, 5820090], [391300, 5820090], [391300, 5820180], [391140, 5820180], [391140, 5820090]]]})")
                                                << "]}";
-        std::ofstream(path("edits.geojson"})")
+        std::ofstream(path("edits.geojson"))
+            << head
+            << feature("cut",
+                       R"({"type": "LineString", "coordinates": [[391300, 5820350], [391700, 5820351]]})")
             << "," << feature("building", R"({"type": "Point", "coordinates": [391372.8, 5820958.6]})") << "]}";
     }
     /// The report without what differs from run to run.

@@ -181,6 +181,97 @@ TEST(AttributeTable, FloorsAreStoreysOfThreeMetres) {
     EXPECT_EQ(floors(std::nan("")), FieldValue{});
 }
 
+/// A house of 12 x 10 m whose points lie at 9 m.
+BuildingRecord house() {
+    BuildingRecord record;
+    record.ground = 50;
+    record.height_m = 9.5;
+    record.roof = record.ground + record.height_m;
+    record.heights_m = {9, 9, 9, 9};
+    record.area_m2 = 120;
+    record.perimeter_m = 44;
+    return record;
+}
+
+FieldValue floors_of(const BuildingRecord& record) {
+    return field_values(building_attributes(true, true), record)[9];
+}
+
+TEST(AttributeTable, FloorsFollowTheHeightOfAStorey) {
+    BuildingRecord record = house();
+    for (const auto& [storey, floors] : {std::pair{3.0, 3}, {4.5, 2}, {2.0, 5}, {20.0, 1}}) {
+        record.storey_m = storey;
+        EXPECT_EQ(floors_of(record), FieldValue{std::int64_t{floors}}) << storey;
+    }
+}
+
+/// 50 x 50 m under one roof of 12 m, which is less than a third of the width.
+TEST(AttributeTable, HallsHaveNoFloors) {
+    BuildingRecord hall = house();
+    hall.heights_m = {11, 11.5, 12, 12};
+    hall.area_m2 = 2500;
+    hall.perimeter_m = 200;
+    EXPECT_EQ(floors_of(hall), FieldValue{});
+    BuildingRecord other = hall;
+    other.heights_m[0] = 8.9;  // parts differ by more than a storey
+    EXPECT_EQ(floors_of(other), FieldValue{std::int64_t{4}});
+    other = hall;
+    other.heights_m = {25, 26, 26, 26};  // an office
+    EXPECT_EQ(floors_of(other), FieldValue{std::int64_t{9}});
+    other = hall;
+    other.perimeter_m = 340;  // courtyards give light
+    EXPECT_EQ(floors_of(other), FieldValue{std::int64_t{4}});
+    other = hall;
+    other.heights_m = {4, 4, 4, 4};  // one floor, however wide
+    EXPECT_EQ(floors_of(other), FieldValue{std::int64_t{1}});
+}
+
+/// A nave of 18 m with a spire of 52 m; with planes of the roof, a ridge of 30 m above eaves of 17 m.
+TEST(AttributeTable, ChurchesHaveNoFloors) {
+    BuildingRecord church = house();
+    church.area_m2 = 660;
+    church.perimeter_m = 140;
+    church.heights_m = {18, 20, 34, 39};
+    church.height_m = 52;
+    church.roof = church.ground + 52;
+    EXPECT_EQ(floors_of(church), FieldValue{});
+    church.height_m = 35;
+    church.heights_m = {18, 20, 25, 30};
+    church.roof = church.ground + 35 / 0.3;  // in feet, nearly
+    EXPECT_EQ(floors_of(church), FieldValue{std::int64_t{10}});
+    church.roof_shape.type = "gabled";
+    church.roof_shape.eave_z = church.ground + 17 / 0.3;
+    EXPECT_EQ(floors_of(church), FieldValue{});
+    church.roof_shape.eave_z = church.ground + 22 / 0.3;  // 8 m of roof are attics
+    EXPECT_EQ(floors_of(church), FieldValue{std::int64_t{10}});
+    church.roof_shape.eave_z = church.ground + 17 / 0.3;
+    church.roof_shape.type = "flat";
+    EXPECT_EQ(floors_of(church), FieldValue{std::int64_t{10}});
+    // A tower on a podium that is lower than four storeys.
+    church = house();
+    church.height_m = 33;
+    EXPECT_EQ(floors_of(church), FieldValue{std::int64_t{3}});
+}
+
+/// 5 x 5 m and 24 m high; a round tank of 10 m and 24 m.
+TEST(AttributeTable, ChimneysAndTanksHaveNoFloors) {
+    BuildingRecord tower = house();
+    tower.height_m = 24;
+    tower.roof = tower.ground + 24;
+    tower.heights_m = {24, 24, 24, 24};
+    tower.area_m2 = 25;
+    tower.perimeter_m = 20;
+    EXPECT_EQ(floors_of(tower), FieldValue{});
+    tower.area_m2 = 78.5;
+    tower.perimeter_m = 31.4;
+    EXPECT_EQ(floors_of(tower), FieldValue{std::int64_t{8}});
+    tower.roof_shape.type = "domed";
+    EXPECT_EQ(floors_of(tower), FieldValue{});
+    tower.area_m2 = 100;
+    tower.perimeter_m = 40;  // a square
+    EXPECT_EQ(floors_of(tower), FieldValue{std::int64_t{8}});
+}
+
 using test::nodata;
 
 /// 8 x 10 cells of ground at 50 with two labels: 4 x 6 cells at 60, of which 2 x 3 are at 70 and two are not

@@ -58,6 +58,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"flow_ready", {{"3"}}},
         {"min_gap", {{"30"}}},
         {"min_wall", {{"4"}}},
+        {"storey_height", {{"2"}}},
         {"t_srs", {{"EPSG:25832"}}},
         {"f", {{"GPKG"}}},
         {"dsco", {{"VERSION=1.3"}}},

@@ -156,6 +156,8 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
             {{"-corrections_layer", "edits"},
              "-corrections_layer needs -corrections <points, polygons and lines>; it names the layer of the "
              "corrections."},
+            {{"-storey_height", "4", "-layers", "contours"},
+             "-storey_height has no effect with -layers contours; only buildings have floors."},
             {{"-exclude", "b.gpkg", "-preset", "thesis"},
              "-exclude has no effect with -preset thesis; it detects no buildings, so leave one of them "
              "out."},

@@ -153,6 +153,7 @@ struct WriteOptions {
     bool rejected = false;  ///< also write a layer of dropped or changed contours, with reasons
     bool problems = false;  ///< also write a layer of places changed for closed surfaces
     FieldNames fields = FieldNames::own;
+    double storey_height = 3;             ///< m, for the number of floors
     std::string ground;                   ///< GeoTIFF of the terrain; "": none
     std::string height;                   ///< GeoTIFF of the heights above it
     std::string canopy;                   ///< GeoTIFF of the heights of everything except buildings

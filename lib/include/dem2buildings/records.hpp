@@ -74,6 +74,7 @@ struct BuildingRecord {
     OutlineStatus status = OutlineStatus::traced;
     double deviation_m = 0;             ///< largest distance between the outline and its trace
     double area_change = 0;             ///< change by regularisation, share of the traced area
+    double storey_m = 3;                ///< height of a storey, for the number of floors
     RoofRecord roof_shape;              ///< with -roofs
     double seen_share = unknown_share;  ///< cells of a given footprint that rise by -min_height
     double tree_share = unknown_share;  ///< cells of a given footprint that look like trees
