@@ -17,9 +17,6 @@ namespace {
 constexpr double fewest_walls = 0.1;
 constexpr double steeper = 1.2;
 
-// Scans of at least one pulse per m^2 on cells of at most a metre fill less of their cells.
-constexpr double filled_by_any = 0.04;
-
 // Larger objects are more likely to be buildings up to this size; woods are larger than houses.
 constexpr double house_m2 = 300;
 
@@ -100,18 +97,18 @@ std::array<Term, terms_of_a_sum> terms_of(const ObjectFeatures& features) {
 DetectedObject classify(const ObjectFeatures& features, double filled) {
     if (!has_walls(features))
         return {0, CounterEvidence::no_step, 0};
-    const double thinness = std::clamp((filled - filled_by_any) / (thin_points - filled_by_any), 0.0, 1.0);
+    const double thin = thinness(filled);
     const std::array<Term, terms_of_a_sum> model_terms = terms_of(features);
     std::array<double, terms_of_a_sum> terms{};
     std::ranges::transform(model_terms, terms.begin(),
-                           [&](const Term& model_term) { return model_term.term(thinness); });
-    double sum = thinness * thin_constant;
+                           [&](const Term& model_term) { return model_term.term(thin); });
+    double sum = thin * thin_constant;
     for (const double term : terms)
         sum += term;
     // Ignores terms that took no part: those without weight, vegetation without (green) NDVI, and the
     // compactness of large objects.
     for (std::size_t i = 0; i < model_terms.size(); ++i)
-        if (model_terms[i].is_inactive(thinness) || (i == greenness && features.green == 0) ||
+        if (model_terms[i].is_inactive(thin) || (i == greenness && features.green == 0) ||
             (i == form && model_terms[i].value == 0))
             terms[i] = std::numeric_limits<double>::infinity();
     const auto worst = std::min_element(terms.begin(), terms.end()) - terms.begin();

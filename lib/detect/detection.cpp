@@ -10,6 +10,7 @@
 #include "detect/detection_passes.hpp"
 #include "detect/divide_buildings.hpp"
 #include "detect/priors.hpp"
+#include "detect/sampling_rules.hpp"
 #include "detect/smoothness.hpp"
 #include "detect/threshold_scale.hpp"
 #include "raster/regions.hpp"
@@ -111,7 +112,7 @@ Candidates detect_candidates(const Scene& scene, const DetectOptions& options, d
     if (needs_multi_threshold(scene.side(), quality.filled))
         judged = multi_threshold_candidates(scene, cells, min_area_m2, quality, std::move(judged), threads);
     std::optional<Candidates> second;
-    if (needs_relaxed_pass(quality.filled))
+    if (has_very_thin_points(quality.filled))
         second = relaxed_pass(scene, cells, min_area_m2, quality, judged.regions, threads);
     apply_priors(scene, quality.filled, judged, second, threads);
     return second ? merge_candidates(std::move(judged), *second, threads) : judged;

@@ -145,9 +145,6 @@ namespace {
 
 // Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
 // docs/accuracy.md.
-constexpr double min_filled_for_multi_threshold = 0.06;
-constexpr double min_side_for_multi_threshold_m =
-    1.9;  // map cells of 2 m may be slightly smaller on the ground
 constexpr std::array<double, 4> factors{0.5, 0.7, 1, 1.4};
 constexpr std::size_t regular_pass = 2;
 constexpr double wide_pass_penalty = 1.1;  // penalty on the log-odds
@@ -164,10 +161,6 @@ Candidates found_at(double factor, const Scene& scene, SceneCells& cells, double
 }
 
 }  // namespace
-
-bool needs_multi_threshold(double side, double filled) {
-    return filled > min_filled_for_multi_threshold || side > min_side_for_multi_threshold_m;
-}
 
 Candidates multi_threshold_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
                                       const SurfaceQuality& quality, Candidates usual, Executor& threads) {
@@ -198,10 +191,6 @@ void clear_with_border(const Regions& regions, Mask& cells, Executor& threads) {
 }
 
 }  // namespace
-
-bool needs_relaxed_pass(double filled) {
-    return filled > very_thin_points;
-}
 
 Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m2, SurfaceQuality quality,
                         const Regions& found, Executor& threads) {

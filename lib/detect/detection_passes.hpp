@@ -35,12 +35,6 @@ struct NestedCandidate {
 [[nodiscard]] Candidates select_candidates(std::span<const Candidates> passes, std::size_t usual,
                                            Executor& threads);
 
-/// True if points are so sparse, or cells so coarse, that no single threshold of smoothness suits all houses.
-/// A coarse cell has the height of its highest point, which may lie anywhere in it.
-/// @param side cell size in m
-/// @param filled see SurfaceQuality
-[[nodiscard]] bool needs_multi_threshold(double side, double filled);
-
 /// Repeats the detection with 0.5, 0.7 and 1.4 times the usual thresholds of smoothness, and selects the best
 /// candidates, see select_candidates(). Stricter thresholds separate crowns from houses, wider ones keep a
 /// rough house in one piece. Candidates found by wider thresholds are less often buildings, so their
@@ -53,10 +47,6 @@ struct NestedCandidate {
 [[nodiscard]] Candidates multi_threshold_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
                                                     const SurfaceQuality& quality, Candidates usual,
                                                     Executor& threads);
-
-/// True if points are so sparse that houses are too rough for the usual thresholds of smoothness.
-/// @param filled see SurfaceQuality
-[[nodiscard]] bool needs_relaxed_pass(double filled);
 
 /// Relaxed pass over the elevated cells outside of the objects found so far, with three times the margin for
 /// sparse points. Objects found so far are excluded, because such thresholds merge houses with adjacent

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "detect/classify.hpp"
+#include "detect/sampling_rules.hpp"
 
 namespace d2b::detect {
 namespace {
@@ -120,7 +121,7 @@ PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects
                              std::span<DetectedObject> others) {
     const std::vector<double> ratios = ratios_of(objects);
     const bool usual_appearance = has_usual_appearance(objects);
-    if (filled > very_thin_points || ratios.size() < fewest_candidates || !usual_appearance) {
+    if (has_very_thin_points(filled) || ratios.size() < fewest_candidates || !usual_appearance) {
         const double share = lacks_certain_buildings(objects) ? max_share_of_few(ratios) : usual_share;
         replace_prior(share, objects);
         replace_prior(share, others);

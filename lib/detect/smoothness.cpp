@@ -15,18 +15,8 @@ namespace {
 constexpr double usual_noise_m = 0.07;
 constexpr double noise_factor = 1.5;
 
-// If pulses are sparse, a cell has the height of a point anywhere in it or next to it, which on a slope is
-// wrong by a fraction of the cell. Every survey has some cells without a pulse; the thresholds allow for this
-// share.
-constexpr double usual_filled = 0.02;
-constexpr double sampling_factor = 0.17;
-
 double noise_margin(double noise) {
     return noise_factor * std::max(0.0, noise - usual_noise_m);
-}
-
-double sampling_margin(double filled, double side) {
-    return sampling_factor * side * std::sqrt(std::max(0.0, filled - usual_filled));
 }
 
 // The step along a diagonal is longer, so that the same curvature bends twice as much, but noise does not: a
@@ -77,7 +67,7 @@ D2B_MULTIVERSION void flag_row(const MetreGrid& surface, std::int32_t r, const S
 
 SmoothnessThresholds smoothness_thresholds(double side, const SurfaceQuality& quality) {
     const double room =
-        noise_margin(quality.noise) + quality.margin_scale * sampling_margin(quality.filled, side);
+        noise_margin(quality.noise) + quality.margin_scale * sampling_margin(side, quality.filled);
     // Metres, and metres per metre of cell size. Fitted on cities with cells of 0.5 to 5 m, see
     // docs/accuracy.md.
     const auto limit = [&](double metres, double of_side) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "detect/sampling_rules.hpp"
 #include "detect/scene.hpp"
 #include "raster/regions.hpp"
 
@@ -19,11 +20,6 @@ enum Smooth : std::uint8_t {
     smooth_enough = 8,  ///< straight along row or column, by the threshold used for whole objects
 };
 
-/// Points are thin above this share of cells without one: Seville's cathedral at 1 m has 0.06, the pines of
-/// docs/accuracy.md in a sparse scan 0.085. Above the second a relaxed pass helps, and no prior is estimated.
-inline constexpr double thin_points = 0.08;
-inline constexpr double very_thin_points = 0.1;
-
 /// Quality of the surface as estimated from the data, which determines the thresholds of smoothness.
 struct SurfaceQuality {
     double noise = 0;            ///< standard deviation of the surface's noise, metres
@@ -36,7 +32,7 @@ struct SurfaceQuality {
 
     /// Share of cells whose smoothness is no evidence. Rounded elevations are treated like sparse points.
     [[nodiscard]] double uninformative_share() const {
-        return rounded_to > 0 ? std::max(filled, thin_points) : filled;
+        return rounded_to > 0 ? std::max(filled, thin_share()) : filled;
     }
 };
 

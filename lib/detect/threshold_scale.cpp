@@ -131,13 +131,13 @@ namespace {
 
 constexpr double surely_roof = 0.95;
 constexpr double likely_roof = 0.5;
-constexpr double inside_m = 3;
-constexpr std::int64_t fewest_roofs = 2000;  // cells
+constexpr double inside_m = 1;
+constexpr std::int64_t fewest_roofs = 500;  // cells
 // Laser scans with cells of 0.5 to 2.5 m have 0.7 to 1; the town of docs/accuracy.md as seen by satellites
 // has 0.5.
 constexpr double least_sharp = 0.6;
-constexpr std::array<double, 4> stricter{0.9, 0.8, 0.7, 0.6};
-constexpr std::int64_t most_lost = 5;  // per thousand
+constexpr std::array<double, 4> stricter{0.9, 0.7, 0.5, 0.35};
+constexpr double equally_good = 0.005;  // share of the objects
 
 /// Returns roofs that are certain even without their right angles, because the surface alone has to show its
 /// smoothness.
@@ -160,6 +160,16 @@ std::int64_t common_cells(const Mask& a, const Mask& b) {
     return std::inner_product(a.values.begin(), a.values.end(), b.values.begin(), std::int64_t{0});
 }
 
+/// Cells that a scale of the thresholds finds.
+struct FoundCells {
+    std::int64_t roofs = 0;    ///< of certain roofs
+    std::int64_t objects = 0;  ///< of likely buildings
+};
+
+double lost_share(std::int64_t found, std::int64_t all) {
+    return 1 - static_cast<double>(found) / static_cast<double>(all);
+}
+
 }  // namespace
 
 std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectOptions& options,
@@ -174,27 +184,38 @@ std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectO
     sample_cells.reserve(samples.size());
     for (const RoofSample& sample : samples)
         sample_cells.push_back(scene_cells(sample.scene(), options, threads));
-    const auto roofs_found = [&](double factor) {
+    const auto found_at = [&](double factor) {
         SurfaceQuality stricter_quality = quality;
         stricter_quality.threshold_scale = factor;
-        std::int64_t cells = 0;
+        FoundCells found;
         for (std::size_t i = 0; i < samples.size(); ++i) {
-            const Candidates judged = find_candidates(samples[i].scene(), sample_cells[i], min_area_m2,
-                                                      stricter_quality, threads, CrownTreatment::keep);
-            cells += common_cells(samples[i].roofs, likely_roofs(judged, threads));
+            const Mask likely = likely_roofs(find_candidates(samples[i].scene(), sample_cells[i], min_area_m2,
+                                                             stricter_quality, threads, CrownTreatment::keep),
+                                             threads);
+            found.roofs += common_cells(samples[i].roofs, likely);
+            found.objects += common_cells(likely, likely);
         }
-        return cells;
+        return found;
     };
     // Reference count at the unchanged thresholds, because objects cut by the border of a sample may not be
     // found at all.
-    const std::int64_t all = roofs_found(1);
-    if (all < fewest_roofs)
+    const FoundCells all = found_at(1);
+    if (all.roofs < fewest_roofs)
         return std::nullopt;
-    // Binary search: wider thresholds find every cell that stricter ones do.
-    const auto first_too_strict = std::partition_point(stricter.begin(), stricter.end(), [&](double root) {
-        return 1000 * roofs_found(root * root) >= (1000 - most_lost) * all;
-    });
-    return first_too_strict == stricter.begin() ? 1 : *(first_too_strict - 1);
+    const double price = price_of_lost_roofs(quality.filled);
+    double best = 0;
+    double scale = 1;
+    for (const double factor : stricter) {
+        if (factor < strictest_scale(scene.side(), quality.filled))
+            break;
+        const FoundCells found = found_at(factor);
+        const double gain =
+            lost_share(found.objects, all.objects) - price * lost_share(found.roofs, all.roofs);
+        if (gain > best - equally_good)
+            scale = factor;
+        best = std::max(best, gain);
+    }
+    return scale;
 }
 
 }  // namespace d2b::detect

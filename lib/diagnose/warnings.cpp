@@ -87,7 +87,7 @@ constexpr double widest_step = 2.5;
 }  // namespace
 
 std::string sparse_points_warning(const SamplingReport& report, double side) {
-    if (report.interpolated_fraction <= detect::thin_points || !report.points_per_cell)
+    if (!detect::has_thin_points(report.interpolated_fraction) || !report.points_per_cell)
         return {};
     return "points are thin: about " + rounded(*report.points_per_cell) + " fell into a cell of " +
            rounded(side) + " m, and none into " + percent(report.interpolated_fraction) +

@@ -14,15 +14,15 @@ namespace {
 
 using namespace test;
 
-/// Houses of 28 by 28 m, 22 m apart, whose flat roofs are rough: each cell lies up to so much higher or
+/// Square houses at distances of 50 m, whose flat roofs are rough: each cell lies up to so much higher or
 /// lower.
-Town town_with(float rough, std::int32_t houses) {
+Town town_with(float rough, std::int32_t houses, std::int32_t side = 28) {
     Town town(20 + 50 * houses, 20 + 50 * houses);
     std::mt19937 random(31);  // NOLINT: the same roofs in every run
     std::uniform_real_distribution<float> relief(-rough, rough);
     town.build([&](std::int32_t r, std::int32_t c) {
-        return r >= 20 && c >= 20 && (r - 20) % 50 < 28 && (c - 20) % 50 < 28 ? 110 + relief(random)
-                                                                              : unknown;
+        return r >= 20 && c >= 20 && (r - 20) % 50 < side && (c - 20) % 50 < side ? 110 + relief(random)
+                                                                                  : unknown;
     });
     return town;
 }
@@ -34,8 +34,8 @@ std::optional<double> strictness_of(const Town& town) {
 }
 
 TEST(ThresholdScale, AsStrictAsTheRoofsAllow) {
-    EXPECT_EQ(strictness_of(town_with(0, 3)), 0.6);
-    double before = 0.6;
+    EXPECT_EQ(strictness_of(town_with(0, 3)), 0.35);
+    double before = 0.35;
     for (const float rough : {0.1F, 0.2F, 0.25F, 0.3F, 0.35F}) {
         const double found = strictness_of(town_with(rough, 3)).value_or(0);
         EXPECT_GE(found, before) << rough;
@@ -44,13 +44,29 @@ TEST(ThresholdScale, AsStrictAsTheRoofsAllow) {
     EXPECT_GE(before, 0.9) << "hardly smoother than the usual limits allow";
 }
 
+TEST(ThresholdScale, ARoofCostsMoreThanItsCells) {
+    // The limits that lose one roof of nine take away a ninth of the objects, and a ninth of the roofs.
+    Town town = town_with(0, 3);
+    const Town rough = town_with(0.3F, 3);
+    for (std::int32_t r = 20; r < 48; ++r)
+        std::copy_n(rough.surface.row(r).begin() + 20, 28, town.surface.row(r).begin() + 20);
+    const double all_rough = strictness_of(rough).value_or(0);
+    EXPECT_GT(all_rough, 0.35);
+    EXPECT_EQ(strictness_of(town), all_rough);
+}
+
 TEST(ThresholdScale, NothingWhereRoofsAreFew) {
-    // 22 x 22 = 484 cells are 3 m inside a house: four of them have 1936 and five 2420.
-    Town four = town_with(0, 2);
-    EXPECT_EQ(strictness_of(four), std::nullopt);
+    EXPECT_EQ(strictness_of(town_with(0, 1, 25)), 0.35) << "23 x 23 = 529 cells are 1 m inside the house";
+    EXPECT_EQ(strictness_of(town_with(0, 1, 24)), std::nullopt) << "22 x 22 = 484";
     Town none(50, 50);
     EXPECT_EQ(strictness_of(none), std::nullopt);
     EXPECT_EQ(strictness_of(Town(0, 0)), std::nullopt);
+}
+
+TEST(ThresholdScale, CoarseCellsBoundIt) {
+    Town town = town_with(0, 3);
+    town.cell = {2, 2};
+    EXPECT_EQ(strictness_of(town), 0.9);
 }
 
 TEST(ThresholdScale, NothingWhereWallsAreSmeared) {

@@ -1,0 +1,42 @@
+#pragma once
+
+namespace d2b::detect {
+
+/// Rules about thin points and coarse cells. Each is a function of the share of cells without a pulse and of
+/// the cell size, so that no other file decides what is thin.
+///
+/// `filled` is the share of cells without a pulse (SurfaceQuality), from which the points per cell follow as
+/// -ln(filled); `side` is the cell size in m.
+
+/// Weight of the evidence for thin points in classify(): 0 for usual points, 1 for thin ones.
+[[nodiscard]] double thinness(double filled);
+
+/// True if points are thin: classify() then uses the evidence for thin points alone.
+[[nodiscard]] bool has_thin_points(double filled);
+
+/// Share of cells above which points are thin.
+[[nodiscard]] double thin_share();
+
+/// True if points are so thin that houses are too rough for the usual limits of smoothness: a relaxed pass
+/// finds more of them, and no share of buildings can be estimated.
+[[nodiscard]] bool has_very_thin_points(double filled);
+
+/// True if cells hold the highest of many points, which may lie anywhere in them.
+[[nodiscard]] bool is_coarse(double side);
+
+/// True if points are so sparse, or cells so coarse, that no single limit of smoothness suits all houses.
+[[nodiscard]] bool needs_multi_threshold(double side, double filled);
+
+/// Metres added to the limits of smoothness, because the height of a cell without a pulse is wrong by a part
+/// of the cell on a slope.
+[[nodiscard]] double sampling_margin(double side, double filled);
+
+/// Least factor on the limits of smoothness. Roofs on coarse cells are a few cells wide and bend in most of
+/// them, so limits that are hardly stricter lose small houses, which certain roofs do not show.
+[[nodiscard]] double strictest_scale(double side, double filled);
+
+/// Share of the cells of all objects that stricter limits have to take away for each share of roofs that they
+/// lose. It is less for very thin points, because the relaxed pass finds a part of these roofs again.
+[[nodiscard]] double price_of_lost_roofs(double filled);
+
+}  // namespace d2b::detect

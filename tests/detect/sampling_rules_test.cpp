@@ -1,0 +1,34 @@
+#include "detect/sampling_rules.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace d2b::detect {
+namespace {
+
+TEST(SamplingRules, ThinnessRisesFromUsualToThinPoints) {
+    EXPECT_EQ(thinness(0), 0);
+    EXPECT_EQ(thinness(0.04), 0);
+    EXPECT_NEAR(thinness(0.06), 0.5, 1e-12);
+    EXPECT_EQ(thinness(thin_share()), 1);
+    EXPECT_EQ(thinness(1), 1);
+    EXPECT_FALSE(has_thin_points(thin_share()));
+    EXPECT_TRUE(has_thin_points(0.081));
+}
+
+TEST(SamplingRules, MarginGrowsWithTheCellAndTheRootOfTheShare) {
+    EXPECT_EQ(sampling_margin(2, 0.02), 0);
+    EXPECT_EQ(sampling_margin(2, 0), 0);
+    EXPECT_NEAR(sampling_margin(2, 0.27), 2 * 0.17 * 0.5, 1e-12);
+    EXPECT_NEAR(sampling_margin(1, 0.27), 0.17 * 0.5, 1e-12);
+}
+
+TEST(SamplingRules, StrictLimitsAreForFineCells) {
+    EXPECT_LT(strictest_scale(1, 0), strictest_scale(2, 0.2));
+    EXPECT_LT(strictest_scale(2, 0.2), strictest_scale(2, 0)) << "dense coarse cells have few even ones";
+    EXPECT_LT(price_of_lost_roofs(0.2), price_of_lost_roofs(0));
+}
+
+}  // namespace
+}  // namespace d2b::detect
