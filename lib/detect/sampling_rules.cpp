@@ -51,7 +51,7 @@ double sampling_margin(double side, double filled) {
 double strictest_scale(double side, double filled) {
     if (!is_coarse(side))
         return 0.35;
-    return has_very_thin_points(filled) ? 0.7 : 0.9;
+    return has_very_thin_points(filled) ? 1 : 0.9;
 }
 
 double price_of_lost_roofs(double filled) {

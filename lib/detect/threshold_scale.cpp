@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/grid.hpp"
+#include "detect/priors.hpp"
 #include "raster/morphology.hpp"
 
 namespace d2b::detect {
@@ -137,7 +138,9 @@ constexpr std::int64_t fewest_roofs = 500;  // cells
 // has 0.5.
 constexpr double least_sharp = 0.6;
 constexpr std::array<double, 4> stricter{0.9, 0.7, 0.5, 0.35};
-constexpr double equally_good = 0.005;  // share of the objects
+constexpr double equally_good = 0.9;       // of the best gain, ...
+constexpr double negligible_gain = 0.002;  // ... or less by this share of the objects
+constexpr double hopeless_gain = -0.01;    // even stricter limits lose more
 
 /// Returns roofs that are certain even without their right angles, because the surface alone has to show its
 /// smoothness.
@@ -160,14 +163,33 @@ std::int64_t common_cells(const Mask& a, const Mask& b) {
     return std::inner_product(a.values.begin(), a.values.end(), b.values.begin(), std::int64_t{0});
 }
 
-/// Cells that a scale of the thresholds finds.
-struct FoundCells {
-    std::int64_t roofs = 0;    ///< of certain roofs
-    std::int64_t objects = 0;  ///< of likely buildings
+/// Sample with the candidates that the unchanged thresholds find in it. These are found anew, because objects
+/// cut by the border of a sample may not be found at all.
+struct Trial {
+    const RoofSample& sample;
+    SceneCells cells;
+    Candidates usual;
+    std::int64_t roofs = 0;  ///< cells of certain roofs that these find
 };
 
-double lost_share(std::int64_t found, std::int64_t all) {
-    return 1 - static_cast<double>(found) / static_cast<double>(all);
+/// Cells that likely buildings of a trial lose, less those of objects that are certain and mostly lost.
+std::int64_t gained_cells(const Trial& trial, const Mask& left) {
+    const Regions& regions = trial.usual.regions;
+    std::vector<std::int64_t> remaining(trial.usual.objects.size(), 0);
+    for (std::int32_t r = 0; r < regions.rows; ++r)
+        for (const RegionRun& run : regions.row(r)) {
+            std::int64_t& cells = remaining[run.label - 1];
+            const auto begin = left.row(r).begin();
+            cells = std::accumulate(begin + run.begin, begin + run.end, cells);
+        }
+    std::int64_t gained = 0;
+    for (std::size_t i = 0; i < remaining.size(); ++i) {
+        const DetectedObject& object = trial.usual.objects[i];
+        const std::int64_t lost = object.cells - remaining[i];
+        if (object.confidence > likely_roof)
+            gained += object.confidence > surely_roof && lost > remaining[i] ? -lost : lost;
+    }
+    return gained;
 }
 
 }  // namespace
@@ -176,42 +198,52 @@ std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectO
                                                double min_area_m2, const SurfaceQuality& quality,
                                                const Candidates& first, Executor& threads) {
     const Mask buildings = sure_roofs(first, quality.uninformative_share(), threads);
-    if (step_sharpness(scene.surface, buildings, threads) < least_sharp)
+    const double strictest = strictest_scale(scene.side(), quality.filled);
+    if (strictest == 1 || !has_usual_appearance(first.objects) ||
+        step_sharpness(scene.surface, buildings, threads) < least_sharp)
         return std::nullopt;
+    const auto find_at = [&](double factor, Trial& trial) {
+        SurfaceQuality other = quality;
+        other.threshold_scale = factor;
+        return find_candidates(trial.sample.scene(), trial.cells, min_area_m2, other, threads,
+                               CrownTreatment::keep);
+    };
     const std::vector<RoofSample> samples =
         roof_samples(scene, erode(buildings, inside_m, scene.cell, threads), threads);
-    std::vector<SceneCells> sample_cells;
-    sample_cells.reserve(samples.size());
-    for (const RoofSample& sample : samples)
-        sample_cells.push_back(scene_cells(sample.scene(), options, threads));
-    const auto found_at = [&](double factor) {
-        SurfaceQuality stricter_quality = quality;
-        stricter_quality.threshold_scale = factor;
-        FoundCells found;
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const Mask likely = likely_roofs(find_candidates(samples[i].scene(), sample_cells[i], min_area_m2,
-                                                             stricter_quality, threads, CrownTreatment::keep),
-                                             threads);
-            found.roofs += common_cells(samples[i].roofs, likely);
-            found.objects += common_cells(likely, likely);
-        }
-        return found;
-    };
-    // Reference count at the unchanged thresholds, because objects cut by the border of a sample may not be
-    // found at all.
-    const FoundCells all = found_at(1);
-    if (all.roofs < fewest_roofs)
+    std::vector<Trial> trials;
+    std::int64_t objects = 0;
+    std::int64_t roofs = 0;
+    for (const RoofSample& sample : samples) {
+        Trial& trial = trials.emplace_back(Trial{sample, scene_cells(sample.scene(), options, threads), {}});
+        trial.usual = find_at(1, trial);
+        const Mask likely = likely_roofs(trial.usual, threads);
+        trial.roofs = common_cells(sample.roofs, likely);
+        roofs += trial.roofs;
+        objects += common_cells(likely, likely);
+    }
+    if (roofs < fewest_roofs)
         return std::nullopt;
-    const double price = price_of_lost_roofs(quality.filled);
+    const auto gain_of = [&](double factor) {
+        std::int64_t gained = 0;
+        std::int64_t lost_roofs = 0;
+        for (Trial& trial : trials) {
+            const Mask left = likely_roofs(find_at(factor, trial), threads);
+            gained += gained_cells(trial, left);
+            lost_roofs += trial.roofs - common_cells(trial.sample.roofs, left);
+        }
+        return static_cast<double>(gained) / static_cast<double>(objects) -
+               price_of_lost_roofs(quality.filled) * static_cast<double>(lost_roofs) /
+                   static_cast<double>(roofs);
+    };
     double best = 0;
     double scale = 1;
     for (const double factor : stricter) {
-        if (factor < strictest_scale(scene.side(), quality.filled))
+        if (factor < strictest)
             break;
-        const FoundCells found = found_at(factor);
-        const double gain =
-            lost_share(found.objects, all.objects) - price * lost_share(found.roofs, all.roofs);
-        if (gain > best - equally_good)
+        const double gain = gain_of(factor);
+        if (gain < hopeless_gain)
+            break;
+        if (gain >= equally_good * best - negligible_gain)
             scale = factor;
         best = std::max(best, gain);
     }

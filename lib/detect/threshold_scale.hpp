@@ -39,15 +39,17 @@ struct RoofSample {
 ///
 /// Cells more than 1 m inside objects that are certainly buildings (confidence above 0.95) are roofs.
 /// Stricter thresholds take cells away from all likely buildings: crowns at their walls and false objects,
-/// but roofs as well. The scale is the one with the largest share of cells that it takes away, less
-/// price_of_lost_roofs() times the share of roofs that it loses; of nearly equal ones the strictest. Only the
+/// but roofs as well. The gain of a scale is the share of cells that it takes away, less
+/// price_of_lost_roofs() times the share of roofs that it loses; objects that are certainly buildings and are
+/// mostly lost count against it. The scale is the strictest of those with nearly the largest gain. Only the
 /// (up to) four squares of 1024 by 1024 cells with most roof cells are processed, so that the time does not
 /// grow with the scene. Integer counts, so the order does not matter.
 ///
 /// @param first candidates found with `quality`
 /// @return 1, 0.9, 0.7, 0.5 or 0.35, not less than strictest_scale(); nullopt if there are fewer than 500
-/// such cells, or if walls are blurred (step_sharpness() below 0.6), because blur smooths roofs and crowns
-/// alike, and bends small houses
+/// such cells, without has_usual_appearance(), since certain roofs then do not speak for the others, or if
+/// walls are blurred (step_sharpness() below 0.6), because blur smooths roofs and crowns alike, and bends
+/// small houses
 [[nodiscard]] std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectOptions& options,
                                                              double min_area_m2,
                                                              const SurfaceQuality& quality,
