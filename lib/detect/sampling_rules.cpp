@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace d2b::detect {
 namespace {
@@ -48,10 +49,10 @@ double sampling_margin(double side, double filled) {
     return of_side * side * std::sqrt(std::max(0.0, filled - usual));
 }
 
-double strictest_scale(double side, double filled) {
+std::vector<double> stricter_scales(double side, double filled) {
     if (!is_coarse(side))
-        return 0.35;
-    return has_very_thin_points(filled) ? 1 : 0.9;
+        return {0.7, 0.5, 0.35};
+    return has_very_thin_points(filled) ? std::vector<double>{} : std::vector{0.9};
 }
 
 double price_of_lost_roofs(double filled) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace d2b::detect {
 
 /// Rules about thin points and coarse cells. Each is a function of the share of cells without a pulse and of
@@ -31,9 +33,10 @@ namespace d2b::detect {
 /// of the cell on a slope.
 [[nodiscard]] double sampling_margin(double side, double filled);
 
-/// Least factor on the limits of smoothness. Roofs on coarse cells are a few cells wide and bend in most of
-/// them, so limits that are hardly stricter lose small houses, which certain roofs do not show.
-[[nodiscard]] double strictest_scale(double side, double filled);
+/// Factors on the limits of smoothness that are worth a trial, in falling order. Roofs on coarse cells are a
+/// few cells wide and bend in most of them, so limits that are hardly stricter lose small houses, which
+/// certain roofs do not show.
+[[nodiscard]] std::vector<double> stricter_scales(double side, double filled);
 
 /// Share of the cells of all objects that stricter limits have to take away for each share of roofs that they
 /// lose. It is less for very thin points, because the relaxed pass finds a part of these roofs again.

@@ -1,7 +1,6 @@
 #include "detect/threshold_scale.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -137,7 +136,6 @@ constexpr std::int64_t fewest_roofs = 500;  // cells
 // Laser scans with cells of 0.5 to 2.5 m have 0.7 to 1; the town of docs/accuracy.md as seen by satellites
 // has 0.5.
 constexpr double least_sharp = 0.6;
-constexpr std::array<double, 4> stricter{0.9, 0.7, 0.5, 0.35};
 constexpr double equally_good = 0.9;       // of the best gain, ...
 constexpr double negligible_gain = 0.002;  // ... or less by this share of the objects
 constexpr double hopeless_gain = -0.01;    // even stricter limits lose more
@@ -198,8 +196,8 @@ std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectO
                                                double min_area_m2, const SurfaceQuality& quality,
                                                const Candidates& first, Executor& threads) {
     const Mask buildings = sure_roofs(first, quality.uninformative_share(), threads);
-    const double strictest = strictest_scale(scene.side(), quality.filled);
-    if (strictest == 1 || !has_usual_appearance(first.objects) ||
+    const std::vector<double> stricter = stricter_scales(scene.side(), quality.filled);
+    if (stricter.empty() || !has_usual_appearance(first.objects) ||
         step_sharpness(scene.surface, buildings, threads) < least_sharp)
         return std::nullopt;
     const auto find_at = [&](double factor, Trial& trial) {
@@ -238,8 +236,6 @@ std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectO
     double best = 0;
     double scale = 1;
     for (const double factor : stricter) {
-        if (factor < strictest)
-            break;
         const double gain = gain_of(factor);
         if (gain < hopeless_gain)
             break;

@@ -46,7 +46,7 @@ struct RoofSample {
 /// grow with the scene. Integer counts, so the order does not matter.
 ///
 /// @param first candidates found with `quality`
-/// @return 1, 0.9, 0.7, 0.5 or 0.35, not less than strictest_scale(); nullopt if there are fewer than 500
+/// @return 1 or one of stricter_scales(); nullopt if there are fewer than 500
 /// such cells, without has_usual_appearance(), since certain roofs then do not speak for the others, or if
 /// walls are blurred (step_sharpness() below 0.6), because blur smooths roofs and crowns alike, and bends
 /// small houses
