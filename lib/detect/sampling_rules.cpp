@@ -16,6 +16,11 @@ constexpr double no_single_limit = 0.06;
 constexpr double thin = 0.08;
 constexpr double very_thin = 0.1;
 
+// Scenes of 2 pulses per m^2 on cells of 1 m have 0.23 to 0.27, and places and scenes of more pulses whose
+// slopes are planes at most 0.17; see docs/research/strict_limits.md.
+constexpr double thin_slopes_m = 0.19;
+constexpr double mostly_planes = 0.5;
+
 constexpr double coarse_m = 1.9;  // map cells of 2 m may be slightly smaller on the ground
 
 }  // namespace
@@ -47,6 +52,10 @@ bool needs_multi_threshold(double side, double filled) {
 double sampling_margin(double side, double filled) {
     constexpr double of_side = 0.17;  // fitted to simulated scans
     return of_side * side * std::sqrt(std::max(0.0, filled - usual));
+}
+
+bool has_thin_slopes(const SlopeSampling& slopes) {
+    return slopes.error_m >= thin_slopes_m && slopes.planar_share >= mostly_planes;
 }
 
 std::vector<double> stricter_scales(double side, double filled) {

@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "detect/slope_sampling.hpp"
+
 namespace d2b::detect {
 
 /// Rules about thin points and coarse cells. Each is a function of the share of cells without a pulse and of
@@ -32,6 +34,10 @@ namespace d2b::detect {
 /// Metres added to the limits of smoothness, because the height of a cell without a pulse is wrong by a part
 /// of the cell on a slope.
 [[nodiscard]] double sampling_margin(double side, double filled);
+
+/// True if points are so far apart that sloping roofs look rough: stricter limits then lose houses, and the
+/// few roofs that are beyond doubt do not show it.
+[[nodiscard]] bool has_thin_slopes(const SlopeSampling& slopes);
 
 /// Factors on the limits of smoothness that are worth a trial, in falling order. Roofs on coarse cells are a
 /// few cells wide and bend in most of them, so limits that are hardly stricter lose small houses, which

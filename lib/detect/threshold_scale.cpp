@@ -200,6 +200,9 @@ std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectO
     if (stricter.empty() || !has_usual_appearance(first.objects) ||
         step_sharpness(scene.surface, buildings, threads) < least_sharp)
         return std::nullopt;
+    const std::optional<SlopeSampling> slopes = slope_sampling(scene, likely_roofs(first, threads), threads);
+    if (slopes && has_thin_slopes(*slopes))
+        return std::nullopt;
     const auto find_at = [&](double factor, Trial& trial) {
         SurfaceQuality other = quality;
         other.threshold_scale = factor;

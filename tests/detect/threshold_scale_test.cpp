@@ -69,6 +69,31 @@ TEST(ThresholdScale, CoarseCellsBoundIt) {
     EXPECT_EQ(strictness_of(town), 0.9);
 }
 
+/// Gables of a slope of 0.5, whose cells have the height of the highest of so many points in them.
+Town gables_of(int points) {
+    std::mt19937 random(32);  // NOLINT: the same roofs in every run
+    std::uniform_real_distribution<float> within(0, 1);
+    Town town(170, 170);
+    town.build([&](std::int32_t r, std::int32_t c) {
+        if (r < 20 || c < 20 || (r - 20) % 50 >= 28 || (c - 20) % 50 >= 28)
+            return unknown;
+        const auto across = static_cast<float>((c - 20) % 50);
+        float highest = 0;
+        for (int i = 0; i < points; ++i) {
+            const float at = across + within(random);
+            highest = std::max(highest, 105 + 0.5F * std::min(at, 28 - at));
+        }
+        return highest;
+    });
+    return town;
+}
+
+TEST(ThresholdScale, NothingWhereSlopesAreThinlySampled) {
+    EXPECT_EQ(strictness_of(gables_of(1)), std::nullopt);
+    EXPECT_EQ(strictness_of(gables_of(2)), std::nullopt);
+    EXPECT_NE(strictness_of(gables_of(8)), std::nullopt);
+}
+
 TEST(ThresholdScale, NothingWhereWallsAreSmeared) {
     Town town = town_with(0, 3);
     const MetreGrid sharp = town.surface;
