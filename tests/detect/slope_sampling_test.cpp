@@ -14,15 +14,15 @@ namespace {
 
 using namespace test;
 
-constexpr std::int32_t side = 120;
+constexpr std::int32_t grid_cells = 120;
 
 /// A slope of 0.5 along rows; each cell has the height of the highest of so many points at random positions.
 MetreGrid slope_of(int points, double cell, double rise = 0.5) {
-    MetreGrid surface(side, side);
+    MetreGrid surface(grid_cells, grid_cells);
     std::mt19937 random(7);  // NOLINT: the same points in every run
     std::uniform_real_distribution<double> within(0, 1);
-    for (std::int32_t r = 0; r < side; ++r)
-        for (std::int32_t c = 0; c < side; ++c) {
+    for (std::int32_t r = 0; r < grid_cells; ++r)
+        for (std::int32_t c = 0; c < grid_cells; ++c) {
             double highest = 0;
             for (int i = 0; i < points; ++i)
                 highest = std::max(highest, within(random));
@@ -32,8 +32,8 @@ MetreGrid slope_of(int points, double cell, double rise = 0.5) {
 }
 
 std::optional<SlopeSampling> sampling_of(const MetreGrid& surface, double cell) {
-    const MetreGrid terrain(side, side, 0.0F);
-    return slope_sampling({surface, terrain, {cell, cell}}, Mask(side, side, 1), threads());
+    const MetreGrid terrain(grid_cells, grid_cells, 0.0F);
+    return slope_sampling({surface, terrain, {cell, cell}}, Mask(grid_cells, grid_cells, 1), threads());
 }
 
 TEST(SlopeSampling, ErrorIsThatOfTheHighestPoint) {
@@ -63,15 +63,15 @@ TEST(SlopeSampling, MostWindowsOfAPlaneAreNoRougherThanOnePointPerCell) {
 }
 
 TEST(SlopeSampling, NothingWhereNothingSlopes) {
-    EXPECT_FALSE(sampling_of(MetreGrid(side, side, 7.0F), 1).has_value());
+    EXPECT_FALSE(sampling_of(MetreGrid(grid_cells, grid_cells, 7.0F), 1).has_value());
     EXPECT_FALSE(sampling_of(slope_of(2, 1, 0.1), 1).has_value());
     EXPECT_FALSE(sampling_of(slope_of(1, 1, 3), 1).has_value()) << "too steep for a roof";
 }
 
 TEST(SlopeSampling, WindowsLieWithinRoofs) {
     const MetreGrid surface = slope_of(2, 1);
-    const MetreGrid terrain(side, side, 0.0F);
-    Mask roofs(side, side);
+    const MetreGrid terrain(grid_cells, grid_cells, 0.0F);
+    Mask roofs(grid_cells, grid_cells);
     const auto fill = [&](std::int32_t rows) {
         for (std::int32_t r = 10; r < 10 + rows; ++r)
             std::fill_n(roofs.row(r).begin() + 10, 52, std::uint8_t{1});
