@@ -58,7 +58,7 @@ Corrected correct(const Town& town, const std::vector<SceneCorrection>& correcti
     return result;
 }
 
-std::int64_t cells_of(const Detection& detection, Label label) {
+std::int64_t cells_with_label(const Detection& detection, Label label) {
     return std::ranges::count(detection.labels.values, label);
 }
 
@@ -79,7 +79,7 @@ TEST(Corrections, APolygonMakesABuildingOfWhatRises) {
     const Corrected after = correct(town, {area(CorrectionKind::building, {24, 35, 35, 49}, 7)}, options);
     const Label label = after.detection.labels.at(30, 40);
     ASSERT_TRUE(after.detection.is_building(label));
-    EXPECT_EQ(cells_of(after.detection, label), 10 * 12);
+    EXPECT_EQ(cells_with_label(after.detection, label), 10 * 12);
     EXPECT_EQ(after.detection.objects[label - 1].cells, 10 * 12);
     EXPECT_EQ(after.detection.objects[label - 1].confidence, 1);
     EXPECT_EQ(after.detection.buildings, before.detection.buildings + 1);
@@ -103,16 +103,18 @@ TEST(Corrections, APolygonTakesAnObjectWholeIfHalfOfItLiesInIt) {
     const Town town = two_houses();
     const Detection before = correct(town, {}).detection;
     ASSERT_EQ(before.buildings, 1U);
-    const Detection half = correct(town, {area(CorrectionKind::building, {0, 0, 30, 15})}).detection;
-    ASSERT_EQ(half.buildings, 1U);
-    EXPECT_EQ(cells_of(half, 1), cells_of(before, 1) + 2);  // the corners that detection rounds off
-    EXPECT_EQ(half.objects[0].confidence, 1);
+    const Detection half_house = correct(town, {area(CorrectionKind::building, {0, 0, 30, 15})}).detection;
+    ASSERT_EQ(half_house.buildings, 1U);
+    EXPECT_EQ(cells_with_label(half_house, 1),
+              cells_with_label(before, 1) + 2);  // the corners that detection rounds off
+    EXPECT_EQ(half_house.objects[0].confidence, 1);
     const Detection third = correct(town, {area(CorrectionKind::building, {0, 0, 30, 11})}).detection;
     ASSERT_EQ(third.buildings, 2U);
     const Label taken = third.labels.at(10, 8);
     const Label rest = third.labels.at(10, 20);
     EXPECT_NE(taken, rest);
-    EXPECT_EQ(cells_of(third, taken) + cells_of(third, rest), cells_of(before, 1) + 2);
+    EXPECT_EQ(cells_with_label(third, taken) + cells_with_label(third, rest),
+              cells_with_label(before, 1) + 2);
     for (std::int32_t r = 6; r < 18; ++r) {
         EXPECT_EQ(third.labels.at(r, 10), taken);
         EXPECT_EQ(third.labels.at(r, 11), rest);
@@ -160,8 +162,9 @@ TEST(Corrections, ACutDividesABuilding) {
     for (std::int32_t r = 0; r < 40; ++r)
         for (std::int32_t c = 0; c < 12; ++c)
             left += before.labels.at(r, c) == 1 ? 1 : 0;
-    EXPECT_EQ(cells_of(after.detection, after.detection.labels.at(10, 8)), left);
-    EXPECT_EQ(cells_of(after.detection, 1) + cells_of(after.detection, 2), cells_of(before, 1));
+    EXPECT_EQ(cells_with_label(after.detection, after.detection.labels.at(10, 8)), left);
+    EXPECT_EQ(cells_with_label(after.detection, 1) + cells_with_label(after.detection, 2),
+              cells_with_label(before, 1));
 }
 
 /// One that ends in the house, one that cuts off a strip of a metre, and one in the yard.

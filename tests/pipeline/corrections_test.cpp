@@ -46,15 +46,15 @@ Correction cut_below(int row, int first_col, int end_col) {
 }
 
 /// Blocks over the seams of units of 100 x 100 cells, and one inside a unit.
-constexpr Box west{90, 30, 20, 60};
+constexpr Box west_house{90, 30, 20, 60};
 constexpr Box middle{140, 80, 24, 50};
-constexpr Box south{190, 140, 24, 70};
+constexpr Box south_house{190, 140, 24, 70};
 constexpr Box inner{30, 40, 14, 20};
 constexpr Box heap{205, 30, 14, 14};
 
 BlockTown blocks() {
     BlockTown town(300, 300);
-    for (const Box& box : {west, middle, south, inner})
+    for (const Box& box : {west_house, middle, south_house, inner})
         town.build(box, 7);
     // Rough as a crown.
     for (int r = heap.row; r < heap.row + heap.rows; ++r)
@@ -73,7 +73,7 @@ std::vector<Correction> decisions() {
             {CorrectionKind::building, true, {}, {}, {}}};          // outside
 }
 
-Options options_of() {
+Options detection_options() {
     Options options;
     options.ground.max_building_width = 30;
     options.detect.corrections = "edits";
@@ -117,10 +117,10 @@ double area_in(const Result& result, const Box& box) {
 
 TEST(Decisions, ChangeTheResult) {
     Editing editing;
-    editing.run(options_of());
+    editing.run(detection_options());
     const Result& result = editing.result;
-    EXPECT_EQ(area_in(result, west), 0);
-    EXPECT_EQ(area_in(result, south), 0);
+    EXPECT_EQ(area_in(result, west_house), 0);
+    EXPECT_EQ(area_in(result, south_house), 0);
     EXPECT_NEAR(area_in(result, middle), middle.area(), 30);
     EXPECT_NEAR(area_in(result, inner), inner.area(), 8);
     EXPECT_GT(area_in(result, heap), 0.8 * heap.area());
@@ -149,13 +149,13 @@ TEST(Decisions, AreTheSameInTilesAsInOneRun) {
         editing.excludes = excludes;
         if (excludes)
             editing.corrections.replace({cut_below(151, 0, 300)});
-        const Options options = options_of();
+        const Options options = detection_options();
         const detect::UnitSize units{0, 100};
         editing.run(options, units);
         const Result& whole = editing.result;
         EXPECT_EQ(whole.report.counted(Reason::building_excluded), excludes ? 1 : 0);
         EXPECT_EQ(whole.report.counted(Reason::building_denied), excludes ? 0 : 2);
-        EXPECT_EQ(area_in(whole, west), 0);
+        EXPECT_EQ(area_in(whole, west_house), 0);
         for (const std::int32_t side : {1, 2}) {
             TemporaryFolder folder;
             Result tiles;
@@ -172,20 +172,20 @@ TEST(Decisions, AreTheSameInTilesAsInOneRun) {
 
 /// What an editor has confirmed is not excluded.
 TEST(Decisions, BeatExclusions) {
-    Editing editing(std::vector{area(CorrectionKind::building, west)});
+    Editing editing(std::vector{area(CorrectionKind::building, west_house)});
     editing.excludes = true;
-    editing.run(options_of());
+    editing.run(detection_options());
     const Result& result = editing.result;
-    EXPECT_NEAR(area_in(result, west), west.area(), 15);
+    EXPECT_NEAR(area_in(result, west_house), west_house.area(), 15);
     EXPECT_EQ(result.report.counted(Reason::building_excluded), 0);
 }
 
 TEST(Exclusions, LeaveOutObjectsOfWhichHalfLiesInThem) {
     Editing editing(std::vector<Correction>{});
     editing.excludes = true;
-    editing.run(options_of());
+    editing.run(detection_options());
     const Result& result = editing.result;
-    EXPECT_EQ(area_in(result, west), 0);
+    EXPECT_EQ(area_in(result, west_house), 0);
     EXPECT_EQ(result.report.buildings, 3);
     EXPECT_EQ(result.report.counted(Reason::building_excluded), 1);
     EXPECT_TRUE(result.report.warnings.empty());

@@ -83,8 +83,8 @@ TEST(ObjectAssignment, NamesWholesAcrossSeams) {
                          detect::UnitEdges edges) {
         std::vector<Window> boxes(objects.size(), Window{0, unit == 0 ? 0 : 100, 5, 4});
         FoundUnit found{std::move(objects), std::move(boxes), {}, std::move(edges)};
-        std::int64_t doubtful_ones = 0;
-        const UnitObjects divided = divide_objects(found, {}, doubtful_ones);
+        Tally uncounted;
+        const UnitObjects divided = divide_objects(found, {}, uncounted);
         interior.put(unit, divided);
         seams.put(unit, std::move(found), divided);
         seams.compare_known();
