@@ -16,8 +16,7 @@ std::vector<PartOfWhole> parts_of_wholes(const contours::ContourList& contours,
             parts.push_back({footprints[head.label].whole, head.label});
     }
     std::ranges::sort(parts);
-    const auto repeated = std::ranges::unique(parts);
-    parts.erase(repeated.begin(), repeated.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
     return parts;
 }
 
