@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -45,10 +46,14 @@ struct RoofFace {
     FaceMeasure measure;
 };
 
+/// Names of the types of roofs.
+inline constexpr std::array<std::string_view, 9> roof_types{
+    "flat", "shed", "gabled", "hipped", "pyramidal", "mansard", "domed", "complex", "unknown"};
+
 /// Roof of a building: faces that tile its footprint.
 struct Roof {
     std::vector<RoofFace> faces;
-    std::string_view type;
+    std::string_view type;  ///< one of roof_types
     double rmse_m = 0;
 };
 

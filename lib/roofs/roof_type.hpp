@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -22,11 +21,7 @@ struct FaceShape {
     double top = std::numeric_limits<double>::infinity();  ///< length of its upper end, in m
 };
 
-/// Names of the types of roofs.
-inline constexpr std::array<std::string_view, 9> roof_types{
-    "flat", "shed", "gabled", "hipped", "pyramidal", "mansard", "domed", "complex", "unknown"};
-
-/// Name of the type of a roof, one of roof_types.
+/// Name of the type of a roof: flat, shed, gabled, hipped, pyramidal, mansard, domed, complex or unknown.
 /// @param roundness of the footprint: 4 pi times its area by the square of its perimeter, 1 for a circle
 /// @param cell side of a cell in m; the ridge of a pyramidal roof is not longer than that, or than 1 m
 [[nodiscard]] std::string_view roof_type(std::span<const FaceShape> faces, double roundness, double cell);

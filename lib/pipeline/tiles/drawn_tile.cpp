@@ -9,7 +9,7 @@
 #include "contours/contour_archive.hpp"
 #include "detect/detection.hpp"
 #include "features/roof_layer.hpp"
-#include "roofs/roof_type.hpp"
+#include "roofs/make_roof.hpp"
 
 namespace d2b::tiles {
 namespace {
