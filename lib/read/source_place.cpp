@@ -15,9 +15,9 @@
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
-#include "read/gdal_setup.hpp"
 #include "read/raster_mosaic.hpp"
 
 namespace d2b::reading {
