@@ -64,9 +64,9 @@ std::int64_t cells_with_label(const Detection& detection, Label label) {
 
 TEST(Corrections, APolygonMakesABuildingOfWhatRises) {
     DetectOptions options;
-    options.min_height = 1;
+    options.min_confidence = 1;
     Town town = two_houses();
-    // Rough as a heap, so that detection takes it for no building.
+    // Rough as a heap, and so no sure building.
     town.build([](std::int32_t r, std::int32_t c) {
         return r >= 25 && r < 35 && c >= 35 && c < 47
                    ? 103.0F + 4.0F * static_cast<float>((r * 7 + c * 5) % 3)
