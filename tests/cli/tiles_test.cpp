@@ -51,20 +51,21 @@ class TilesTool : public CliTest {
     }
     /// Water around a hall of the town, a cut through four blocks and a point on a house.
     void write_decisions() const {
-        const std::string head = R"({"type": "FeatureCollection", "crs": {"type": "name", "properties":
-            {"name": "urn:ogc:def:crs:EPSG::25833"}}, "features": [)";
-        const auto feature = [](const std::string& kind, const std::string& geometry) {
-            return R"({"type": "Feature", "properties": {"kind": ")" + kind + R"("}, "geometry": )" +
-                   geometry + "}";
+        const auto write = [&](const std::string& name, const std::string& features) {
+            std::ofstream(path(name)) << R"({"type": "FeatureCollection", "crs": {"type": "name", )"
+                                      << R"("properties": {"name": "urn:ogc:def:crs:EPSG::25833"}}, )"
+                                      << R"("features": [)" << features << "]}";
         };
-        std::ofstream(path("bridges.geojson")) << head << feature("", R"({"type": "Polygon", "coordinates":
-                [[[391140, 5820090], [391300, 5820090], [391300, 5820180], [391140, 5820180], [391140, 5820090]]]})")
-                                               << "]}";
-        std::ofstream(path("edits.geojson"))
-            << head
-            << feature("cut",
-                       R"({"type": "LineString", "coordinates": [[391300, 5820350], [391700, 5820351]]})")
-            << "," << feature("building", R"({"type": "Point", "coordinates": [391372.8, 5820958.6]})") << "]}";
+        const auto feature = [](const std::string& kind, const std::string& type, const std::string& places) {
+            return R"({"type": "Feature", "properties": {"kind": ")" + kind +
+                   R"("}, "geometry": {"type": ")" + type + R"(", "coordinates": )" + places + "}}";
+        };
+        write("bridges.geojson",
+              feature("", "Polygon",
+                      "[[[391140, 5820090], [391300, 5820090], [391300, 5820180], [391140, 5820180], "
+                      "[391140, 5820090]]]"));
+        write("edits.geojson", feature("cut", "LineString", "[[391300, 5820350], [391700, 5820351]]") + "," +
+                                   feature("building", "Point", "[391372.8, 5820958.6]"));
     }
     /// The report without what differs from run to run.
     [[nodiscard]] static json facts(const std::string& report) {
