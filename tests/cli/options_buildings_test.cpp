@@ -367,7 +367,10 @@ TEST_F(OptionEffect, exclude_layer) {
 
 TEST_F(OptionEffect, exclude_buffer) {
     write_layer(path("bridges.gpkg"), bridges());
-    find({"-exclude", "bridges.gpkg", "-exclude_buffer", "4"});
+    write(path("town.tif"), town_raster(MadeTown::surface()));
+    run_warned({"-preset", "buildings", "-q", "-exclude", "bridges.gpkg", "-exclude_buffer", "4", "--",
+                "town.tif", "out.gpkg"},
+               {"-exclude 'bridges.gpkg' leaves out 2 of 3 buildings that were found"});
     ASSERT_EQ(buildings().records.size(), 1U);
     at(buildings(), MadeTown::gabled);
 }

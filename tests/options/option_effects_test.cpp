@@ -36,23 +36,36 @@ bool takes_its_object(const std::string& one, const std::string& other) {
                                                       "-min_wall"};
     // The walls that are not at right angles are high.
     static const std::set<std::string> of_oblique_walls{"-zrange"};
-    static const std::map<std::string, std::set<std::string>> of{{"-min_confidence 0", of_ruin},
-                                                                 {"-min_confidence 0.97", of_rough},
-                                                                 {"-ndvi /vsimem/scene/ndvi.tif", of_rough},
-                                                                 {"-nf 50", of_tower},
-                                                                 {"-max_building_width 5", high},
-                                                                 {"-split_height 3", high},
-                                                                 {"-arcs", {"-zrange", "-off"}},
-                                                                 {"-flow_ready 3", of_short_walls},
-                                                                 {"-min_wall 4", of_short_walls},
-                                                                 {"-regularize right", of_oblique_walls},
-                                                                 {"-regularize free", of_oblique_walls},
-                                                                 {"-roofs -roof_min_area 200", high},
-                                                                 {"-snodata 16", high},
-                                                                 {"-split_by /vsimem/scene/parcels.gpkg "
-                                                                  "-split_width 30",
-                                                                  {"-zunit"}},
-                                                                 {"-inodata", high}};
+    // The flat house, which lacks cells, is no building, or is not cut, because its parts would be too small.
+    static const std::set<std::string> of_flat{"-zrange", "-exclude", "-exclude_buffer",
+                                               "-corrections_layer"};
+    static const std::set<std::string> of_cut{"-split_width", "-min_area", "-exclude", "-exclude_buffer"};
+    // So are the two houses that share a wall, one of which has a spike.
+    static const std::set<std::string> of_pair{"-zrange", "-exclude_buffer"};
+    static const std::string excluded = "-exclude /vsimem/scene/exclusions.gpkg";
+    static const std::string corrected = "-corrections /vsimem/scene/corrections.gpkg";
+    static const std::map<std::string, std::set<std::string>> of{
+        {"-min_confidence 0", of_ruin},
+        {"-min_confidence 0.97", of_rough},
+        {"-ndvi /vsimem/scene/ndvi.tif", of_rough},
+        {"-nf 50", of_tower},
+        {"-max_building_width 5", high},
+        {"-split_height 3", high},
+        {"-arcs", {"-zrange", "-off"}},
+        {"-flow_ready 3", of_short_walls},
+        {"-min_wall 4", of_short_walls},
+        {"-regularize right", of_oblique_walls},
+        {"-regularize free", of_oblique_walls},
+        {"-roofs -roof_min_area 200", high},
+        {"-snodata 16", of_pair},
+        {excluded, {"-corrections_layer"}},
+        {excluded + " -exclude_buffer 3", {"-exclude_layer"}},
+        {corrected, {"-exclude", "-exclude_buffer"}},
+        {corrected + " -corrections_layer points", of_cut},
+        {"-split_by /vsimem/scene/parcels.gpkg "
+         "-split_width 30",
+         {"-zunit"}},
+        {"-inodata", of_flat}};
     const auto found = of.find(one);
     return found != of.end() && found->second.contains(other);
 }

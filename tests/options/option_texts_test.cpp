@@ -49,6 +49,8 @@ Texts with_value(const OptionRow& row, const std::string& text) {
         words.insert(words.begin(), {"-i", "1e300"});  // that can be counted from anywhere
     if (row.name == "split_width")
         words.insert(words.begin(), {"-split_by", "parcels.gpkg"});
+    if (row.name == "exclude_buffer")
+        words.insert(words.begin(), {"-exclude", "/vsimem/scene/exclusions.gpkg"});
     if (row.name == "roof_min_area")
         words.insert(words.begin(), "-roofs");
     if (row.name == "preview_scale")
