@@ -186,7 +186,9 @@ TEST(Exclusions, LeaveOutObjectsOfWhichHalfLiesInThem) {
     editing.run(detection_options());
     const Result& result = editing.result;
     EXPECT_EQ(area_in(result, west_house), 0);
-    EXPECT_EQ(result.report.buildings, 3);
+    for (const Box& other : {middle, south_house, inner, heap})
+        EXPECT_GT(area_in(result, other), 0.5 * other.area()) << other.row;
+    EXPECT_EQ(result.report.buildings, 4);
     EXPECT_EQ(result.report.counted(Reason::building_excluded), 1);
     EXPECT_TRUE(result.report.warnings.empty());
 }
