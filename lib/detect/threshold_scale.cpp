@@ -217,10 +217,10 @@ std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectO
     for (const RoofSample& sample : samples) {
         Trial& trial = trials.emplace_back(Trial{sample, scene_cells(sample.scene(), options, threads), {}});
         trial.usual = find_at(1, trial);
-        const Mask likely = likely_roofs(trial.usual, threads);
-        trial.roofs = common_cells(sample.roofs, likely);
+        const Mask found = likely_roofs(trial.usual, threads);
+        trial.roofs = common_cells(sample.roofs, found);
         roofs += trial.roofs;
-        objects += common_cells(likely, likely);
+        objects += common_cells(found, found);
     }
     if (roofs < fewest_roofs)
         return std::nullopt;
