@@ -395,14 +395,14 @@ class Page(unittest.TestCase):
     def test_a_link_leads_to_the_same_view(self):
         with Browser() as browser:
             browser.open(self.town)
-            self.enter(browser, "findtext", "26")
+            self.enter(browser, "findtext", "21")
             self.enter(browser, "lowest", "12")
             browser.press("tosun")
             self.enter(browser, "hour", "9", "input")
             self.again(browser)
             browser.press("link")
             address = browser.driver.current_url
-            self.assertIn("id=26", address)
+            self.assertIn("id=21", address)
             state = """
                 const {scene, town, chosen, sunCard} = window.dem2buildings;
                 return [scene.camera.position.toArray().map(Math.round), town.stack.id[chosen], town.shown(),
