@@ -139,7 +139,6 @@ FeaturePolygon PolygonMaker::within(std::size_t contour, const std::vector<World
     return made;
 }
 
-/// Falls back to the whole contour if GEOS cannot subtract its children.
 FeaturePolygon PolygonMaker::given(const std::vector<WorldPolygon>& area) {
     FeaturePolygon made;
     made.status = OutlineStatus::given;
@@ -161,6 +160,7 @@ FeaturePolygon PolygonMaker::given(const std::vector<WorldPolygon>& area) {
     return made;
 }
 
+/// Falls back to the whole contour if GEOS cannot subtract its children.
 PolygonMaker::Parts PolygonMaker::traced_shape(std::size_t contour, bool tier) {
     const Draw draw = [&](std::size_t c) { return terms_.outliner.traced(c); };
     try {
