@@ -40,11 +40,12 @@ class BuildingMaker {
           min_cells_(min_cells),
           detection_(detection),
           cells_(cells_by_object()),
-          merged_(detection.objects.size() + 1) {}
+          merged_(detection.objects.size() + 1),
+          changed_(detection.objects.size() + 1) {}
 
     void add_area(const SceneCorrection& correction);
     void add_point(const SceneCorrection& correction);
-    void renumber();
+    void renumber(Executor& threads);
 
   private:
     [[nodiscard]] std::vector<std::int64_t> cells_by_object() const {
@@ -59,6 +60,8 @@ class BuildingMaker {
         const Label label = detection_.labels.values[cell];
         return label <= found() && merged_[label] != 0 ? merged_[label] : label;
     }
+    /// True for a polygon, and for an object that has lost cells to one.
+    [[nodiscard]] bool has_changed(Label label) const { return label > found() || changed_[label]; }
     void confirm(Label label) {
         DetectedObject& object = detection_.objects[label - 1];
         object.confirmed = true;
@@ -71,6 +74,7 @@ class BuildingMaker {
     Detection& detection_;
     std::vector<std::int64_t> cells_;  ///< by label of an object that was found
     std::vector<Label> merged_;        ///< label of the polygon that takes an object whole; 0: none
+    std::vector<bool> changed_;        ///< by label of an object that was found: it has lost cells
 };
 
 void BuildingMaker::add_area(const SceneCorrection& correction) {
@@ -99,8 +103,11 @@ void BuildingMaker::add_area(const SceneCorrection& correction) {
     confirm(own);
     for (const Label label : whole)
         merged_[label] = own;
-    for (const std::size_t i : taken)
-        detection_.labels.values[i] = own;
+    for (const std::size_t i : taken) {
+        Label& label = detection_.labels.values[i];
+        changed_[label] = label != 0;
+        label = own;
+    }
 }
 
 void BuildingMaker::add_point(const SceneCorrection& correction) {
@@ -110,21 +117,44 @@ void BuildingMaker::add_point(const SceneCorrection& correction) {
     });
 }
 
-void BuildingMaker::renumber() {
-    const std::size_t count = detection_.objects.size();
+/// Makes an object of each connected piece of what has changed, and drops pieces that are too small.
+void BuildingMaker::renumber(Executor& threads) {
+    const auto count = static_cast<Label>(detection_.objects.size());
+    Mask in_changed(detection_.labels.rows, detection_.labels.cols);
+    for (std::size_t i = 0; i < in_changed.size(); ++i) {
+        const Label label = label_of(i);
+        in_changed.values[i] = label != 0 && has_changed(label) ? 1 : 0;
+    }
+    const Regions pieces = joined_regions(
+        in_changed, [&](std::size_t i, std::size_t j) { return label_of(i) == label_of(j); }, threads);
+    const Grid<Label> piece = piece_grid(pieces, threads);
+    std::vector<Label> object_of(count + pieces.cells.size());  // by label, those of pieces after the others
+    for (Label label = 1; label <= count; ++label)
+        object_of[label] = label;
     std::vector<Label> order;  // labels by their first cells
-    std::vector<std::int64_t> cells(count + 1);
-    for (std::size_t i = 0; i < detection_.labels.size(); ++i)
-        if (const Label label = label_of(i); label != 0 && ++cells[label] == 1)
+    std::vector<std::int64_t> cells(object_of.size());
+    Grid<Label> labels(detection_.labels.rows, detection_.labels.cols);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        Label label = label_of(i);
+        if (in_changed.values[i] != 0) {
+            const Label object = label;
+            label = pieces.cells[piece.values[i]] < min_cells_ ? 0 : count + piece.values[i];
+            object_of[label] = label == 0 ? 0 : object;
+        }
+        labels.values[i] = label;
+        if (label != 0 && ++cells[label] == 1)
             order.push_back(label);
-    std::vector<Label> number(count + 1);
+    }
+    std::vector<Label> number(object_of.size());
     std::vector<DetectedObject> objects;
     for (const bool sure : {true, false}) {
         for (const Label label : order) {
-            const bool is_building = label <= detection_.buildings || detection_.objects[label - 1].confirmed;
+            const Label object = object_of[label];
+            const bool is_building =
+                object <= detection_.buildings || detection_.objects[object - 1].confirmed;
             if (is_building != sure)
                 continue;
-            objects.push_back(detection_.objects[label - 1]);
+            objects.push_back(detection_.objects[object - 1]);
             number[label] = static_cast<Label>(objects.size());
             objects.back().cells = cells[label];
             objects.back().whole = number[label];
@@ -132,14 +162,15 @@ void BuildingMaker::renumber() {
         if (sure)
             detection_.buildings = static_cast<Label>(objects.size());
     }
-    for (std::size_t i = 0; i < detection_.labels.size(); ++i)
-        detection_.labels.values[i] = number[label_of(i)];
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        detection_.labels.values[i] = number[labels.values[i]];
     detection_.objects = std::move(objects);
 }
 
 }  // namespace
 
-void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_cells, Detection& detection) {
+void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_cells, Detection& detection,
+                       Executor& threads) {
     if (std::ranges::find(scene.corrections, CorrectionKind::building, &SceneCorrection::kind) ==
         scene.corrections.end())
         return;
@@ -150,7 +181,7 @@ void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_c
     for (const SceneCorrection& correction : scene.corrections)
         if (is_point(correction, CorrectionKind::building))
             maker.add_point(correction);
-    maker.renumber();
+    maker.renumber(threads);
 }
 
 namespace {

@@ -10,11 +10,13 @@
 namespace d2b::detect {
 
 /// Makes buildings of what an editor says are some, with a confidence of 1. The cells of a polygon that rise
-/// by `min_height` become one building, together with all objects of which half or more lies in it; others
-/// lose these cells. A polygon with fewer than `min_cells` of them has no effect. The object below a point
-/// becomes a building. Where corrections overlap, the first takes the cells. Objects are numbered anew:
-/// buildings first, each kind in scan order. Halo: the polygons and the objects that they meet.
-void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_cells, Detection& detection);
+/// by `min_height` become one building per connected piece, together with all objects of which half or more
+/// lies in it; others lose these cells. Pieces with fewer than `min_cells` are dropped, also of what is left
+/// of others; a polygon with fewer has no effect. The object below a point becomes a building. Where
+/// corrections overlap, the first takes the cells. Objects are numbered anew: buildings first, each kind in
+/// scan order. Halo: the polygons and the objects that they meet.
+void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_cells, Detection& detection,
+                       Executor& threads);
 
 /// Divides buildings along the cuts of an editor, as cut_by_parcels() does along lines, and records which of
 /// them separate two of the resulting objects.

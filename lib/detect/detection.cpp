@@ -147,7 +147,7 @@ Detection detect_buildings(const Scene& scene, const DetectOptions& options, dou
                                             options.min_confidence, threads);
     result.smooth = smooth;
     const std::int64_t min_cells = cells_covering(min_area_m2, scene.cell);
-    confirm_buildings(scene, options.min_height, min_cells, result);
+    confirm_buildings(scene, options.min_height, min_cells, result, threads);
     if (scene.parcels != nullptr)
         cut_by_parcels(scene, options.split_width, min_cells, result, threads);
     cut_by_corrections(scene, options.split_width, min_cells, result, threads);

@@ -136,6 +136,23 @@ TEST(Corrections, APointMakesABuildingOfADoubtfulObject) {
     EXPECT_EQ(after.effective, std::vector<std::size_t>{3});
 }
 
+/// The polygon takes the middle of a house, less than half of it.
+TEST(Corrections, WhatAPolygonLeavesIsDividedIntoPieces) {
+    const Town town = two_houses();
+    const Detection before = correct(town, {}).detection;
+    ASSERT_EQ(before.buildings, 1U);
+    const Detection after = correct(town, {area(CorrectionKind::building, {0, 12, 30, 17})}).detection;
+    EXPECT_EQ(after.buildings, 3U);
+    std::int64_t sum = 0;
+    for (Label label = 1; label <= after.buildings; ++label) {
+        EXPECT_EQ(after.objects[label - 1].cells, cells_with_label(after, label));
+        EXPECT_EQ(after.objects[label - 1].whole, label);
+        sum += cells_with_label(after, label);
+    }
+    EXPECT_NEAR(static_cast<double>(sum), static_cast<double>(cells_with_label(before, 1)), 6);
+    EXPECT_EQ(std::ranges::count(after.objects, true, &DetectedObject::confirmed), 1);
+}
+
 /// The polygon holds half of the house and one column, or half of it less one column.
 TEST(Corrections, NoBuildingNeedsHalfOfTheObject) {
     const Town town = two_houses();
