@@ -86,6 +86,7 @@ RunReport extract_file(const Options& options, const Callbacks& callbacks,
                        const ReportReader<RunReport>& reader, const AuxiliaryArrays& arrays) {
     std::vector<std::string> warnings;
     const Callbacks recorded = recording_warnings(callbacks, warnings);
+    keep_inputs(options);
     const Inputs inputs = open_inputs(options, recorded, arrays);
     const auto sink = open_sink(options.write, recorded);
     const AuxiliarySinks side = open_auxiliary_sinks(options, inputs.dem->info());

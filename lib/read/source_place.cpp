@@ -49,6 +49,13 @@ bool is_only_vector(const std::string& path) {
            open_guarded(path, GDAL_OF_VECTOR | GDAL_OF_READONLY) != nullptr;
 }
 
+/// Returns true for a raster that a run has written, as -write_ground does.
+bool is_result(const std::string& path) {
+    const GdalMessages quiet;
+    const auto raster = open_guarded(path, GDAL_OF_RASTER | GDAL_OF_READONLY);
+    return raster != nullptr && GDALGetMetadataItem(raster.get(), "D2B_VERSION", nullptr) != nullptr;
+}
+
 std::vector<std::string> files_in(const std::string& folder) {
     std::error_code error;
     std::vector<std::string> files;
@@ -70,12 +77,14 @@ std::vector<std::string> rasters_in_folder(const std::string& folder) {
     for (const std::string& file : files)
         if (is_raster(file))
             endings.insert(ending_of(file));
-    // A mosaic usually joins the rasters beside it.
-    if (endings.size() > 1)
-        endings.erase(std::string(mosaic_ending));
+    // A mosaic usually joins the rasters beside it, and pictures show them.
+    for (const std::string_view ending : {mosaic_ending, std::string_view(".pdf"), std::string_view(".png"),
+                                          std::string_view(".jpg"), std::string_view(".gif")})
+        if (endings.size() > 1)
+            endings.erase(std::string(ending));
     // Takes files by their ending, so that a truncated raster is refused instead of missed.
     std::erase_if(files, [&](const std::string& file) {
-        return !endings.contains(ending_of(file)) || is_only_vector(file);
+        return !endings.contains(ending_of(file)) || is_only_vector(file) || is_result(file);
     });
     if (files.empty())
         throw InputError("The folder '" + folder +
@@ -116,8 +125,10 @@ std::string first_and_others(const std::vector<std::string>& names) {
 
 std::vector<std::string> rasters_of(const std::string& source) {
     std::error_code error;
-    // The XML of a VRT, which GDAL takes in place of a name, has lines as well.
-    if (source.find('\n') != std::string::npos && !fs::exists(source, error) && !is_raster(source))
+    // The XML of a VRT, which GDAL takes as a name, has lines as well.
+    const std::size_t first = source.find_first_not_of(" \t\n");
+    if (source.find('\n') != std::string::npos && first != std::string::npos && source[first] != '<' &&
+        source[first] != '{' && !fs::exists(source, error))
         return lines_of(source);
     return is_folder_of_files(source) ? rasters_in_folder(source) : std::vector<std::string>();
 }
@@ -140,7 +151,12 @@ SourcePlace::SourcePlace(const ReadOptions& options)
         name_ = first_and_others(rasters_);
     static std::atomic<int> number = 0;
     path_ = "/vsimem/dem2buildings_source_" + std::to_string(++number) + std::string(mosaic_ending);
-    build_mosaic(path_, rasters_, options.band);
+    try {
+        build_mosaic(path_, rasters_, options.band);
+    } catch (...) {
+        VSIUnlink(path_.c_str());
+        throw;
+    }
 }
 
 SourcePlace::~SourcePlace() {

@@ -24,6 +24,7 @@
 #include "write/qgis/qgis_style.hpp"
 #include "write/sql.hpp"
 #include "write/staging.hpp"
+#include "write/vector/dxf_sink.hpp"
 
 namespace d2b::writing {
 
@@ -142,8 +143,10 @@ Destination locate(const WriteOptions& options, const VectorFormat& format) {
     if (destination.exists && !options.overwrite && !options.append)
         throw OptionError(
             in_quotes(options.destination) +
-            " exists; give -overwrite to replace the layers of this run in it, or -append to add to "
-            "them.");
+            (is_drawing(format)
+                 ? " exists; give -overwrite to replace it."
+                 : " exists; give -overwrite to replace the layers of this run in it, or -append to add to "
+                   "them."));
     return destination;
 }
 

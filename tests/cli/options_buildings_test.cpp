@@ -356,6 +356,18 @@ TEST_F(OptionEffect, exclude__isNamedWhereItIsMuch) {
     run_warned(with("all.gpkg"), {"No building was found: -exclude 'all.gpkg' leaves out 3 of 3 buildings"});
 }
 
+TEST_F(OptionEffect, exclude__isNotReplaced) {
+    write(path("town.tif"), town_raster(MadeTown::surface()));
+    write_layer(path("bridges.geojson"),
+                {"bridges", {{rectangle(80, 20, 102, 32)}}, 25833, "", OFTReal, wkbPolygon, "GeoJSON"});
+    for (const std::string option : {"-exclude", "-split_by"})
+        expect_error(2,
+                     "\"bridges.geojson\" is the file of " + option +
+                         ", which -overwrite would replace; write to another file.",
+                     {"-preset", "buildings", "-q", "-overwrite", option, "bridges.geojson", "-layers",
+                      "buildings", "--", "town.tif", "bridges.geojson"});
+}
+
 TEST_F(OptionEffect, exclude_layer) {
     write_layer(path("bridges.gpkg"), bridges());
     write_layer(path("bridges.gpkg"), {"ships", {{rectangle(80, 20, 102, 32)}}, 25833});

@@ -220,6 +220,24 @@ TEST_F(ReadSeveral, aFolder) {
     expect_values(values(), {1, 2});
 }
 
+/// A run may have written its rasters and a picture there.
+TEST_F(ReadSeveral, aFolderWithoutResults) {
+    write(path("tiles/height.tif"), strip(10, {0, 0}));
+    const reading::DatasetOwner raster(GDALOpenEx(
+        path("tiles/height.tif").c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE, nullptr, nullptr, nullptr));
+    GDALSetMetadataItem(raster.get(), "D2B_VERSION", "0.1.0", nullptr);
+    GDALFlushCache(raster.get());
+    write(path("map.tif"), {.cols = 2, .rows = 2, .type = GDT_Byte, .values = {1, 2, 3, 4}});
+    const reading::DatasetOwner map(
+        GDALOpenEx(path("map.tif").c_str(), GDAL_OF_RASTER, nullptr, nullptr, nullptr));
+    const reading::DatasetOwner picture(GDALCreateCopy(GDALGetDriverByName("PNG"),
+                                                       path("tiles/map.png").c_str(), map.get(), FALSE,
+                                                       nullptr, nullptr, nullptr));
+    options_.source = path("tiles");
+    EXPECT_EQ(reading::rasters_of(path("tiles")), (std::vector{path("tiles/a.tif"), path("tiles/b.tif")}));
+    expect_values(values(), {1, 2, 3, 4});
+}
+
 TEST_F(ReadSeveral, refusesATruncatedRasterOfAFolder) {
     write_text(path("tiles/c.tif"), "");
     options_.source = path("tiles");

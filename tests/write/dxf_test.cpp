@@ -143,10 +143,7 @@ TEST_F(Drawing, isThereWholeOrNotAtAll) {
     }
     EXPECT_EQ(entries(), Names{});
     draw(to("a.dxf"), {block(1, 2)});
-    EXPECT_EQ(refusal(to("a.dxf")),
-              quote + path("a.dxf") +
-                  "\" exists; give -overwrite to replace the layers of this run in it, or "
-                  "-append to add to them.");
+    EXPECT_EQ(refusal(to("a.dxf")), quote + path("a.dxf") + "\" exists; give -overwrite to replace it.");
     WriteOptions again = to("a.dxf");
     again.overwrite = true;
     draw(again, {block(1, 3), block(1, 4)});
@@ -156,6 +153,16 @@ TEST_F(Drawing, isThereWholeOrNotAtAll) {
     EXPECT_EQ(refusal(again),
               quote + path("b.dxf") + "\" exists and is not a DXF; choose another name, or remove it first.");
     EXPECT_EQ(bytes("b.dxf"), "Dear diary");
+    // GDAL opens it, but it is somebody else's.
+    const std::string plan =
+        "  0\nSECTION\n  2\nENTITIES\n  0\nLINE\n  8\nPLAN\n 10\n1\n 20\n1\n 11\n2\n 21\n"
+        "2\n  0\nENDSEC\n  0\nEOF\n";
+    put("c.dxf", plan);
+    again.destination = path("c.dxf");
+    EXPECT_EQ(refusal(again), quote + path("c.dxf") +
+                                  "\" is a drawing that dem2buildings has not written, and -overwrite would "
+                                  "lose it; choose another name, or remove it first.");
+    EXPECT_EQ(bytes("c.dxf"), plan);
 }
 
 TEST_F(Drawing, refusesOptionsWithoutAnEffect) {

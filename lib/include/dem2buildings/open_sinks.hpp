@@ -28,6 +28,10 @@ namespace d2b {
 [[nodiscard]] std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options,
                                                      const Callbacks& callbacks = {});
 
+/// Refuses to replace a file that a run reads, because decisions of an editor cannot be made again. Formats
+/// with transactions replace single layers, so they may hold both. @throws OptionError
+void keep_inputs(const Options& options);
+
 /// Additional outputs named by the options; empty if there are none.
 struct AuxiliarySinks {
     std::unique_ptr<RasterSink> ground;

@@ -6,10 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include <cpl_vsi.h>
 
 #include "core/height_text.hpp"
 #include "core/text.hpp"
@@ -45,6 +48,7 @@ constexpr int follow_code = 66;
 constexpr int flag_code = 70;
 constexpr int across_code = 72;
 constexpr int upright_code = 73;
+constexpr int comment_code = 999;
 
 constexpr int closed_polyline = 1;
 constexpr int polyline_3d = 8;
@@ -56,6 +60,11 @@ std::string group(int code, std::string_view value) {
 
 std::string group(int code, int value) {
     return group(code, std::to_string(value));
+}
+
+/// Beginning of our drawings, so that no other one is replaced.
+std::string signature() {
+    return group(comment_code, "Made by dem2buildings");
 }
 
 /// Writes a real with a point, because some readers take a number without one for an integer.
@@ -188,9 +197,8 @@ int DxfSink::colour_of_layer(const std::string& name) const {
 
 void DxfSink::begin(std::span<const LayerSpec> layers, const Provenance& provenance) {
     constexpr int white = 7;
-    constexpr int comment_code = 999;
     layers_.assign(layers.begin(), layers.end());
-    std::string text;
+    std::string text = signature();
     for (const auto& [name, value] : provenance.metadata) {
         std::string line = name + ": " + value;
         std::ranges::replace_if(
@@ -283,6 +291,21 @@ void refuse_options(const WriteOptions& options) {
 
 }  // namespace
 
+namespace {
+
+/// True if a drawing begins as those of a run.
+bool is_result(const std::string& path) {
+    std::string beginning(signature().size(), '\0');
+    VSILFILE* const file = VSIFOpenL(path.c_str(), "rb");
+    if (file == nullptr)
+        return false;
+    beginning.resize(VSIFReadL(beginning.data(), 1, beginning.size(), file));
+    VSIFCloseL(file);
+    return beginning == signature();
+}
+
+}  // namespace
+
 std::unique_ptr<FeatureSink> open_dxf_sink(const WriteOptions& options, const VectorFormat& format,
                                            const Destination& destination) {
     refuse_options(options);
@@ -294,6 +317,10 @@ std::unique_ptr<FeatureSink> open_dxf_sink(const WriteOptions& options, const Ve
         if (open_dataset(format, destination.path, GDAL_OF_READONLY) == nullptr)
             throw OptionError("\"" + destination.name +
                               "\" exists and is not a DXF; choose another name, or remove it first.");
+        if (!is_result(destination.path))
+            throw OptionError("\"" + destination.name +
+                              "\" is a drawing that dem2buildings has not written, and -overwrite would "
+                              "lose it; choose another name, or remove it first.");
         place.old_files = {destination.path};
         place.stamp = stamp_of(place.old_files);
     }

@@ -16,9 +16,8 @@ namespace d2b::writing {
     return format.name == "DXF";
 }
 
-/// Returns the name as a layer of a drawing may have it: every other byte than a letter, a digit, "$", "-"
-/// and
-/// "_" becomes "_".
+/// Returns the name as a layer of a drawing may have it: bytes other than letters, digits, "$", "-" and "_"
+/// become "_".
 [[nodiscard]] std::string drawing_layer_name(const std::string& name);
 
 /// Opens a DXF (AutoCAD R12, ASCII). Rings become closed polylines: of buildings at the elevation of their

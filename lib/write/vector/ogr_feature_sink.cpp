@@ -252,6 +252,24 @@ void keep_footprints(const WriteOptions& options, const VectorFormat& format, La
 
 namespace d2b {
 
+void keep_inputs(const Options& options) {
+    const WriteOptions& write = options.write;
+    if (!write.overwrite)
+        return;
+    reading::register_formats();
+    const std::vector<std::pair<std::string, std::string>> inputs{
+        {"-exclude", options.detect.exclude},
+        {"-corrections", options.detect.corrections},
+        {"-split_by", options.detect.split_by},
+        {"-mask", options.detect.mask},
+        {"-cutline", options.read.cutline}};
+    for (const auto& [option, name] : inputs)
+        if (!name.empty() && writing::is_same_dataset(name, write.destination) &&
+            !writing::format_for(write).transactions)
+            throw OptionError("\"" + write.destination + "\" is the file of " + option +
+                              ", which -overwrite would replace; write to another file.");
+}
+
 std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callbacks& callbacks) {
     reading::register_formats();
     writing::VectorFormat format = writing::format_for(options);

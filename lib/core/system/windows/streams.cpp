@@ -21,7 +21,7 @@ bool is_terminal(int file) {
 }  // namespace
 
 void prepare_streams() {
-    // Else line ends would get a second byte, and a byte of 26 would end the input.
+    // Binary, because line ends would get a second byte otherwise, and a byte of 26 would end the input.
     for (const int file : std::array{standard_input, standard_output, standard_error})
         if (_get_osfhandle(file) >= 0)
             static_cast<void>(_setmode(file, _O_BINARY));
