@@ -19,10 +19,10 @@ make_root() {
     mount -t devpts -o newinstance,ptmxmode=0666 devpts "$2/dev/pts" || true
 }
 
-# drop_root folder
+# drop_root folder: what is still mounted there stays, because it is that of this machine
 drop_root() {
     umount "$1/dev/pts" "$1/proc" 2>/dev/null || true
-    rm -rf "$1"
+    rm -rf --one-file-system "$1"
 }
 
 # copy_source folder: the tracked files of this checkout, into /source there
