@@ -23,25 +23,6 @@ using namespace test;
 /// A DEM of 20 x 20 cells of 1 m, and datasets beside it.
 class EditorTest : public ReadTest {
   protected:
-    static DemInfo grid() {
-        DemInfo info;
-        info.name = "dem.tif";
-        info.rows = info.cols = 20;
-        info.window = {0, 0, 20, 20};
-        info.transform = {500000, 1, 0, 5700020, 0, -1};
-        info.crs_wkt = wkt(25832);
-        return info;
-    }
-    static std::string wkt(int epsg) {
-        const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
-        OSRImportFromEPSG(crs, epsg);
-        char* text = nullptr;
-        OSRExportToWkt(crs, &text);
-        std::string result = text;
-        VSIFree(text);
-        OSRRelease(crs);
-        return result;
-    }
     /// "x y" of a column and row
     static std::string at(double col, double row) {
         return number_text(500000 + col) + " " + number_text(5700020 - row);
@@ -54,10 +35,10 @@ class EditorTest : public ReadTest {
         write_rows(path("e.gpkg"), {.name = layer, .fields = {{"kind"}}, .rows = rows, .epsg = epsg});
     }
     [[nodiscard]] std::unique_ptr<CorrectionSource> corrections(const std::string& layer = "") {
-        return open_corrections({path("e.gpkg"), layer}, grid(), callbacks_);
+        return open_corrections({path("e.gpkg"), layer}, metre_grid(), callbacks_);
     }
     [[nodiscard]] std::vector<double> excluded(const std::string& layer, double buffer_m) {
-        const auto source = open_exclusion({path("e.gpkg"), layer, buffer_m}, grid(), callbacks_);
+        const auto source = open_exclusion({path("e.gpkg"), layer, buffer_m}, metre_grid(), callbacks_);
         std::vector<double> cells(400);
         source->read({0, 0, 20, 20}, cells);
         return cells;
@@ -116,8 +97,8 @@ TEST_F(EditorTest, CorrectionsOfAllLayersAreRead) {
 
 /// The centre of cell (8, 8) in degrees.
 TEST_F(EditorTest, CorrectionsComeInAnyCrs) {
-    const OGRSpatialReferenceH from = OSRNewSpatialReference(wkt(25832).c_str());
-    const OGRSpatialReferenceH to = OSRNewSpatialReference(wkt(4326).c_str());
+    const OGRSpatialReferenceH from = OSRNewSpatialReference(wkt_of(25832).c_str());
+    const OGRSpatialReferenceH to = OSRNewSpatialReference(wkt_of(4326).c_str());
     OSRSetAxisMappingStrategy(to, OAMS_TRADITIONAL_GIS_ORDER);
     const OGRCoordinateTransformationH transform = OCTNewCoordinateTransformation(from, to);
     double x = 500008.5;

@@ -92,28 +92,9 @@ TEST(ParcelCells, NeighboursLeaveOutNoCellAndShareNone) {
 
 class ParcelReaderTest : public ReadTest {
   protected:
-    DemInfo grid() const {
-        DemInfo info;
-        info.name = "dem.tif";
-        info.rows = info.cols = 20;
-        info.window = {0, 0, 20, 20};
-        info.transform = {500000, 1, 0, 5700020, 0, -1};
-        info.crs_wkt = wkt(25832);
-        return info;
-    }
-    static std::string wkt(int epsg) {
-        const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
-        OSRImportFromEPSG(crs, epsg);
-        char* text = nullptr;
-        OSRExportToWkt(crs, &text);
-        std::string result = text;
-        VSIFree(text);
-        OSRRelease(crs);
-        return result;
-    }
     std::unique_ptr<ParcelSource> read_from(ParcelChoice choice = {}) {
         choice.dataset = path("p.gpkg");
-        return open_parcels(choice, grid(), callbacks_);
+        return open_parcels(choice, metre_grid(), callbacks_);
     }
     template <typename E>
     std::string refusal(const ParcelChoice& choice = {}) {

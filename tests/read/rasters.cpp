@@ -13,6 +13,27 @@
 
 namespace d2b::test {
 
+std::string wkt_of(int epsg) {
+    const OGRSpatialReferenceH crs = OSRNewSpatialReference(nullptr);
+    OSRImportFromEPSG(crs, epsg);
+    char* text = nullptr;
+    OSRExportToWkt(crs, &text);
+    std::string result = text;
+    VSIFree(text);
+    OSRRelease(crs);
+    return result;
+}
+
+DemInfo metre_grid() {
+    DemInfo info;
+    info.name = "dem.tif";
+    info.rows = info.cols = 20;
+    info.window = {0, 0, 20, 20};
+    info.transform = {500000, 1, 0, 5700020, 0, -1};
+    info.crs_wkt = wkt_of(25832);
+    return info;
+}
+
 std::vector<double> counting(int count, double first) {
     std::vector<double> numbers(static_cast<std::size_t>(count));
     std::iota(numbers.begin(), numbers.end(), first);

@@ -83,6 +83,10 @@ class ReadTest : public ::testing::Test {
 std::vector<double> read_all(DemSource& source);
 /// Rows of the window of a source, from a row of the whole raster on.
 Window whole_rows(const DemSource& source, std::int32_t first, std::int32_t rows);
+/// Returns the WKT of a CRS of EPSG.
+std::string wkt_of(int epsg);
+/// Returns the grid of a DEM of 20 x 20 cells of 1 m, "dem.tif" in EPSG:25832.
+DemInfo metre_grid();
 
 }  // namespace d2b::test
 

@@ -12,7 +12,7 @@ namespace d2b::system {
 /// reason.
 class File {
   public:
-    /// How a file is opened: `write` creates it, or empties one that exists.
+    /// Opens an existing file to read, or creates one to write, which empties it if it exists.
     enum class Mode : std::uint8_t { read, write };
     /// Decides if other processes can open a temporary file. An unnamed one vanishes with the process.
     enum class Name : std::uint8_t { kept, none };

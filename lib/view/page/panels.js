@@ -103,7 +103,7 @@ export function showBuilding(town, building, onClose) {
     return;
   const {about} = town;
   const name = (field) => texts.fields[field.name] ?? field.alias.replace('(m2)', '(m²)').replace('(m3)', '(m³)');
-  // Of a block with roofs at several heights the median as well.
+  // Shows the median as well, because one height misleads where roofs lie at several.
   const median = town.value('p50', building), high = town.value('p90', building);
   const range = median !== null && high !== null && high - median > 5 ? `${spoken(median)} – ` : '';
   const row = (field) =>

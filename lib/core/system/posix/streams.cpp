@@ -31,7 +31,7 @@ bool has_space_in_file(int file, const struct stat& status, std::uint64_t bytes)
 }  // namespace
 
 void prepare_streams() {
-    // What is read from or written to what stands in for a stream fails.
+    // Opened the wrong way round, because reading from or writing to a stream that was closed must fail.
     for (const int stream : std::array{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)
             static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
