@@ -60,6 +60,9 @@ class BuildingMaker {
         const Label label = detection_.labels.values[cell];
         return label <= found() && merged_[label] != 0 ? merged_[label] : label;
     }
+    /// Labels the connected pieces of what has changed after the other objects; 0 where a piece is too small.
+    /// @param[out] object_of object of each label
+    [[nodiscard]] Grid<Label> changed_pieces(std::vector<Label>& object_of, Executor& threads) const;
     /// True for a polygon, and for an object that has lost cells to one.
     [[nodiscard]] bool has_changed(Label label) const { return label > found() || changed_[label]; }
     void confirm(Label label) {
@@ -117,8 +120,7 @@ void BuildingMaker::add_point(const SceneCorrection& correction) {
     });
 }
 
-/// Makes an object of each connected piece of what has changed, and drops pieces that are too small.
-void BuildingMaker::renumber(Executor& threads) {
+Grid<Label> BuildingMaker::changed_pieces(std::vector<Label>& object_of, Executor& threads) const {
     const auto count = static_cast<Label>(detection_.objects.size());
     Mask in_changed(detection_.labels.rows, detection_.labels.cols);
     for (std::size_t i = 0; i < in_changed.size(); ++i) {
@@ -128,12 +130,10 @@ void BuildingMaker::renumber(Executor& threads) {
     const Regions pieces = joined_regions(
         in_changed, [&](std::size_t i, std::size_t j) { return label_of(i) == label_of(j); }, threads);
     const Grid<Label> piece = piece_grid(pieces, threads);
-    std::vector<Label> object_of(count + pieces.cells.size());  // by label, those of pieces after the others
+    object_of.assign(count + pieces.cells.size(), 0);
     for (Label label = 1; label <= count; ++label)
         object_of[label] = label;
-    std::vector<Label> order;  // labels by their first cells
-    std::vector<std::int64_t> cells(object_of.size());
-    Grid<Label> labels(detection_.labels.rows, detection_.labels.cols);
+    Grid<Label> labels(in_changed.rows, in_changed.cols);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         Label label = label_of(i);
         if (in_changed.values[i] != 0) {
@@ -142,9 +142,19 @@ void BuildingMaker::renumber(Executor& threads) {
             object_of[label] = label == 0 ? 0 : object;
         }
         labels.values[i] = label;
+    }
+    return labels;
+}
+
+/// Makes an object of each connected piece of what has changed, and drops pieces that are too small.
+void BuildingMaker::renumber(Executor& threads) {
+    std::vector<Label> object_of;
+    const Grid<Label> labels = changed_pieces(object_of, threads);
+    std::vector<Label> order;  // labels by their first cells
+    std::vector<std::int64_t> cells(object_of.size());
+    for (const Label label : labels.values)
         if (label != 0 && ++cells[label] == 1)
             order.push_back(label);
-    }
     std::vector<Label> number(object_of.size());
     std::vector<DetectedObject> objects;
     for (const bool sure : {true, false}) {

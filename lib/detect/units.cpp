@@ -181,6 +181,15 @@ std::unordered_map<Label, UnitMerger::Joined> UnitMerger::joined_sets() {
     return all;
 }
 
+void UnitMerger::count(const SeenObject& whole, Merged& merged) {
+    if (!whole.is_building)
+        ++merged.doubtful;
+    else if (whole.object.left_out == LeftOut::denied)
+        ++merged.denied;
+    else if (whole.object.left_out == LeftOut::excluded)
+        ++merged.excluded;
+}
+
 UnitMerger::Merged UnitMerger::finish(std::int64_t min_cells) {
     const std::unordered_map<Label, Joined> joined = joined_sets();
     const auto object = [&](Label set) {
@@ -193,6 +202,10 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t min_cells) {
     Merged merged;
     merged.objects.reserve(seen_.size() - 1);
     merged.number.assign(seen_.size(), 0);
+    const auto keep = [&](Label set, const SeenObject& whole) {
+        merged.objects.push_back(whole);
+        merged.number[set] = static_cast<Label>(merged.objects.size());
+    };
     for (const bool sure : {true, false}) {
         for (Label set = 1; set < seen_.size(); ++set) {
             if (sets_.find(set) != set)
@@ -200,14 +213,9 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t min_cells) {
             const SeenObject whole = object(set);
             if (whole.is_building != sure || whole.own_cells < min_cells)
                 continue;
-            merged.doubtful += sure ? 0 : 1;
-            if (whole.object.left_out != LeftOut::no) {
-                if (sure)
-                    ++(whole.object.left_out == LeftOut::denied ? merged.denied : merged.excluded);
-                continue;
-            }
-            merged.objects.push_back(whole);
-            merged.number[set] = static_cast<Label>(merged.objects.size());
+            count(whole, merged);
+            if (whole.object.left_out == LeftOut::no)
+                keep(set, whole);
         }
         if (sure)
             merged.buildings = static_cast<Label>(merged.objects.size());

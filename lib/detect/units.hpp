@@ -154,6 +154,7 @@ class UnitMerger {
     /// touch a seam.
     [[nodiscard]] std::unordered_map<Label, Joined> joined_sets();
 
+    static void count(const SeenObject& whole, Merged& merged);
     /// @param merged with objects and numbers
     void name_wholes(Merged& merged);
 

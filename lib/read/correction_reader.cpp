@@ -177,8 +177,10 @@ void CorrectionReader::add(Correction&& correction, OGRGeometryH geometry, RingP
 
 void CorrectionReader::add_polygon(OGRGeometryH polygon, RingProjector& projector,
                                    Correction& correction) const {
+    const int count = OGR_G_GetGeometryCount(polygon);
     std::vector<WorldRing> rings;
-    for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i)
+    rings.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
         rings.push_back(projector.project(points_of(OGR_G_GetGeometryRef(polygon, i))));
     for (const RowSpan& span : row_spans(rings, window_))
         correction.cells.push_back({span.row, span.begin, span.end});

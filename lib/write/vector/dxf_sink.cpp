@@ -149,13 +149,17 @@ int colour_of(LayerRole role) {
     return red;
 }
 
+std::string text_layer(const std::string& layer) {
+    return layer == "buildings" ? "heights" : layer + "_heights";
+}
+
 class DxfSink final : public FileSink<FeatureSink> {
   public:
     DxfSink(WriteOptions options, VectorFormat format, FileDestination destination)
         : options_(std::move(options)), format_(std::move(format)), file_(std::move(destination)) {}
 
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
-    void add(std::size_t layer, const Feature& feature) override;
+    void add(std::size_t index, const Feature& feature) override;
     void prepare(CommitList& commit) override {
         file_.write(group(kind_code, "ENDSEC") + group(kind_code, "EOF"));
         file_.prepare(commit);
@@ -169,9 +173,6 @@ class DxfSink final : public FileSink<FeatureSink> {
     }
 
   private:
-    [[nodiscard]] std::string text_layer(const std::string& layer) const {
-        return layer == "buildings" ? "heights" : layer + "_heights";
-    }
     [[nodiscard]] int colour_of_layer(const std::string& name) const;
     void write_ring(const std::string& layer, const WorldRing& ring, std::span<const double> elevations);
     void write_height(const LayerSpec& layer, const Feature& feature, const BuildingRecord& record);
