@@ -6,7 +6,7 @@ from closed import close
 from rivals import METHODS
 from search import smaller_first, words
 
-OURS = "dem2buildings"
+OURS = {"contours": "dem2buildings, tiers", "roofs": "dem2buildings, roofs"}  # by the value of -surface_of
 BUDGETS = (623, 2642, 4248, 25621)  # of table 5.2
 
 
@@ -36,14 +36,14 @@ def our_trials(search, budgets, say):
     scene, found, choices = search.scene, [], smaller_first(search, budgets)
     for budget, choice in choices.items():
         run = search.run(choice)
-        ours = trial(OURS, budget, "raw", scene, lambda: close(run.skin, search.terrain, scene.cell, budget, scene.valid)[0])
+        ours = trial(OURS[search.model], budget, "raw", scene, lambda: close(run.skin, search.terrain, scene.cell, budget, scene.valid)[0])
         ours.seconds += run.seconds
-        ours.options = " ".join(words(choice)[2:])
+        ours.options = " ".join(words(choice))
         ours.blocks = run.skin.count()
         ours.contours = run.report["output"]["vertices"]
         if ours.surface.open_edges():
             raise RuntimeError(f"The surface with {ours.options} is not closed.")
-        say(f"{scene.name}, {budget}: {ours.options}, {ours.points} points, RMSE {ours.to_model[0]:.2f} m")
+        say(f"{scene.name}, {ours.method}, {budget}: {ours.options}, {ours.points} points, RMSE {ours.to_model[0]:.2f} m")
         found.append(ours)
     return found
 

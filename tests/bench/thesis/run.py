@@ -95,11 +95,11 @@ def approximate(bench, scene):
     settings = [run_setting(bench.tool, scene, lod, nf) for lod, nf in tables.THESIS_SQUARE]
     print(f"Table 5.2, {scene.name}: {scene.z.size:,} points, the thesis's settings\n")
     print(tables.settings_table(scene, settings))
-    search = Search(bench.tool, scene)
-    trials = our_trials(search, bench.budgets, say)
+    searches = [Search(bench.tool, scene, model) for model in OURS]
+    trials = [one for search in searches for one in our_trials(search, bench.budgets, say)]
     print(f"{scene.name}, options found\n")
     print(tables.chosen_table(trials))
-    trials += rival_trials(search, bench.budgets, say)
+    trials += rival_trials(searches[0], bench.budgets, say)
     bench.keep(scene.name, trials)
     for budget in bench.budgets:
         print(tables.trials_table(trials, budget))
@@ -113,7 +113,7 @@ def draw_scene(bench, scene, settings, trials):
     original = (f"{scene.z.size:,} points", full_surface(scene))
     bench.draw(f"{scene.name}_settings", [original] + [
         (f"{one.name}: {one.surface.count():,} points", one.surface) for one in settings], 2, (480, 330), 1.15)
-    ours = [(f"{one.points:,} points", one.surface) for one in trials if one.method == OURS]
+    ours = [(f"{one.points:,} points", one.surface) for one in trials if one.method in OURS.values()]
     bench.draw(f"{scene.name}_ours", ours, 2, (480, 330), 1.15)
     budget = sorted(bench.budgets)[len(bench.budgets) // 2 - 1]
     shown = [one for one in trials if one.budget == budget and one.source == "raw"]

@@ -47,9 +47,9 @@ def settings_table(scene, settings):
 
 
 def chosen_table(trials):
-    lines = [[number(t.budget), f"`{t.options}`", number(t.points), number(t.blocks), number(t.contours),
-              f"{t.seconds:.2f}"] for t in trials if t.method == OURS]
-    return table(["points", "options", "used", "of the blocks", "corners of the contours", "s"], lines)
+    lines = [[number(t.budget), t.method.split(", ")[1], f"`{t.options}`", number(t.points), number(t.blocks), number(t.contours),
+              f"{t.seconds:.2f}"] for t in trials if t.method in OURS.values()]
+    return table(["points", "model", "options", "used", "of the blocks", "corners of the contours", "s"], lines)
 
 
 def trials_table(trials, budget):
@@ -58,7 +58,7 @@ def trials_table(trials, budget):
     surveyed = any(t.to_truth for t in ours)
     lines = []
     for one in (t for t in ours if t.source == "raw"):
-        line = [f"**{one.method}**" if one.method == OURS else one.method, number(one.points), f"{one.seconds:.2f}",
+        line = [f"**{one.method}**" if one.method in OURS.values() else one.method, number(one.points), f"{one.seconds:.2f}",
                 *figures(one.to_model)]
         if surveyed:
             bare = [t.to_truth for t in ours if t.method == one.method and t.source == "bare"]
@@ -72,14 +72,14 @@ def trials_table(trials, budget):
 def ratio_table(trials):
     """Ours beside the best of the others on (ii)."""
     lines = []
-    for ours in (t for t in trials if t.method == OURS):
-        line = [number(ours.budget), f"{ours.to_truth[0]:.2f}"]
+    for ours in (t for t in trials if t.method in OURS.values()):
+        line = [number(ours.budget), ours.method.split(", ")[1], f"{ours.to_truth[0]:.2f}"]
         for source in ("raw", "bare"):
-            best = min((t for t in trials if t.method != OURS and t.budget == ours.budget and t.source == source),
+            best = min((t for t in trials if t.method not in OURS.values() and t.budget == ours.budget and t.source == source),
                        key=lambda t: t.to_truth[0])
             line += [f"{best.method}, {best.to_truth[0]:.2f}", f"{ours.to_truth[0] / best.to_truth[0]:.2f}"]
         lines.append(line)
-    return table(["points", "ours", "best other, raw", "ratio", "best other, no canopy", "ratio"], lines)
+    return table(["points", "model", "ours", "best other, raw", "ratio", "best other, no canopy", "ratio"], lines)
 
 
 def complexity_table(rows):

@@ -61,9 +61,10 @@ def lines_of(text, columns=None):
 class MadeScene(unittest.TestCase):
     def test_ours_is_closed_within_its_points_and_nearest_to_the_surface_without_trees(self):
         with tempfile.TemporaryDirectory() as folder:
-            search = Search(TOOL, made_scene(Path(folder)))
-            ours = our_trials(search, (60, 200), lambda text: None)
-            rivals = rival_trials(search, (60, 200), lambda text: None)
+            scene = made_scene(Path(folder))
+            searches = [Search(TOOL, scene, model) for model in OURS]
+            ours = [one for search in searches for one in our_trials(search, (60, 200), lambda text: None)]
+            rivals = rival_trials(searches[0], (60, 200), lambda text: None)
         for one in ours:
             self.assertLessEqual(one.points, one.budget)
             self.assertEqual(one.surface.open_edges(), 0)
@@ -73,8 +74,9 @@ class MadeScene(unittest.TestCase):
             self.assertEqual(len(raw), 8)
             self.assertLess(one.to_truth[0], min(raw))
         text = tables.trials_table(ours + rivals, 60) + tables.ratio_table(ours + rivals) + tables.chosen_table(ours)
-        self.assertEqual(len(lines_of(text)), 2 + 9 + 2 + 2 + 2 + 2)
-        self.assertIn(f"**{OURS}**", text)
+        self.assertEqual(len(lines_of(text)), 2 + 10 + 2 + 4 + 2 + 4)
+        for method in OURS.values():
+            self.assertIn(f"**{method}**", text)
 
 
 class Truth(unittest.TestCase):
