@@ -2,9 +2,9 @@
 //   compare_pictures <pictures of the documents> <folder where the commands ran>
 // Letters and noise may differ by a little; a picture of something else may not. Pictures that QGIS and a
 // browser have made (qgis_*, page_*) are compared by the tests in tests/desk, those of the page on Python
-// (python_*) in tests/python. Those of walls (walls_*), of crowns at walls (crowns_*) and of parcels
-// (houses_*) show real places; those of the thesis (thesis_*) are tests/bench/thesis's, and those of wind
-// (wind_*) are .ci/flow's.
+// (python_*) in tests/python. pairs_of_pictures.py compares those of two previews (walls_*, crowns_*,
+// houses_* and raster_to_map), tests/bench/thesis those of the thesis (thesis_*), and .ci/flow that of wind
+// (wind_*).
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>

@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+"""The pictures of the documents that show two previews of one window beside each other.
+
+    pairs_of_pictures.py <dem2buildings> <source folder> <folder of the cities> [--write]
+
+Both halves are drawn by the program with options of their own. Ends with status 1 if a picture of docs/pictures differs
+in more than 2 % of its cells; with --write they are made anew. A city that is not in the folder is left out, because
+their data are not part of the source. Needs Debian's python3-gdal and python3-numpy.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy as np
+from osgeo import gdal
+
+gdal.UseExceptions()
+
+SIZE = 640
+GAP = 12
+A_SHADE = 40  # as in compare_pictures.cpp: a little more than fonts of another version change
+MOST = 0.02
+
+TOWN = "sample_dems/town.tif"
+TRACED = ["-regularize", "off"]
+NOTHING = ["-min_building_height", "1000"]
+# Raster (of a city: below its folder), window, options of the left and of the right half.
+PAIRS = {
+    "raster_to_map": (TOWN, (391330, 5820480, 391630, 5820720), NOTHING, []),
+    "walls_town": (TOWN, (391330, 5820480, 391530, 5820640), TRACED, []),
+    "walls_delft": ("delft/dsm.tif", (84870, 447500, 84970, 447580), TRACED, []),
+    "walls_stuttgart": ("stuttgart_csite2/dsm.tif", (513600, 5403000, 513800, 5403160), TRACED, []),
+    "walls_bilbao": ("bilbao/dsm.tif", (501300, 4796440, 501700, 4796760), TRACED, []),
+    "houses_delft": ("delft/dsm.tif", (84880, 447510, 84960, 447574), [], ["-split_by", "docs/examples/delft_street.geojson"]),
+    "crowns_montpellier": ("montpellier_als/dsm.tif", (770502, 6277502, 770627, 6277598), NOTHING, []),
+}
+
+
+def preview(program, dem, window, options, path):
+    """@return red, green and blue cells of a preview"""
+    subprocess.run([program, "-q", "-te", *map(str, window), *options, "-preview", str(path), "-preview_size", str(SIZE),
+                    str(dem), str(path.with_suffix(".gpkg"))], check=True, stderr=subprocess.DEVNULL)
+    return gdal.Open(str(path)).ReadAsArray()[:3]
+
+
+def make(program, source, dem, window, left, right):
+    here = [str(source / word) if word.startswith("docs/") else word for word in right]
+    with tempfile.TemporaryDirectory() as place:
+        folder = pathlib.Path(place)
+        before = preview(program, dem, window, left, folder / "before.png").copy()
+        after = preview(program, dem, window, here, folder / "after.png")
+    if left == NOTHING:  # the legend and the counts belong to the result
+        frame = np.where((before < 200).all(axis=0).sum(axis=1) > SIZE * 0.9)[0]  # rows of its upper and lower border
+        before[:, frame[-1] + 1:] = 255
+    rows = max(before.shape[1], after.shape[1])
+    halves = [np.pad(half, ((0, 0), (0, rows - half.shape[1]), (0, 0)), constant_values=255) for half in (before, after)]
+    return np.concatenate([halves[0], np.full((3, rows, GAP), 255, before.dtype), halves[1]], axis=2)
+
+
+def write(path, made):
+    memory = gdal.GetDriverByName("MEM").Create("", made.shape[2], made.shape[1], 3, gdal.GDT_Byte)
+    memory.WriteArray(made)
+    gdal.GetDriverByName("PNG").CreateCopy(str(path), memory)
+    path.with_suffix(".png.aux.xml").unlink(missing_ok=True)
+
+
+def share_of_difference(made, path):
+    kept = gdal.Open(str(path)).ReadAsArray() if path.exists() else np.empty(0)
+    if kept.shape != made.shape:
+        return 1.0
+    return float((abs(kept.astype(int) - made) > A_SHADE).any(axis=0).mean())
+
+
+def main(program, source, cities, anew):
+    differ = 0
+    for name, (raster, window, left, right) in PAIRS.items():
+        dem = source / raster if raster == TOWN else cities / raster
+        if not dem.exists():
+            print(f"{name} is left out: there is no {dem}")
+            continue
+        path = source / f"docs/pictures/{name}.png"
+        made = make(program, source, dem, window, left, right)
+        if anew:
+            write(path, made)
+            continue
+        share = share_of_difference(made, path)
+        print(f"{name}: {share:.4f} of the cells differ")
+        if share > MOST:
+            print(f"{path} is not what the program draws now; --write makes it anew.")
+            differ += 1
+    return 1 if differ else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), "--write" in sys.argv[4:]))
