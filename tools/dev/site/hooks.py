@@ -4,6 +4,7 @@
 - The marks of blocks that tests read, such as ```sh page, are those of languages.
 - Nested lists are indented as Python-Markdown wants them.
 - The interfaces of Python and C++ get a page each.
+- Names of options are not broken at their hyphen, which happens on phones.
 """
 
 import os
@@ -21,6 +22,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import python_interface  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
+OPTION = re.compile(r"<code>(--?[a-z0-9_]+)</code>")
 LINK = re.compile(r"(\]\()([A-Za-z0-9_./-]+)((?:#[^)\s]*)?\))")
 PROJECT = "project/"
 WORK = None  # a folder for files that are made, as long as the site is built
@@ -119,6 +121,7 @@ def on_files(files, config):
     else:
         text = "# Interface of C++\n\nIt was not made: install Doxygen, and make the site again.\n"
     add_text(files, config, "reference/cpp_interface.md", text)
+    add(files, config, pathlib.Path(__file__).parent, "site.css")
     return files
 
 
@@ -160,6 +163,10 @@ def on_page_markdown(markdown, page, config, files):
     markdown = re.sub(r"^```output$", "```text", markdown, flags=re.M)
     markdown = re.sub(r"^```sh .*$", "```sh", markdown, flags=re.M)
     return indent_lists(markdown)
+
+
+def on_page_content(html, page, config, files):
+    return OPTION.sub(r'<code class="option">\1</code>', html)
 
 
 def on_post_build(config):
