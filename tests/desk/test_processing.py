@@ -264,9 +264,10 @@ class Toolbox(DeskCase):
             dem = QgsRasterLayer(str(self.folder / "hotel_70x85.tif"), "dem")
             box = dem.extent()
             for name, right in (("all", box.xMaximum()), ("west", box.center().x())):
-                layer = QgsVectorLayer("Polygon", name, "memory")
+                layer = QgsVectorLayer("Polygon?field=kind:string", name, "memory")
                 layer.setCrs(dem.crs())
-                feature = QgsFeature()
+                feature = QgsFeature(layer.fields())
+                feature.setAttribute("kind", "building")
                 feature.setGeometry(QgsGeometry.fromRect(QgsRectangle(box.xMinimum(), box.yMinimum(), right,
                                                                       box.yMaximum())))
                 layer.dataProvider().addFeatures([feature])

@@ -140,8 +140,12 @@ class Styles(DeskCase):
         sure = self.make("grey.gpkg", "-write_doubtful", "-min_confidence", "0.97")
         doubtful = self.layer(sure, "doubtful")
         doubtful.setLabelsEnabled(False)
-        one = max(doubtful.getFeatures(), key=lambda feature: feature["area_m2"])
-        box = one.geometry().boundingBox()
+
+        def filled(feature):
+            box = feature.geometry().boundingBox()
+            return feature["area_m2"] / box.width() / box.height()
+
+        box = max(doubtful.getFeatures(), key=filled).geometry().boundingBox()
         grey = self.render(doubtful, (box.xMinimum(), box.yMinimum(), box.xMaximum(), box.yMaximum()), (200, 200))
         inside = [QColor(grey.pixel(x, y)).lightness() for x in range(200) for y in range(200)]
         dark = sum(1 for value in inside if value < 130) / len(inside)
