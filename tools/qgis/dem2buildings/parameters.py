@@ -66,7 +66,7 @@ def _number(option):
 
 def _label(option, title=None):
     # An extent has its CRS beside it.
-    unit = f" [{option['unit']}]" if option["unit"] and option["kind"] != "extent" else ""
+    unit = f" [{option['unit'].replace('m2', 'm²')}]" if option["unit"] and option["kind"] != "extent" else ""
     section = "" if option["section"] in ("Basic", "Advanced") else f"{option['section']}: "
     return section + (title or option["title"]) + unit
 
