@@ -1,14 +1,17 @@
 #include "read/gdal_setup.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdarg>
 #include <filesystem>
 #include <iterator>
+#include <string>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>
 #include <cpl_string.h>
 #include <gdal.h>
+#include <ogr_srs_api.h>
 
 #include "core/system/process.hpp"
 #include "dem2buildings/error.hpp"
@@ -32,8 +35,15 @@ void silence_libtiff() {
 }  // namespace
 
 void register_formats() {
-    if (GDALGetDriverCount() == 0)
-        GDALAllRegister();
+    if (GDALGetDriverCount() > 0)
+        return;
+    if (const std::filesystem::path& data = system::data_beside_program(); !data.empty()) {
+        CPLPushFinderLocation((data / "gdal").string().c_str());
+        const std::string proj = (data / "proj").string();
+        const std::array<const char*, 2> folders{proj.c_str(), nullptr};
+        OSRSetPROJSearchPaths(folders.data());
+    }
+    GDALAllRegister();
 }
 
 void start_gdal() {
@@ -41,8 +51,6 @@ void start_gdal() {
     // one drops everything except debug messages, which appear only if CPL_DEBUG asks for them.
     CPLSetErrorHandler(CPLQuietErrorHandler);
     register_formats();
-    if (const std::filesystem::path data = system::data_beside_program(); !data.empty())
-        CPLPushFinderLocation(data.string().c_str());
     silence_libtiff();
     // Limits the cache, because rasters are read once from top to bottom and GDAL would keep a twentieth of
     // the machine's memory.
@@ -94,7 +102,7 @@ std::optional<std::vector<std::string>> apply_gdal_switches(std::vector<std::str
     set_config(arguments);
 
     const GdalMessages messages;
-    GDALAllRegister();
+    register_formats();
     const Arguments given = list_of(arguments);
     char** left = given.get();
     const int count = GDALGeneralCmdLineProcessor(static_cast<int>(arguments.size()) + 1, &left,

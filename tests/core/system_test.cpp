@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/system/data_folder.hpp"
 #include "core/system/file.hpp"
 #include "core/system/paths.hpp"
 #include "core/system/process.hpp"
@@ -130,6 +131,22 @@ TEST(System, ReadsNumbersAsInTheLocaleC) {
     EXPECT_EQ(text_to_double(text.c_str(), &end), 1500);
     EXPECT_EQ(std::string(end), ",7");
     EXPECT_EQ(text_to_float("0.1", &end), 0.1F);
+}
+
+TEST_F(SystemTest, FindsDataBesideAModuleAndAboveAProgram) {
+    const fs::path copy = folder_.path() / "copy";
+    fs::create_directories(copy / "data" / "gdal");
+    EXPECT_EQ(data_folder_of(copy / "module.so"), "");
+    fs::create_directories(copy / "data" / "proj");
+    std::ofstream(copy / "data" / "proj" / "proj.db") << "database";
+    EXPECT_EQ(data_folder_of(copy / "module.so"), copy / "data");
+    EXPECT_EQ(data_folder_of(copy / "bin" / "program"), copy / "data");
+    EXPECT_EQ(data_folder_of(copy / "lib" / "bin" / "program"), "");
+    EXPECT_EQ(data_folder_of(folder_.path() / "program"), "");
+}
+
+TEST(System, BringsNoDataAlongHere) {
+    EXPECT_EQ(data_beside_program(), "");
 }
 
 TEST(System, LeavesOutTheNameOfTheProgram) {

@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <locale>
 #include <new>
 #include <numbers>
@@ -13,6 +14,7 @@
 #include <utility>
 
 #include "core/crs.hpp"
+#include "core/system/process.hpp"
 
 namespace d2b {
 
@@ -43,6 +45,11 @@ std::string lower_alphanumerics(std::string_view text) {
 ProjContext::ProjContext() : context_(proj_context_create()) {
     if (!context_)
         throw std::bad_alloc();
+    if (const std::filesystem::path& data = system::data_beside_program(); !data.empty()) {
+        const std::string folder = (data / "proj").string();
+        const std::array<const char*, 1> folders{folder.c_str()};
+        proj_context_set_search_paths(get(), static_cast<int>(folders.size()), folders.data());
+    }
     proj_log_func(get(), &reason_, keep_reason);
     proj_log_level(get(), PJ_LOG_ERROR);  // overrides the environment
     proj_context_set_enable_network(get(), 0);

@@ -12,9 +12,10 @@ namespace d2b::system {
 
 [[nodiscard]] std::int64_t process_id();
 
-/// Folder of GDAL's files if they are beside the program, as where the program is a folder that is copied; ""
-/// if GDAL knows them itself.
-[[nodiscard]] std::filesystem::path data_beside_program();
+/// Folder with the files of GDAL and PROJ, in `gdal` and `proj`, if the program or the module of Python
+/// brings them along (core/system/data_folder.hpp); "" if GDAL and PROJ are those of the system. Looked up
+/// once.
+[[nodiscard]] const std::filesystem::path& data_beside_program();
 
 /// Loads a library on first use and returns one of its functions; it is never unloaded.
 /// @param reason set to a text if there is no such library or function, and null is returned

@@ -17,6 +17,7 @@
 #include "dem2buildings/error.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
+#include "read/gdal_setup.hpp"
 
 namespace d2b::writing {
 
@@ -220,7 +221,7 @@ void reject_vector_tiles(GDALDriverH driver, const std::string& destination) {
 VectorFormat format_for(const WriteOptions& options) {
     if (options.destination.empty())
         throw OptionError("The name of the destination is empty; give a file, e.g. buildings.gpkg.");
-    GDALAllRegister();
+    reading::register_formats();
     VectorFormat format;
     format.driver =
         options.format.empty() ? driver_by_destination(options.destination) : driver_by_name(options.format);

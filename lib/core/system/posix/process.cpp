@@ -4,9 +4,31 @@
 #include <array>
 #include <csignal>
 #include <dlfcn.h>
+#include <system_error>
 #include <unistd.h>
+#include <utility>
+
+#include "core/system/data_folder.hpp"
 
 namespace d2b::system {
+namespace {
+
+/// The program, or the module that this function is in.
+std::filesystem::path own_file() {
+    Dl_info about{};
+    std::error_code error;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): systems take functions as data
+    const bool known = ::dladdr(reinterpret_cast<const void*>(&own_file), &about) != 0;
+    std::filesystem::path file = known && about.dli_fname != nullptr ? about.dli_fname : "";
+    // A program goes by the word that started it, which need not be a path.
+    if (!file.has_parent_path())
+        file = std::filesystem::read_symlink("/proc/self/exe", error);
+    else if (std::filesystem::path whole = std::filesystem::canonical(file, error); !error)
+        file = std::move(whole);
+    return file;
+}
+
+}  // namespace
 
 std::vector<std::string> arguments(int argc, const char* const* argv) {
     return {argv + std::min(argc, 1), argv + argc};
@@ -16,8 +38,9 @@ std::int64_t process_id() {
     return ::getpid();
 }
 
-std::filesystem::path data_beside_program() {
-    return {};
+const std::filesystem::path& data_beside_program() {
+    static const std::filesystem::path data = data_folder_of(own_file());
+    return data;
 }
 
 void* load_symbol(const char* library, const char* function, std::string& reason) {

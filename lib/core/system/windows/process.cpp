@@ -4,6 +4,7 @@
 #include <array>
 #include <csignal>
 
+#include "core/system/data_folder.hpp"
 #include "core/system/windows/windows_api.hpp"
 
 namespace d2b::system {
@@ -15,6 +16,13 @@ std::string utf8(const wchar_t* text) {
     WideCharToMultiByte(CP_UTF8, 0, text, -1, result.data(), size, nullptr, nullptr);
     result.pop_back();  // the zero at the end
     return result;
+}
+
+std::filesystem::path own_file() {
+    constexpr DWORD most = 32768;
+    std::wstring file(most, L'\0');
+    file.resize(GetModuleFileNameW(nullptr, file.data(), most));
+    return file;
 }
 
 }  // namespace
@@ -34,14 +42,9 @@ std::int64_t process_id() {
     return GetCurrentProcessId();
 }
 
-std::filesystem::path data_beside_program() {
-    constexpr DWORD most = 32768;
-    std::wstring program(most, L'\0');
-    program.resize(GetModuleFileNameW(nullptr, program.data(), most));
-    std::filesystem::path data =
-        std::filesystem::path(program).parent_path().parent_path() / "share" / "gdal";
-    std::error_code error;
-    return std::filesystem::is_directory(data, error) ? data : std::filesystem::path();
+const std::filesystem::path& data_beside_program() {
+    static const std::filesystem::path data = data_folder_of(own_file());
+    return data;
 }
 
 void* load_symbol(const char* /*library*/, const char* /*function*/, std::string& reason) {
