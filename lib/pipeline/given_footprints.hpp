@@ -45,6 +45,9 @@ struct PlacedFootprint {
     std::int64_t parts = 0;
     std::int32_t levels = 0;
     RoofRecord roof_shape;
+
+    /// Adds the measurements of a unit; those of units are added row by row. @param metres per vertical unit
+    void add(const detect::SeenFootprint& seen, double metres);
 };
 
 /// Footprints that share no cell, as one label per cell.
@@ -62,7 +65,7 @@ struct GivenFootprints {
     /// covers it.
     std::vector<FootprintLayer> layers;
     std::unique_ptr<Spool> spool;
-    Window window;
+    Window window;  ///< in which cells were searched
 
     /// Adds what a unit has seen of the footprints of a layer. @param metres per vertical unit
     void add(std::size_t layer, std::span<const detect::SeenFootprint> seen, double metres);
@@ -77,6 +80,19 @@ struct GivenFootprints {
 [[nodiscard]] GivenFootprints place_footprints(FootprintSource& source, const features::RunSetup& setup,
                                                Context& context);
 
+/// Same as place_footprints(), but only the cells in a part of the window are found, for a tile. Nothing else
+/// is known of the footprints, and none is reported.
+[[nodiscard]] GivenFootprints place_footprints_in(const Window& part, FootprintSource& source,
+                                                  const features::RunSetup& setup, Context& context);
+
+/// Cells of an object, and how many of them are in a footprint.
+struct CoveredCells {
+    std::int64_t all = 0;
+    std::int64_t covered = 0;
+
+    /// Returns whether the object has a footprint, so that it is not missing in the source.
+    [[nodiscard]] bool has_footprint() const { return all > 0 && 2 * covered >= all; }
+};
 /// Returns which objects footprints cover by half or more, by label; [0] is not used.
 /// @param labels objects, from 1 to `count`
 [[nodiscard]] std::vector<bool> covered_objects(const GivenFootprints& given, const detect::LabelRows& labels,

@@ -160,7 +160,7 @@ std::vector<SourceFile> list_auxiliary_files(const Options& options) {
     std::vector<SourceFile> files;
     for (const std::string& path :
          {options.ground.terrain, options.detect.mask, options.detect.exclude, options.detect.corrections,
-          options.detect.ndvi, options.detect.split_by, options.read.cutline}) {
+          options.detect.ndvi, options.detect.split_by, options.read.cutline, options.write.footprints}) {
         if (path.empty())
             continue;
         const GdalMessages messages;

@@ -13,6 +13,8 @@
 #include "pipeline/made_town.hpp"
 #include "pipeline/pipeline_case.hpp"
 #include "pipeline/run.hpp"
+#include "pipeline/tiles_case.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace d2b::test {
 namespace {
@@ -108,9 +110,9 @@ struct FootprintRun {
         options.write.footprints = "given";
         options.run.threads = 2;
     }
+    [[nodiscard]] Sources sources() { return {dem, nullptr, nullptr, nullptr, nullptr, &source}; }
     void run(const detect::UnitSize& units = {}) {
-        result.report = pipeline::run_in_units(options, {dem, nullptr, nullptr, nullptr, nullptr, &source},
-                                               {result.sink}, {}, units);
+        result.report = pipeline::run_in_units(options, sources(), {result.sink}, {}, units);
     }
     [[nodiscard]] double number(std::size_t footprint, const std::string& field) const {
         return result.sink.number(buildings, footprint, field);
@@ -280,6 +282,41 @@ TEST(GivenFootprints, doNotDependOnUnits) {
                       divided.result.sink.features[layer][i].values)
                 << layer << " " << i;
     }
+}
+
+/// Tiles of 24 cells and of all; all objects but the unmapped building have a footprint, also those that
+/// seams cut.
+TEST(GivenFootprints, areTheSameInTilesAsInOneRun) {
+    for (const bool roofs : {false, true})
+        for (const bool doubtful : {false, true})
+            for (const TileOrder& order : {TileOrder{1, false, false, 1}, TileOrder{2, true, true, 2}}) {
+                FootprintRun run;
+                run.options.write.roofs = roofs;
+                run.options.write.doubtful = doubtful;
+                const detect::UnitSize units{.most_whole = 100, .most_side = 24};
+                run.run(units);
+                ASSERT_EQ(run.result.sink.features[missing].size(), 1U);
+                const TemporaryFolder folder;
+                StepsInTiles steps(run.sources(), run.options, {folder.path(), some_plan, 1, units});
+                EXPECT_GT(steps.count(), 9);
+                Result tiles;
+                steps.run(order, tiles);
+                expect_same(tiles, run.result);
+            }
+}
+
+/// Another source is one that the tiles have not measured.
+TEST(GivenFootprints, areRefusedInTilesIfTheyChange) {
+    FootprintRun run;
+    const TemporaryFolder folder;
+    StepsInTiles steps(run.sources(), run.options, {folder.path(), some_plan, 1, {}});
+    steps.find(0);
+    steps.join();
+    steps.draw(0);
+    run.source.footprints.resize(two_parts);
+    Result tiles;
+    EXPECT_EQ(refusal([&] { steps.merge(tiles); }),
+              "The footprints have changed since the plan was made; plan again, with a new work folder.");
 }
 
 /// Footprints in degrees are measured at the same place, and all layers are in their CRS.

@@ -72,6 +72,14 @@ void expect_same(const RunReport& a, const RunReport& b) {
         EXPECT_EQ(a.roofs->doubtful_area_m2, b.roofs->doubtful_area_m2);
         EXPECT_EQ(a.roofs->level, b.roofs->level);
     }
+    ASSERT_EQ(a.footprints.has_value(), b.footprints.has_value());
+    if (a.footprints) {
+        EXPECT_EQ(a.footprints->given, b.footprints->given);
+        EXPECT_EQ(a.footprints->measured, b.footprints->measured);
+        EXPECT_EQ(a.footprints->invalid, b.footprints->invalid);
+        EXPECT_EQ(a.footprints->missing, b.footprints->missing);
+        EXPECT_EQ(a.footprints->outside, b.footprints->outside);
+    }
     ASSERT_EQ(a.sampling.has_value(), b.sampling.has_value());
     if (a.sampling) {
         EXPECT_EQ(a.sampling->interpolated_fraction, b.sampling->interpolated_fraction);

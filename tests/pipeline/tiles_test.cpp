@@ -582,8 +582,6 @@ TEST(TilesRefuse, WhatTheyCannotDoExactly) {
         {"-preview", "a picture needs the whole area", [](Options& o) { o.write.preview = "a.png"; }},
         {"-surface", "a surface needs the whole area", [](Options& o) { o.write.surfaces = {"a.obj"}; }},
         {"-page", "a page needs the whole area", [](Options& o) { o.write.page = "a.html"; }},
-        {"-footprints", "the features of one file cannot be divided among tiles",
-         [](Options& o) { o.write.footprints = "a.gpkg"; }},
         {"-write_rejected", "only a run without tiles keeps dropped contours",
          [](Options& o) { o.write.rejected = true; }}};
     for (const auto& [option, why, ask] : refused)

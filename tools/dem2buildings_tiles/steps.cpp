@@ -87,6 +87,10 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
         throw OptionError(
             "The folder to which tiles add their files must be new; give another name, or delete it, and "
             "leave out -append and -overwrite.");
+    if (parts && options.write.has_footprints())
+        throw OptionError(
+            "-footprints cannot be written in parts, because each footprint comes back once and in order; "
+            "write one file, such as a GeoPackage.");
     const std::filesystem::path work(command.work);
     std::optional<SourceMosaic> mosaic;
     if (!std::filesystem::exists(work / "plan.json"))

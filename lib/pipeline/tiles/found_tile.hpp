@@ -11,6 +11,7 @@
 #include "core/context.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "detect/detection.hpp"
+#include "detect/footprint_fit.hpp"
 #include "detect/scene_statistics.hpp"
 #include "detect/units.hpp"
 #include "elevations/elevation_reader.hpp"
@@ -33,6 +34,8 @@ struct FoundUnit {
     std::vector<Window> boxes;  ///< bounding boxes of their cells in the core of the unit; likewise
     std::vector<LabelRun> runs;
     detect::UnitEdges edges;
+    /// Number of their own cells in given footprints; likewise; empty without given footprints.
+    std::vector<std::int64_t> covered{};
 };
 /// Returns the bounding boxes of objects. @param objects number of labels @param runs of their labels
 [[nodiscard]] std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& runs);
@@ -55,10 +58,18 @@ struct FoundFacts {
     std::set<std::size_t> effective;  ///< corrections that have had an effect
 };
 
+/// Given footprint as a unit has measured it.
+struct UnitFootprint {
+    std::int64_t unit = 0;
+    std::uint64_t footprint = 0;  ///< index in the order of the source
+    detect::SeenFootprint seen;
+};
+
 /// Results of step find for a tile.
 struct FoundTile {
     FoundFacts facts;
     std::vector<FoundUnit> units;  ///< row by row
+    std::vector<UnitFootprint> footprints{};
 };
 void save(const FoundTile& tile, ByteWriter& writer);
 /// @param facts empty facts with the rules of the run @param windows cores of the tile's units

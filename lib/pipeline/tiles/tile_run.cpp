@@ -100,7 +100,7 @@ TileRun::TileRun(const TileRunParameters& work, const Options& options, const So
     : work_(work),
       sources_(sources),
       context_(callbacks),
-      setup_(pipeline::set_up_run(options, sources.dem.info(), features, context_)),
+      setup_(pipeline::set_up_run(options, sources.dem.info(), features, context_, sources.footprints)),
       units_(pipeline::unit_grid(setup_.plan, setup_.dem.window, setup_.cell, work.units)),
       tiles_(units_, work.side) {
     if (!work_.undeclared)
@@ -128,6 +128,10 @@ CheckpointId TileRun::frame_seal(TileStep step) const {
     return {step, work_.plan, std::numeric_limits<std::uint32_t>::max()};
 }
 
+CheckpointId TileRun::footprint_seal() const {
+    return {TileStep::join, work_.plan, std::numeric_limits<std::uint32_t>::max() - 1};
+}
+
 FoundTile TileRun::load_found(std::int64_t tile) const {
     std::vector<Window> windows;
     for (const NumberedUnit& placed : tiles_.units_of(tile))
@@ -146,6 +150,11 @@ FoundFacts TileRun::load_frame() const {
     });
 }
 
+std::vector<UnitFootprint> TileRun::load_footprints() const {
+    CheckpointFile file(footprint_file(), footprint_seal());
+    return load_body(file, [](ByteReader& reader) { return reader.take_list<UnitFootprint>(); });
+}
+
 void require_tileable(const Options& options) {
     const auto refuse = [](bool asked, const std::string& option, const std::string& what) {
         if (asked)
@@ -160,7 +169,6 @@ void require_tileable(const Options& options) {
     refuse(!write.preview.empty(), "-preview", "a picture needs the whole area");
     refuse(!write.surfaces.empty(), "-surface", "a surface needs the whole area");
     refuse(!write.page.empty(), "-page", "a page needs the whole area");
-    refuse(write.has_footprints(), "-footprints", "the features of one file cannot be divided among tiles");
     const std::string flow = "changes of outlines depend on others that may be far away";
     refuse(options.outline.flow_ready > 0, "-flow_ready", flow);
     refuse(options.outline.min_gap.has_value(), "-min_gap", flow);

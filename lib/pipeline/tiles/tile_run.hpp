@@ -104,9 +104,16 @@ class TileRun {
         return folder(step) / "frame";
     }
     [[nodiscard]] CheckpointId frame_seal(TileStep step = TileStep::join) const;
+    /// Returns the file in which join stores what units have measured of given footprints.
+    [[nodiscard]] std::filesystem::path footprint_file() const {
+        return folder(TileStep::join) / "footprints";
+    }
+    [[nodiscard]] CheckpointId footprint_seal() const;
     /// @throws InputError
     [[nodiscard]] FoundTile load_found(std::int64_t tile) const;
     [[nodiscard]] FoundFacts load_frame() const;
+    /// Returns measurements of given footprints, those of units row by row. @throws InputError
+    [[nodiscard]] std::vector<UnitFootprint> load_footprints() const;
 
   private:
     TileRunParameters work_;
