@@ -91,7 +91,8 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
         {"-t_srs", "EPSG:4326", "-roofs", "-fields", "osm"},
         {"-split_by", sample("town_parcels.gpkg"), "-split_field", "parcel", "-roofs"},
         {"-exclude", "bridges.geojson", "-exclude_buffer", "2", "-corrections", "edits.geojson",
-         "-storey_height", "4"}};
+         "-storey_height", "4"},
+        {"-footprints", sample("town_parcels.gpkg"), "-roofs"}};
     write_decisions();
     for (const Arguments& options : variants) {
         const std::string report = whole(options, "one.gpkg");
@@ -109,6 +110,46 @@ TEST_F(TilesTool, givesTheBytesOfOneRun) {
         EXPECT_TRUE(read_bytes(path("tiles.gpkg")) == read_bytes(path("one.gpkg")));
         for (const char* name : {"work", "tiles.gpkg", "one.gpkg"})
             std::filesystem::remove_all(path(name));
+    }
+}
+
+/// A format of one layer has the footprints alone.
+TEST_F(TilesTool, measuresFootprintsForOneLayer) {
+    const Arguments options{"-footprints", sample("town_parcels.gpkg"), "-layers", "buildings", "-nln",
+                            "given",       sample("town.tif")};
+    Arguments one = options;
+    one.insert(one.begin(), "-q");
+    one.emplace_back("one.geojson");
+    run_well(one);
+    Arguments plan = options;
+    plan.insert(plan.begin(), "plan");
+    plan.insert(plan.end(), {"tiles.geojson", "work"});
+    well(plan);
+    run_steps();
+    EXPECT_TRUE(read_bytes(path("tiles.geojson")) == read_bytes(path("one.geojson")));
+}
+
+TEST_F(TilesTool, writesFootprintsIntoTheirFile) {
+    for (const char* name : {"one.gpkg", "tiles.gpkg"})
+        std::filesystem::copy_file(sample("town_parcels.gpkg"), path(name));
+    const auto given = [&](const std::string& name) {
+        return Arguments{"-footprints", name,       "-footprints_layer", "parcels", "-overwrite",
+                         "-nln",        "measured", sample("town.tif"),  name};
+    };
+    Arguments one = given("one.gpkg");
+    one.insert(one.begin(), "-q");
+    run_well(one);
+    Arguments plan = given("tiles.gpkg");
+    plan.insert(plan.begin(), "plan");
+    plan.emplace_back("work");
+    well(plan);
+    run_steps();
+    EXPECT_EQ(layer_names(path("tiles.gpkg")), layer_names(path("one.gpkg")));
+    EXPECT_EQ(read_layer(path("tiles.gpkg"), "parcels").records.size(), 1014U);
+    for (const std::string sum : {"count(*)", "sum(p90)", "sum(volume_m3)", "sum(rowid * n_parts)"}) {
+        const std::string query = "SELECT " + sum + " FROM measured";
+        EXPECT_EQ(sql_value(path("tiles.gpkg"), query), sql_value(path("one.gpkg"), query));
+        EXPECT_NE(sql_value(path("one.gpkg"), query), "");
     }
 }
 
@@ -332,6 +373,11 @@ TEST_F(TilesTool, refusesWhatItCannotDo) {
     expect_refused(
         2, "-page does not work in tiles: a page needs the whole area; leave it out, or run dem2buildings.",
         {"plan", "-page", "a.html", sample("town.tif"), "a.gpkg", "work"});
+    expect_refused(2,
+                   "-footprints cannot be written in parts, because each footprint comes back once and in "
+                   "order; write one file, such as a GeoPackage.",
+                   {"plan", "-f", "FlatGeobuf", "-footprints", sample("town_truth.gpkg"), sample("town.tif"),
+                    "parts", "work"});
     expect_refused(2, "There is no tile to find; usage: dem2buildings_tiles find <work> <tile>....",
                    {"find", "work"});
     expect_refused(2, "Tile 3 is named twice; name it once.", {"draw", "work", "3", "1", "3"});
