@@ -12,7 +12,6 @@
 #include "core/text.hpp"
 
 namespace d2b::compare {
-namespace {
 
 std::vector<FieldSpec> change_fields() {
     return {
@@ -44,6 +43,8 @@ std::vector<FieldSpec> change_fields() {
          "lowest certainty that its parts in both surveys are buildings, 0 to 1"},
     };
 }
+
+namespace {
 
 FieldValue measured(double value) {
     return std::isnan(value) ? FieldValue{} : FieldValue{round_to_hundredths(value)};
@@ -79,15 +80,37 @@ LayerSpec change_layer(const std::string& name, const std::string& old_dataset,
     LayerSpec spec{name, "Changes",
                    "Changes of buildings from " + utf8_text(old_dataset) + " to " + utf8_text(new_dataset),
                    change_fields()};
-    spec.style.title = "Change";
-    spec.style.classified = "change";
+    spec.style = change_style();
+    return spec;
+}
+
+LayerStyle change_style() {
+    LayerStyle style;
+    style.title = "Change";
+    style.classified = "change";
     // Colours of pairs that colour-blind readers tell apart; that of the buildings that stay is the palest.
     constexpr std::array<const char*, change_names.size()> colours{
         "0,114,178,255",  "213,94,0,255",   "0,158,115,255",  "204,121,167,255",
         "86,180,233,255", "240,228,66,255", "225,225,225,255"};
     for (std::size_t i = 0; i < colours.size(); ++i)
-        spec.style.classes.push_back({std::string(change_names[i]), colours[i]});
-    return spec;
+        style.classes.push_back({std::string(change_names[i]), colours[i]});
+    return style;
+}
+
+std::vector<FieldValue> change_values(const ChangedBuilding& building, std::int64_t id,
+                                      const SurveyedPlace& old_place, const SurveyedPlace& new_place) {
+    return {id,
+            std::string(change_names[static_cast<std::size_t>(building.change)]),
+            largest_id(old_place, building.old_indices),
+            largest_id(new_place, building.new_indices),
+            count(building.old_indices),
+            count(building.new_indices),
+            measured(building.p90_old_m),
+            measured(building.p90_new_m),
+            measured(building.rise_m),
+            measured(building.area_old_m2),
+            measured(building.area_new_m2),
+            certainty(building.confidence)};
 }
 
 void write_changes(const SurveyChanges& changes, const SurveyedPlace& old_place,
@@ -95,18 +118,7 @@ void write_changes(const SurveyChanges& changes, const SurveyedPlace& old_place,
     std::int64_t id = sink.first_id();
     for (const ChangedBuilding& building : changes.buildings) {
         Feature feature;
-        feature.values = {id++,
-                          std::string(change_names[static_cast<std::size_t>(building.change)]),
-                          largest_id(old_place, building.old_indices),
-                          largest_id(new_place, building.new_indices),
-                          count(building.old_indices),
-                          count(building.new_indices),
-                          measured(building.p90_old_m),
-                          measured(building.p90_new_m),
-                          measured(building.rise_m),
-                          measured(building.area_old_m2),
-                          measured(building.area_new_m2),
-                          certainty(building.confidence)};
+        feature.values = change_values(building, id++, old_place, new_place);
         feature.parts = building.new_indices.empty() ? outline_of(old_place, building.old_indices)
                                                      : outline_of(new_place, building.new_indices);
         sink.add(0, feature);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/change_layer.hpp"
+#include "compare/change_page.hpp"
 #include "compare/find_changes.hpp"
 #include "compare/read_survey.hpp"
 #include "core/text.hpp"
@@ -146,13 +147,18 @@ void warn_of_strangers(const BothSurveys& surveys, const SurveyChanges& changes,
                      "' have no building in common; check the files and their coordinate reference systems.");
 }
 
+/// Returns the plane of the comparison.
+score::MeasurePlane plane_of(const BothSurveys& surveys, Warnings& warnings) {
+    const ReadSurvey& reference =
+        surveys.new_survey.crs.kind() == Crs::Kind::none ? surveys.old_survey : surveys.new_survey;
+    return score::measure_plane(reference.crs, box_of_place(reference.place), warnings);
+}
+
 /// Compares surveys that have been read. Their outlines are in the plane of the comparison afterwards.
-SurveyChanges compare_read(BothSurveys& surveys, SurveyComparison& comparison, Warnings& warnings) {
+SurveyChanges compare_read(BothSurveys& surveys, const score::MeasurePlane& plane,
+                           SurveyComparison& comparison, Warnings& warnings) {
     ReadSurvey& before = surveys.old_survey;
     ReadSurvey& after = surveys.new_survey;
-    const ReadSurvey& reference = after.crs.kind() == Crs::Kind::none ? before : after;
-    const score::MeasurePlane plane =
-        score::measure_plane(reference.crs, box_of_place(reference.place), warnings);
     for (ReadSurvey* survey : {&before, &after})
         transform(*survey, plane, after.crs, warnings);
     const double cell = after.about.cell_m.value_or(before.about.cell_m.value_or(1));
@@ -184,10 +190,18 @@ SurveyComparison compare_surveys(const SurveyRequest& request, const Callbacks& 
     Warnings warnings(recorded.on_warning);
     SurveyComparison comparison;
     comparison.output = request.destination;
+    comparison.page = request.page;
     const std::unique_ptr<FeatureSink> sink = compare::open_destination(request, recorded);
+    const std::unique_ptr<SurfaceSink> page =
+        request.page.empty() ? nullptr : compare::open_change_page(request);
     compare::BothSurveys surveys = compare::read_both(request, recorded, warnings);
-    const compare::SurveyChanges changes = compare::compare_read(surveys, comparison, warnings);
+    const score::MeasurePlane plane = compare::plane_of(surveys, warnings);
+    const compare::SurveyChanges changes = compare::compare_read(surveys, plane, comparison, warnings);
     CommitList commit;
+    if (page) {
+        compare::write_change_page(changes, surveys.old_survey.place, surveys.new_survey.place, plane, *page);
+        page->prepare(commit);
+    }
     if (sink)
         compare::write(changes, surveys, *sink, commit);
     // Only finding buildings takes long enough for progress.
@@ -200,6 +214,8 @@ SurveyComparison compare_surveys(const SurveyRequest& request, const Callbacks& 
     commit.publish([&] {
         if (sink)
             std::ranges::for_each(sink->take_warnings(), recorded.on_warning);
+        if (page)
+            std::ranges::for_each(page->take_warnings(), recorded.on_warning);
         comparison.warnings = told;
         if (reader.show)
             reader.show(comparison);

@@ -154,6 +154,30 @@ TEST_F(CompareTool, writesOtherFormats) {
     EXPECT_EQ(layer("out.shp", "out").records.size(), 11U);
 }
 
+#ifdef D2B_PAGE
+
+TEST_F(CompareTool, writesAPage) {
+    write_changes();
+    EXPECT_EQ(compare_json({"-page", "out.html", "old.gpkg", "new.gpkg"})["page"], "out.html");
+    const std::string page = read_bytes(path("out.html"));
+    EXPECT_NE(page.find("<title>out</title>"), std::string::npos);
+    EXPECT_EQ(page.find(folder_.string()), std::string::npos);
+    expect_refusal(2, "\"out.html\" exists; give another name, or -overwrite to replace it.",
+                   {"-page", "out.html", "old.gpkg", "new.gpkg", "out.gpkg"});
+    EXPECT_EQ(compare({"-q", "-overwrite", "-page", "out.html", "old.gpkg", "new.gpkg", "out.gpkg"}).status,
+              0);
+    EXPECT_EQ(read_bytes(path("out.html")), page);
+    EXPECT_EQ(layer("out.gpkg", "changes").records.size(), 11U);
+    expect_refusal(2, "Pages are written as HTML; give \"a.htm\" a name that ends in .html.",
+                   {"-page", "a.htm", "old.gpkg", "new.gpkg"});
+    // A run that fails leaves the page as it was.
+    expect_refusal(1, "'none.gpkg' cannot be opened as a raster: No such file or directory.",
+                   {"-overwrite", "-page", "out.html", "old.gpkg", "none.gpkg"});
+    EXPECT_EQ(read_bytes(path("out.html")), page);
+}
+
+#endif
+
 TEST_F(CompareTool, writesAStream) {
     write_changes();
     const ToolResult done = compare({"-f", "GeoJSON", "old.gpkg", "new.gpkg", "/vsistdout/"});

@@ -59,6 +59,44 @@ class Page(unittest.TestCase):
         for address in browser.requests():
             self.assertTrue(address.startswith("file://"), address)
 
+    def test_two_surveys_are_shown_in_turns(self):
+        """As on the page of docs about changes: houses below 90 m2 are gone."""
+        results = []
+        for name, options in (("old", []), ("new", ["-min_area", "90"])):
+            results.append(self.folder / f"survey_{name}.gpkg")
+            subprocess.run([TOOL, "-q", *options, str(TOWN), str(results[-1])], check=True)
+        page = self.folder / "changes.html"
+        summary = json.loads(subprocess.run([f"{TOOL}_compare", "-json", "-page", str(page), *map(str, results)],
+                                            check=True, capture_output=True, text=True).stdout)
+        with Browser() as browser:
+            browser.open(page)
+            self.assertEqual(browser.text("alternatives").split(), ["Old", "New"])
+            self.assertTrue(browser.text("sum").startswith(f"{summary['new']['buildings']} buildings"))
+            new = browser.picture()
+            browser.run("document.querySelector('#alternatives button').click()")
+            time.sleep(2)
+            self.assertTrue(browser.text("sum").startswith(f"{summary['old']['buildings'] - 1} buildings"))
+            self.assertGreater(difference(browser.picture(), new), 0.1)
+            self.looks_like(browser, "page_changes.png")
+            gone = browser.run("const {town} = window.dem2buildings;"
+                               "return town.fields.get('change').values.filter((value) => value === 'gone').length")
+            self.assertEqual(gone, summary["changes"]["gone"])
+            # What is chosen stays chosen in the other survey, unless it is gone there.
+            browser.run("window.dem2buildings.choose(window.dem2buildings.town.numbered(1))")
+            browser.run("window.dem2buildings.turnTo('new')")
+            self.assertIn("Building 1", browser.text("building"))
+            browser.run("window.dem2buildings.turnTo('old');"
+                        "const {town} = window.dem2buildings;"
+                        "window.dem2buildings.choose(town.fields.get('change').values.indexOf('gone'));"
+                        "window.dem2buildings.turnTo('new')")
+            self.assertFalse(browser.is_seen("building"))
+            self.quiet(browser)
+        with Browser() as browser:
+            browser.open(page)
+            browser.run("window.location.hash = '#of=old'")
+            time.sleep(1)
+            self.assertTrue(browser.text("sum").startswith(f"{summary['old']['buildings'] - 1} buildings"))
+
     def test_is_drawn_light_and_dark(self):
         for name, dark in (("page_town.png", False), ("page_town_dark.png", True)):
             with self.subTest(name), Browser(dark=dark) as browser:

@@ -98,11 +98,12 @@ TEST(CompareText, writesFigures) {
     SurveyComparison without = comparison();
     without.shift = {};
     without.output = "out.gpkg";
+    without.page = "out.html";
     const std::string text = comparison_text(without, false);
     EXPECT_NE(text.find("shift     not estimated, because fewer than 3 buildings agree on one\n"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("changes   out.gpkg\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("changes   out.gpkg\npage      out.html\n"), std::string::npos) << text;
 }
 
 TEST(CompareJson, hasAllFigures) {
@@ -110,7 +111,7 @@ TEST(CompareJson, hasAllFigures) {
     std::string keys;
     for (const auto& [key, value] : json.items())
         keys += key + " ";
-    EXPECT_EQ(keys, "version old new crs shift changes output warnings ");
+    EXPECT_EQ(keys, "version old new crs shift changes output page warnings ");
     EXPECT_EQ(json["old"]["layer"], "buildings");
     EXPECT_EQ(json["old"]["outside"], 1);
     EXPECT_EQ(json["old"]["cell_m"], 1.04);
@@ -121,6 +122,10 @@ TEST(CompareJson, hasAllFigures) {
     EXPECT_EQ(json["changes"].dump(),
               R"({"new":1,"gone":2,"raised":3,"lowered":4,"grown":5,"shrunk":6,"same":7})");
     EXPECT_EQ(json["output"], nullptr);
+    EXPECT_EQ(json["page"], nullptr);
+    SurveyComparison with_page = comparison();
+    with_page.page = "changes.html";
+    EXPECT_EQ(nlohmann::json::parse(comparison_json(with_page))["page"], "changes.html");
 }
 
 }  // namespace

@@ -29,8 +29,9 @@ void take_file_names(const std::vector<std::string>& names, CompareCommand& requ
 }
 
 void check_destination(const CompareCommand& request) {
-    if (request.destination.empty() && (request.overwrite || !request.format.empty()))
-        throw OptionError(std::string(request.overwrite ? "-overwrite" : "-f") +
+    if (request.destination.empty() &&
+        (!request.format.empty() || (request.overwrite && request.page.empty())))
+        throw OptionError(std::string(request.format.empty() ? "-overwrite" : "-f") +
                           " has no effect without a destination; give one, or leave it out.");
     if (request.destination.starts_with("/vsimem/"))
         throw OptionError("The destination '" + request.destination +
@@ -48,8 +49,13 @@ const std::vector<CompareOption>& compare_options() {
         {{"f", "<format>", "text", "Format of the changes, by its GDAL name. Default: by the extension."},
          [](CompareCommand& r, Text value) { r.format = value; }},
         {{"overwrite", "", "switch",
-          "Replace the layer of changes if it exists; in a format of a single layer, the file."},
+          "Replace the layer of changes if it exists; in a format of a single layer, the file. Also the "
+          "page."},
          [](CompareCommand& r, Text) { r.overwrite = true; }},
+        {{"page", "<file.html>", "path",
+          "Write a page for browsers that shows the buildings of both surveys, in turns, in the colours of "
+          "their changes."},
+         [](CompareCommand& r, Text value) { r.page = value; }},
         {{"json", "", "switch", "Print the summary as JSON."},
          [](CompareCommand& r, Text) { r.json = true; }},
         {{"q", "", "switch", "Print only the numbers of changes, and no progress."},

@@ -59,6 +59,8 @@ std::string comparison_text(const SurveyComparison& comparison, bool quiet) {
         text += line("shift", shift_text(comparison.shift));
         if (!comparison.output.empty())
             text += line("changes", comparison.output);
+        if (!comparison.page.empty())
+            text += line("page", comparison.page);
         text += "\n";
     }
     for (std::size_t i = 0; i < change_names.size(); ++i)
@@ -78,6 +80,7 @@ std::string comparison_json(const SurveyComparison& comparison) {
                     {"shift", {{"east_m", shift.east_m}, {"north_m", shift.north_m}, {"pairs", shift.pairs}}},
                     {"changes", changes},
                     {"output", comparison.output.empty() ? Json(nullptr) : Json(comparison.output)},
+                    {"page", comparison.page.empty() ? Json(nullptr) : Json(comparison.page)},
                     {"warnings", comparison.warnings}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

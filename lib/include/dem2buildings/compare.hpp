@@ -31,6 +31,7 @@ struct SurveyRequest {
     std::string destination;  ///< dataset of changes; "": none
     std::string format;       ///< OGR short name; deduced from the extension if empty
     bool overwrite = false;
+    std::string page;  ///< HTML file that shows both surveys in a browser; "": none
 };
 
 /// One of the compared surveys.
@@ -50,6 +51,7 @@ struct SurveyComparison {
     SurveyShift shift;
     std::array<std::size_t, change_names.size()> counts{};  ///< buildings per change
     std::string output;                                     ///< destination; "" if there is none
+    std::string page;                                       ///< likewise
     std::vector<std::string> warnings;
 };
 

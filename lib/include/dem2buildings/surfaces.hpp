@@ -117,6 +117,9 @@ struct SurfaceMeta {
     LayerStyle block_style = {};  ///< style of a building as one block
     LayerStyle tier_style = {};   ///< style of a tier, whose height is that of its roof above the base
     std::vector<std::string> first_fields{};  ///< most relevant fields of a building, by name
+    /// Field of texts: a page shows the buildings of one of them at a time, at first those of the last; "":
+    /// all.
+    std::string alternatives{};
 };
 
 /// Receives the surface of the buildings: a file (see open_auxiliary_sinks()), or a list in a program or

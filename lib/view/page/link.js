@@ -22,6 +22,8 @@ export function readView(hash) {
       view[name] = Number(value);
     else if (name === 'view' && (value === '3d' || value === 'map'))
       view[name] = value;
+    else if (name === 'of' && /^[a-z]+$/.test(value))
+      view[name] = value;
   }
   return view;
 }

@@ -2,7 +2,7 @@
 import {FlatMap} from './flat_map.js';
 import {readView, written} from './link.js';
 import {contextOf} from './painter.js';
-import {showBuilding, showCredit, showLegend, showLevel, showSource, showSum} from './panels.js';
+import {showAlternatives, showBuilding, showCredit, showLegend, showLevel, showSource, showSum} from './panels.js';
 import {buildingAt} from './pick.js';
 import {Relief} from './relief.js';
 import {freeRoom} from './room.js';
@@ -88,15 +88,28 @@ class Page {
       this.choose(building);
       this.shown.goTo(building);
     };
-    const onFilter = () => {
-      this.views.forEach((view) => view.filter());
-      showSum(this.town);
-      if (this.chosen >= 0 && !this.town.isShown[this.chosen])
-        this.choose(-1);
-    };
-    this.finder = new Finder(this.town, onFind, onFilter);
+    this.finder = new Finder(this.town, onFind, () => this.refilter());
+    showAlternatives(this.town, (value) => this.turnTo(value));
+    this.turnTo(this.town.alternative);
     this.sunCard = new SunCard(this.town, (direction) => this.scene?.setSun(direction));
     this.measure = new Measure((points) => this.views.forEach((view) => view.drawLine(points)));
+  }
+
+  // Follows a change of the shown buildings. The same building of another survey stays chosen.
+  refilter() {
+    this.views.forEach((view) => view.filter());
+    showSum(this.town);
+    if (this.chosen < 0 || this.town.isShown[this.chosen])
+      return;
+    const other = this.town.numbered(this.town.stack.id[this.chosen]);
+    this.choose(this.town.isShown[other] ? other : -1);
+  }
+
+  turnTo(alternative) {
+    this.town.showAlternative(alternative);
+    for (const button of byId('alternatives').children)
+      button.setAttribute('aria-pressed', String(button.dataset.value === alternative));
+    this.refilter();
   }
 
   // Puts the view into the address, so that it can be sent or kept.
@@ -109,6 +122,7 @@ class Page {
       id: this.chosen < 0 ? null : this.town.stack.id[this.chosen],
       height: low === null && high === null ? null : [low ?? 0, high ?? 10000],
       sun: this.sunCard.chosen(),
+      of: this.town.alternative,
     });
     notice(texts.linkDone);
   }
@@ -129,8 +143,10 @@ class Page {
       this.finder.filter(...view.height);
     if (view.sun && this.town.about.position)
       this.sunCard.choose(...view.sun);
+    if (this.town.alternatives.includes(view.of))
+      this.turnTo(view.of);
     if (view.id !== undefined)
-      this.choose(this.town.stack.id.indexOf(view.id));
+      this.choose(this.town.numbered(view.id));
   }
 
   setUpLevels() {

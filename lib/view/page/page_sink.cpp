@@ -230,10 +230,13 @@ Json value_json(const FieldValue& value) {
 }
 
 Json style_json(const LayerStyle& style) {
-    return {{"title", style.title},
-            {"colour", style.colour},
-            {"certainty", style.certainty},
-            {"certain", style.certain}};
+    Json classes = Json::array();
+    for (const StyleClass& one : style.classes) {
+        const Json parts = Json::parse("[" + one.colour + "]");
+        classes.push_back({{"value", one.value}, {"colour", {parts[0], parts[1], parts[2]}}});
+    }
+    return {{"title", style.title},     {"colour", style.colour},         {"certainty", style.certainty},
+            {"certain", style.certain}, {"classified", style.classified}, {"classes", std::move(classes)}};
 }
 
 /// Returns the height classes of the QGIS styles.
@@ -422,6 +425,7 @@ Json PageSink::about() const {
                {"blockStyle", style_json(meta_.block_style)},
                {"tierStyle", style_json(meta_.tier_style)},
                {"first", meta_.first_fields},
+               {"alternatives", meta_.alternatives},
                {"fields", fields()}};
     for (const auto& [name, value] : meta_.provenance.metadata)
         about["metadata"][name] = value;

@@ -13,6 +13,8 @@ function spoken(value) {
   return number(value, Math.abs(value) >= 1000 ? 0 : Math.abs(value) >= 100 ? 1 : 2);
 }
 
+function className(value) { return texts.classes[value] ?? value; }
+
 function pair(name, value, title) {
   const row = document.createElement('div');
   const term = document.createElement('dt');
@@ -32,7 +34,7 @@ function list(pairs) {
 
 export function showSum(town) {
   const {crs} = town.about;
-  const sum = texts.buildings(number(town.shown(), 0), number(town.buildings, 0));
+  const sum = texts.buildings(number(town.shown(), 0), number(town.all(), 0));
   byId('sum').textContent = `${sum}${crs ? `\n${crs}` : ''}`;
 }
 
@@ -65,12 +67,29 @@ function classText(classes, i) {
   return i === 0 ? texts.below(to) : to === undefined ? texts.above(from) : texts.between(from, to);
 }
 
+// A button for each of the alternatives. @param onChoose receives the value of one
+export function showAlternatives(town, onChoose) {
+  const pair = byId('alternatives');
+  pair.hidden = town.alternatives.length < 2;
+  if (pair.hidden)
+    return;
+  pair.replaceChildren(...town.alternatives.map((value) => {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.dataset.value = value;
+    button.textContent = texts.surveys[value] ?? value;
+    button.addEventListener('click', () => onChoose(value));
+    return button;
+  }));
+}
+
 // Open if there is space.
 export function showLegend(town) {
   const legend = byId('legend');
   const caption = document.createElement('p');
   caption.className = 'caption';
-  caption.textContent = texts.heightLegend;
+  const {classified, classes} = town.about.blockStyle;
+  caption.textContent = classified ? texts.changeLegend : texts.heightLegend;
   const entries = document.createElement('ul');
   const add = (colour, label) => {
     const entry = document.createElement('li');
@@ -83,7 +102,10 @@ export function showLegend(town) {
     entry.append(swatch, words);
     entries.append(entry);
   };
-  town.about.classes.forEach(({colour}, i) => add(colour, classText(town.about.classes, i)));
+  if (classified)
+    classes.forEach(({colour, value}) => add(colour, className(value)));
+  else
+    town.about.classes.forEach(({colour}, i) => add(colour, classText(town.about.classes, i)));
   const {certainty, certain} = town.about.tierStyle;
   const values = town.fields.get(certainty)?.values ?? [];
   legend.open = window.matchMedia('(min-width: 761px) and (min-height: 620px)').matches;
@@ -106,8 +128,9 @@ export function showBuilding(town, building, onClose) {
   // Shows the median as well, because one height misleads where roofs lie at several.
   const median = town.value('p50', building), high = town.value('p90', building);
   const range = median !== null && high !== null && high - median > 5 ? `${spoken(median)} – ` : '';
-  const row = (field) =>
-      pair(name(field), (field.name === 'p90' ? range : '') + spoken(field.values[building]), field.description);
+  const value = ({name, values}) =>
+      name === about.blockStyle.classified ? className(values[building]) : spoken(values[building]);
+  const row = (field) => pair(name(field), (field.name === 'p90' ? range : '') + value(field), field.description);
   const head = document.createElement('h2');
   const close = document.createElement('button');
   head.append(`${texts.building} ${town.stack.id[building]}`, close);

@@ -46,6 +46,10 @@ const en = {
   between: (from, to) => `${from} to ${to} m`,
   above: (height) => `${height} m and more`,
   heightLegend: 'Height of the part above ground',
+  changeLegend: 'Change',
+  surveys: {old: 'Old', new: 'New'},
+  classes:
+      {new: 'new', gone: 'gone', raised: 'raised', lowered: 'lowered', grown: 'grown', shrunk: 'shrunk', same: 'same'},
   paler: 'Paler: not certain to be a building',
   building: 'Building',
   allFields: 'All fields',
@@ -88,7 +92,13 @@ const en = {
     area_m2: 'Area (m²)',
     volume_m3: 'Volume (m³)',
     confidence: 'Confidence',
-    parcel: 'Parcel'
+    parcel: 'Parcel',
+    change: 'Change',
+    p90_old: 'Old height (m)',
+    p90_new: 'New height (m)',
+    rise: 'Rise (m)',
+    area_old: 'Old area (m²)',
+    area_new: 'New area (m²)'
   },
 };
 
@@ -137,6 +147,17 @@ const de = {
   between: (from, to) => `${from} bis ${to} m`,
   above: (height) => `${height} m und mehr`,
   heightLegend: 'Höhe des Gebäudeteils über dem Boden',
+  changeLegend: 'Änderung',
+  surveys: {old: 'Alt', new: 'Neu'},
+  classes: {
+    new: 'neu',
+    gone: 'abgerissen',
+    raised: 'erhöht',
+    lowered: 'erniedrigt',
+    grown: 'vergrößert',
+    shrunk: 'verkleinert',
+    same: 'gleich'
+  },
   paler: 'Blasser: nicht sicher ein Gebäude',
   building: 'Gebäude',
   allFields: 'Alle Felder',
@@ -179,7 +200,13 @@ const de = {
     area_m2: 'Fläche (m²)',
     volume_m3: 'Volumen (m³)',
     confidence: 'Sicherheit',
-    parcel: 'Flurstück'
+    parcel: 'Flurstück',
+    change: 'Änderung',
+    p90_old: 'Höhe alt (m)',
+    p90_new: 'Höhe neu (m)',
+    rise: 'Anstieg (m)',
+    area_old: 'Fläche alt (m²)',
+    area_new: 'Fläche neu (m²)'
   },
 };
 

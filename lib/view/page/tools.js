@@ -32,7 +32,7 @@ export class Finder {
 
   // Returns the building of that number, or else the first whose parcel is named so; -1 if there is none.
   find(text) {
-    const byNumber = /^[0-9]+$/.test(text) ? this.town.stack.id.indexOf(Number(text)) : -1;
+    const byNumber = /^[0-9]+$/.test(text) ? this.town.numbered(Number(text)) : -1;
     const parcels = this.town.fields.get('parcel')?.values ?? [];
     return byNumber >= 0 || text === '' ? byNumber : parcels.findIndex((parcel) => String(parcel) === text);
   }

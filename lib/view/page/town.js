@@ -29,6 +29,11 @@ export class Town {
     this.fields = new Map(about.fields.map((field) => [field.name, field]));
     this.buildings = stack.id.length;
     this.isShown = new Uint8Array(this.buildings).fill(1);
+    this.limits = [null, null];
+    // Values of the field whose buildings are shown in turns, in the order of the data.
+    this.alternatives = [...new Set(this.fields.get(about.alternatives)?.values ?? [])];
+    this.alternative = this.alternatives.at(-1) ?? null;
+    this.filter();
     this.boxes = this.makeBoxes();
     this.extent = this.makeExtent();
   }
@@ -37,13 +42,44 @@ export class Town {
 
   // Shows the buildings between two heights. @param low, high in metres; null for no limit
   showHeights(low, high) {
+    this.limits = [low, high];
+    this.filter();
+  }
+
+  // Shows the buildings of one of the alternatives.
+  showAlternative(value) {
+    this.alternative = value;
+    this.filter();
+  }
+
+  filter() {
+    const [low, high] = this.limits;
     for (let building = 0; building < this.buildings; ++building) {
       const height = this.value(this.about.blockStyle.colour, building);
-      this.isShown[building] = (low === null || height >= low) && (high === null || height <= high) ? 1 : 0;
+      const isWithin = (low === null || height >= low) && (high === null || height <= high);
+      this.isShown[building] = isWithin && this.isAlternative(building) ? 1 : 0;
     }
   }
 
+  isAlternative(building) {
+    return this.alternative === null || this.value(this.about.alternatives, building) === this.alternative;
+  }
+
   shown() { return this.isShown.reduce((sum, one) => sum + one, 0); }
+
+  // Number of buildings that heights are a choice of.
+  all() {
+    let sum = 0;
+    for (let building = 0; building < this.buildings; ++building)
+      sum += this.isAlternative(building) ? 1 : 0;
+    return sum;
+  }
+
+  // Returns the building with a number, one that is shown if there are several; -1 if there is none.
+  numbered(id) {
+    const shown = this.stack.id.findIndex((one, building) => one === id && this.isShown[building]);
+    return shown >= 0 ? shown : this.stack.id.indexOf(id);
+  }
 
   base(building) { return this.place.z(this.stack.base[building]); }
 
@@ -103,13 +139,26 @@ export class Town {
     return colour.map((part) => Math.round(part + light * (light > 0 ? 255 - part : part)));
   }
 
+  // Colour of the class of a building; null if colours are those of heights.
+  classColour(building) {
+    const {classified, classes} = this.about.blockStyle;
+    const value = classified ? this.value(classified, building) : null;
+    return classes.find((one) => one.value === value)?.colour ?? null;
+  }
+
   blockColour(building) {
     const {colour, certainty, certain} = this.about.blockStyle;
+    const ofClass = this.classColour(building);
+    if (ofClass)
+      return ofClass;
     return this.colours.of(this.value(colour, building), this.value(certainty, building), certain);
   }
 
   tierColour(building, tier) {
     const {certainty, certain} = this.about.tierStyle;
+    const ofClass = this.classColour(building);
+    if (ofClass)
+      return ofClass;
     const height = (this.stack.top[tier] - this.stack.base[building]) / 1000;
     return this.colours.of(height, this.value(certainty, building), certain);
   }
