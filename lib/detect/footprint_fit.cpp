@@ -148,7 +148,8 @@ class OuterWalls {
     OuterWalls(const Scene& scene, double min_height)
         : scene_(scene), open_ground_(static_cast<float>(min_height)) {}
 
-    /// Computes all falls that moves will ask for, unless these ask for fewer. @param moves number of them
+    /// Computes the scores of all places that moves will ask for, unless these ask for fewer.
+    /// @param edges of all calls of fall() @param moves number of them
     void prepare(std::span<const FootprintEdge> edges, std::int32_t most_down, std::int32_t most_right,
                  std::size_t moves) {
         const auto [low_row, high_row] = std::ranges::minmax(edges, {}, &FootprintEdge::row);
@@ -160,12 +161,10 @@ class OuterWalls {
         constexpr std::size_t falls_per_edge = 3;
         if (cells * directions.size() > edges.size() * moves * falls_per_edge)
             return;
-        for (std::size_t side = 0; side < directions.size(); ++side) {
-            falls_[side] = Grid<float>(rows, cols);
-            for (std::int32_t r = 0; r < rows; ++r)
-                for (std::int32_t c = 0; c < cols; ++c)
-                    falls_[side].at(r, c) = computed_fall(first_.row + r, first_.col + c, directions[side]);
-        }
+        for (std::size_t side = 0; side < directions.size(); ++side)
+            scores_[side] = scores(rows, cols, directions[side]);
+        for (const FootprintEdge& edge : edges)
+            at_edges_.push_back(&scores_[side_of(edge)].at(edge.row - first_.row, edge.col - first_.col));
     }
 
     /// Sum over the edges of a footprint that is moved; a part of it if the rest cannot raise it to `least`.
@@ -174,16 +173,10 @@ class OuterWalls {
         constexpr double most_per_edge = 4 * static_cast<double>(full_fall_m);
         double sum = 0;
         double rest = most_per_edge * static_cast<double>(edges.size());
-        for (const FootprintEdge& edge : edges) {
-            if (sum + rest < least)
-                break;
+        const std::ptrdiff_t move = std::ptrdiff_t{down} * scores_[0].cols + right;
+        for (std::size_t i = 0; i < edges.size() && sum + rest >= least; ++i) {
             rest -= most_per_edge;
-            const std::int32_t r = edge.row + down;
-            const std::int32_t c = edge.col + right;
-            const float here = fall(r, c, edge);
-            const float inside = fall(r - edge.down, c - edge.right, edge);
-            const float outside = fall(r + edge.down, c + edge.right, edge);
-            sum += static_cast<double>(2 * here + inside + outside);
+            sum += static_cast<double>(at_edges_.empty() ? score(edges[i], down, right) : at_edges_[i][move]);
         }
         return sum;
     }
@@ -201,13 +194,42 @@ class OuterWalls {
     static constexpr std::array<FootprintEdge, 4> directions{
         {{0, 0, -1, 0}, {0, 0, 0, -1}, {0, 0, 0, 1}, {0, 0, 1, 0}}};
 
-    [[nodiscard]] float fall(std::int32_t r, std::int32_t c, const FootprintEdge& edge) const {
-        const Grid<float>& falls = falls_[static_cast<std::size_t>((2 * edge.down + edge.right + 3) * 2 / 3)];
-        return falls.rows > 0 ? falls.at(r - first_.row, c - first_.col) : computed_fall(r, c, edge);
+    /// Returns the index of an edge's direction.
+    static std::size_t side_of(const FootprintEdge& edge) {
+        return static_cast<std::size_t>((2 * edge.down + edge.right + 3) * 2 / 3);
+    }
+
+    /// A wall at the edge counts in full, one a cell away by half.
+    static float score(float here, float inside, float outside) { return 2 * here + inside + outside; }
+
+    [[nodiscard]] float score(const FootprintEdge& edge, std::int32_t down, std::int32_t right) const {
+        const std::int32_t r = edge.row + down;
+        const std::int32_t c = edge.col + right;
+        return score(fall(r, c, edge), fall(r - edge.down, c - edge.right, edge),
+                     fall(r + edge.down, c + edge.right, edge));
+    }
+
+    /// Returns the scores of edges in a direction at all cells from the first one on, without those at the
+    /// border of the grid.
+    [[nodiscard]] Grid<float> scores(std::int32_t rows, std::int32_t cols,
+                                     const FootprintEdge& direction) const {
+        Grid<float> falls(rows, cols);
+        for (std::int32_t r = 0; r < rows; ++r)
+            for (std::int32_t c = 0; c < cols; ++c)
+                falls.at(r, c) = fall(first_.row + r, first_.col + c, direction);
+        Grid<float> scores(rows, cols);
+        const std::ptrdiff_t across = std::ptrdiff_t{direction.down} * cols + direction.right;
+        for (std::int32_t r = 1; r + 1 < rows; ++r) {
+            const float* const here = &falls.at(r, 0);
+            float* const found = &scores.at(r, 0);
+            for (std::int32_t c = 1; c + 1 < cols; ++c)
+                found[c] = score(here[c], here[c - across], here[c + across]);
+        }
+        return scores;
     }
 
     /// Fall from a cell across an edge, limited; 0 if it is no wall.
-    [[nodiscard]] float computed_fall(std::int32_t r, std::int32_t c, const FootprintEdge& edge) const {
+    [[nodiscard]] float fall(std::int32_t r, std::int32_t c, const FootprintEdge& edge) const {
         const MetreGrid& surface = scene_.surface;
         if (!surface.holds(r, c) || !surface.holds(r + edge.down, c + edge.right))
             return 0;
@@ -219,7 +241,8 @@ class OuterWalls {
     const Scene& scene_;
     float open_ground_;
     LatticePoint first_;
-    std::array<Grid<float>, 4> falls_;  ///< by direction; empty if they are computed when asked for
+    std::array<Grid<float>, 4> scores_;     ///< by direction; empty if they are computed when asked for
+    std::vector<const float*> at_edges_{};  ///< scores at the cells of the edges, likewise
 };
 
 /// Move of a footprint by whole cells.
