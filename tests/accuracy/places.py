@@ -1,5 +1,6 @@
 """Folders of a place: its surface, its reference, perhaps its bare earth."""
 import os
+import re
 from dataclasses import dataclass
 
 from osgeo import gdal, ogr, osr
@@ -51,12 +52,15 @@ def scene(folder, name):
 
 
 def title_of(folder):
-    """What a note in the folder is headed with, up to its first comma; else the folder's name."""
+    """Name of a place in the heading of its note, up to the first comma or bracket, else that of the folder."""
+    name = os.path.basename(folder)
     note = os.path.join(folder, "NOTE.md")
-    if os.path.exists(note):
-        with open(note, encoding="utf-8") as lines:
-            return lines.readline().lstrip("# ").split(",")[0].strip()
-    return os.path.basename(folder)
+    if not os.path.exists(note):
+        return name
+    with open(note, encoding="utf-8") as lines:
+        heading = lines.readline().lstrip("# ").removeprefix(f"{name}: ")
+    title = re.split(r"[,(]", heading)[0].strip()
+    return name if title[:1].islower() else title  # a sentence is not a name
 
 
 def polygons(path, names):
