@@ -173,8 +173,10 @@ std::unordered_map<Label, UnitMerger::Joined> UnitMerger::joined_sets() {
         const Label set = sets_.find(label);
         if (set == label)
             continue;  // the representative comes before the other members
-        Joined& joined = all.try_emplace(set, Joined{set, seen_[set].own_cells}).first->second;
+        Joined& joined =
+            all.try_emplace(set, Joined{set, seen_[set].own_cells, seen_[set].covered}).first->second;
         joined.cells += seen_[label].own_cells;
+        joined.covered += seen_[label].covered;
         if (seen_[label].own_cells > seen_[joined.says].own_cells)
             joined.says = label;
     }
@@ -197,6 +199,7 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t min_cells) {
         SeenObject merged = seen_[known == joined.end() ? set : known->second.says];
         merged.own_cells = merged.object.cells =
             known == joined.end() ? merged.own_cells : known->second.cells;
+        merged.covered = known == joined.end() ? merged.covered : known->second.covered;
         return merged;
     };
     Merged merged;
@@ -214,7 +217,7 @@ UnitMerger::Merged UnitMerger::finish(std::int64_t min_cells) {
             if (whole.is_building != sure || whole.own_cells < min_cells)
                 continue;
             count(whole, merged);
-            if (whole.object.left_out == LeftOut::no)
+            if (whole.object.left_out == LeftOut::no && !whole.is_covered())
                 keep(set, whole);
         }
         if (sure)

@@ -83,11 +83,6 @@ class LabelRows {
     /// Relabels all units.
     /// @param number new label by old label
     void renumber(std::vector<Label> number) { number_ = std::move(number); }
-    /// Relabels all units again. @param number new label by the present one
-    void relabel(const std::vector<Label>& number) {
-        for (Label& label : number_)
-            label = number[label];
-    }
 
     /// Reads the labels of a band of the window. Callable from any thread after the last append().
     /// @throws OutputError if the spool cannot be read
@@ -113,6 +108,10 @@ struct SeenObject {
     bool is_building = false;
     double ground = 0;           ///< elevation in m; NaN if unknown
     std::int64_t own_cells = 0;  ///< its cells within the core of the unit
+    std::int64_t covered = 0;    ///< number of these that lie in given footprints
+
+    /// True if footprints cover half of it or more.
+    [[nodiscard]] bool is_covered() const { return covered > 0 && 2 * covered >= own_cells; }
 };
 
 /// Merges the objects of overlapping units. The extent of a unit exceeds its core, so that two units detect
@@ -130,8 +129,8 @@ class UnitMerger {
     void compare(std::span<const Label> first, std::span<const Label> second);
 
     struct Merged {
-        /// Buildings first, then doubtful objects. DetectedObject::whole is the lowest number of those that
-        /// belong together.
+        /// Those that footprints do not cover: buildings first, then doubtful ones. DetectedObject::whole is
+        /// the lowest number of those that belong together.
         std::vector<SeenObject> objects;
         Label buildings = 0;
         std::int64_t doubtful = 0;  ///< doubtful objects, including those that are left out
@@ -149,6 +148,7 @@ class UnitMerger {
     struct Joined {
         Label says = 0;  ///< label that provides its attributes
         std::int64_t cells = 0;
+        std::int64_t covered = 0;
     };
     /// Returns the sets with more than one label, by their representative. They are few, because few objects
     /// touch a seam.

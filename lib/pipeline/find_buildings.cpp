@@ -168,7 +168,7 @@ std::vector<detect::SeenObject> seen_objects(const detect::Detection& detection,
                                              Executor& threads) {
     std::vector<detect::SeenObject> seen;
     for (std::size_t i = 0; i < detection.objects.size(); ++i)
-        seen.push_back({detection.objects[i], i < detection.buildings, ground[i + 1], 0});
+        seen.push_back({detection.objects[i], i < detection.buildings, ground[i + 1], 0, 0});
     for_row_bands(threads, own.rows, detection.labels.cols, [&](RowBand band) {
         for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
             for_equal_runs(detection.labels.row(r).subspan(static_cast<std::size_t>(own.col),
@@ -180,6 +180,35 @@ std::vector<detect::SeenObject> seen_objects(const detect::Detection& detection,
     });
     return seen;
 }
+
+/// Cells of a unit that given footprints cover.
+class CoveredCells {
+  public:
+    CoveredCells(std::int32_t rows, std::int32_t cols) : covered_(rows, cols) {}
+
+    void add(const Grid<Label>& footprints, Executor& threads) {
+        for_cells(threads, footprints, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (footprints.values[i] != 0)
+                    covered_.values[i] = 1;
+        });
+    }
+    /// Counts the cells of objects. @param own core of the unit within its extent
+    void count(const Grid<Label>& objects, const Window& own, std::vector<detect::SeenObject>& seen) const {
+        for (std::int32_t r = own.row; r < own.end_row(); ++r) {
+            const auto in_core = [&](const auto& row) {
+                return row.subspan(static_cast<std::size_t>(own.col), static_cast<std::size_t>(own.cols));
+            };
+            const auto covered = in_core(covered_.row(r));
+            for_equal_runs(in_core(objects.row(r)), [&](std::int32_t begin, std::int32_t end, Label label) {
+                seen[label - 1].covered += std::count(covered.begin() + begin, covered.begin() + end, 1);
+            });
+        }
+    }
+
+  private:
+    Mask covered_;
+};
 
 /// Counts rejected or cut-off objects whose first cell belongs to the unit, so that each is counted once.
 void count_rejected(const detect::RejectedObjects& rejected, const Window& own, RunReport& report) {
@@ -195,6 +224,32 @@ void count_rejected(const detect::RejectedObjects& rejected, const Window& own, 
             report.count(Reason::crown_cut);
             report.count(Reason::crown_cells, crown.cells);
         }
+}
+
+}  // namespace
+
+namespace {
+
+/// Objects that were found in a unit, and what they were found in.
+struct SearchedUnit {
+    const detect::Scene& scene;
+    const detect::Detection& detection;
+    const detect::Unit& unit;
+    double min_height;
+};
+
+/// Measures given footprints, and how far they cover the objects that were found.
+void see_given(const GivenFootprints& given, const SearchedUnit& searched, FoundInUnit& found,
+               Executor& threads) {
+    const Window own = core_in_extent(searched.unit);
+    CoveredCells covered(searched.unit.seen.rows, searched.unit.seen.cols);
+    for (std::size_t layer = 0; layer < given.layers.size(); ++layer) {
+        Grid<Label> labels = given.labels(layer, searched.unit.seen, threads);
+        covered.add(labels, threads);
+        found.footprints.push_back(detect::see_footprints(searched.scene, searched.detection, labels, own,
+                                                          searched.min_height, threads));
+    }
+    covered.count(searched.detection.labels, own, found.objects);
 }
 
 }  // namespace
@@ -255,11 +310,8 @@ FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit) {
     const std::vector<double> ground = detect::ground_levels(
         terrain, detection.labels, static_cast<Label>(detection.objects.size()), threads);
     found.objects = seen_objects(detection, ground, own, threads);
-    for (std::size_t layer = 0; search.given != nullptr && layer < search.given->layers.size(); ++layer) {
-        Grid<Label> labels = search.given->labels(layer, unit.seen, threads);
-        found.footprints.push_back(
-            detect::see_footprints(scene, detection, labels, own, options.detect.min_height, threads));
-    }
+    if (search.given != nullptr)
+        see_given(*search.given, {scene, detection, unit, options.detect.min_height}, found, threads);
     found.labels = std::move(detection.labels);
     return found;
 }
@@ -327,25 +379,6 @@ std::int64_t min_cells(const RunPlan& plan, const detect::UnitGrid& units, const
     return units.count() > 1 ? detect::cells_covering(plan.building_m2, cell) : 1;
 }
 
-void FoundBuildings::drop(const std::vector<bool>& dropped) {
-    std::vector<Label> number(footprints.size(), 0);
-    Label kept = 0;
-    Label kept_buildings = 0;
-    for (Label label = 1; label < number.size(); ++label) {
-        if (dropped[label])
-            continue;
-        number[label] = ++kept;
-        footprints[kept] = footprints[label];
-        ground[kept] = ground[label];
-        if (label <= buildings)
-            kept_buildings = kept;
-    }
-    footprints.resize(kept + std::size_t{1});
-    ground.resize(kept + std::size_t{1});
-    buildings = kept_buildings;
-    labels.relabel(number);
-}
-
 detect::UnitMerger::Merged merge_found_units(detect::UnitMerger& merger, const RunPlan& plan,
                                              const detect::UnitGrid& units, const CellSize& cell,
                                              RunReport& report) {
@@ -380,7 +413,8 @@ FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& 
             const ProgressSpan span(context, before / all, done / all);
             FoundInUnit here = find_in_unit(search, unit);
             for (std::size_t layer = 0; layer < here.footprints.size(); ++layer)
-                given->add(layer, here.footprints[layer], frame.metres);
+                for (const detect::SeenFootprint& seen : here.footprints[layer])
+                    given->add(given->layers[layer].footprints[seen.label], seen, frame.metres);
             sum.add(unit, col, std::move(here));
         }
     if (plan.ground == GroundMode::given)

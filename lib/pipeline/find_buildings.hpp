@@ -94,8 +94,6 @@ struct FoundBuildings {
     std::set<std::size_t> effective;  ///< corrections that have had an effect
 
     [[nodiscard]] Label count() const { return static_cast<Label>(footprints.size() - 1); }
-    /// Keeps some of the objects. @param dropped by label; [0] is not used
-    void drop(const std::vector<bool>& dropped);
     /// Returns the labels of a band of the window. Thread-safe.
     [[nodiscard]] LabelBand band(const BandShape& shape) const { return labels.band(shape); }
 };

@@ -120,25 +120,20 @@ bool ToDem::apply(std::vector<WorldPolygon>& polygons) {
 /// Finds the cells of footprints, one after the other.
 class FootprintPlacer {
   public:
-    FootprintPlacer(const std::string& wkt, const features::RunSetup& setup, const Window& window,
-                    Spool& spool, Context& context)
-        : window_(window),
+    FootprintPlacer(const std::string& wkt, const features::RunSetup& setup, Spool& spool, Context& context)
+        : window_(setup.dem.window),
           to_pixels_(inverse_of(setup.dem.transform)),
           to_dem_(wkt, setup, context.threads->stop()),
           geodesy_(wkt.empty() ? setup.crs : Crs(wkt), context.threads->stop()),
           geos_(context.threads->stop()),
-          spool_(spool) {}
+          spool_(spool),
+          report_(*context.report.footprints) {}
 
     [[nodiscard]] PlacedFootprint place(GivenFootprint&& given);
-    /// Finds no more than the cells.
-    [[nodiscard]] PlacedFootprint place_cells(const GivenFootprint& given);
-    [[nodiscard]] std::int64_t invalid() const { return invalid_count_; }
     void warn_of_invalid(Context& context) const;
 
   private:
     [[nodiscard]] std::vector<WorldPolygon> valid_copy(const GivenFootprint& given);
-    [[nodiscard]] PixelBox box_of(const std::vector<WorldPolygon>& polygons) const;
-    [[nodiscard]] Position on_grid(const Position& p) const;
     void find_cells(std::vector<WorldPolygon>&& polygons, PlacedFootprint& placed);
 
     Window window_;
@@ -147,7 +142,7 @@ class FootprintPlacer {
     Geodesy geodesy_;
     Geos geos_;
     Spool& spool_;
-    std::int64_t invalid_count_ = 0;
+    FootprintReport& report_;
     std::string invalid_;  ///< the first invalid ones, for a warning
 };
 
@@ -156,7 +151,7 @@ std::vector<WorldPolygon> FootprintPlacer::valid_copy(const GivenFootprint& give
     const std::string reason = geos_.invalidity(polygons);
     if (reason.empty())
         return polygons;
-    if (++invalid_count_ <= most_invalid_named)
+    if (++report_.invalid <= most_invalid_named)
         invalid_ += (invalid_.empty() ? "" : ", ") + std::to_string(given.fid) + " (" + reason + ")";
     const auto is_broken = [](const WorldRing& ring) {
         return ring.size() < 3 ||
@@ -173,41 +168,26 @@ std::vector<WorldPolygon> FootprintPlacer::valid_copy(const GivenFootprint& give
 }
 
 void FootprintPlacer::warn_of_invalid(Context& context) const {
-    if (invalid_count_ == 0)
+    if (report_.invalid == 0)
         return;
-    const std::int64_t more = invalid_count_ - most_invalid_named;
+    const std::int64_t more = report_.invalid - most_invalid_named;
     context.warn(
-        (invalid_count_ == 1 ? "1 footprint is" : std::to_string(invalid_count_) + " footprints are") +
+        (report_.invalid == 1 ? "1 footprint is" : std::to_string(report_.invalid) + " footprints are") +
         " not valid, written as given and measured on a repaired copy: feature " + invalid_ +
         (more > 0 ? " and " + std::to_string(more) + " more" : "") + ".");
-}
-
-Position FootprintPlacer::on_grid(const Position& p) const {
-    const AffineTransform& g = to_pixels_;
-    return {g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
-}
-
-PixelBox FootprintPlacer::box_of(const std::vector<WorldPolygon>& polygons) const {
-    PixelBox box;
-    const auto add = [&](const WorldRing& ring) {
-        for (const Position& p : ring)
-            box.add(on_grid(p));
-    };
-    for (const WorldPolygon& polygon : polygons) {
-        add(polygon.exterior);
-        std::ranges::for_each(polygon.interiors, add);
-    }
-    return box;
 }
 
 void FootprintPlacer::find_cells(std::vector<WorldPolygon>&& polygons, PlacedFootprint& placed) {
     ByteWriter shape;
     save(polygons, shape);
-    const PixelBox box = box_of(polygons);
+    PixelBox box;
     std::vector<WorldRing> rings;
     const auto add = [&](WorldRing&& ring) {
-        for (Position& p : ring)
-            p = on_grid(p);
+        for (Position& p : ring) {
+            const AffineTransform& g = to_pixels_;
+            p = {g[0] + p.x * g[1] + p.y * g[2], g[3] + p.x * g[4] + p.y * g[5]};
+            box.add(p);
+        }
         rings.push_back(std::move(ring));
     };
     for (WorldPolygon& polygon : polygons) {
@@ -237,6 +217,7 @@ void FootprintPlacer::find_cells(std::vector<WorldPolygon>&& polygons, PlacedFoo
 
 PlacedFootprint FootprintPlacer::place(GivenFootprint&& given) {
     PlacedFootprint placed;
+    ++report_.given;
     ByteWriter feature;
     save(given.projected.empty() ? given.polygons : given.projected, feature);
     feature.put_list(given.original);
@@ -255,20 +236,6 @@ PlacedFootprint FootprintPlacer::place(GivenFootprint&& given) {
         placed.place =
             polygons.empty() ? PlacedFootprint::Place::without_cell : PlacedFootprint::Place::outside;
     else
-        find_cells(std::move(polygons), placed);
-    return placed;
-}
-
-/// Looks at the box first, because most footprints lie outside of a tile and the repair of polygons takes
-/// long.
-PlacedFootprint FootprintPlacer::place_cells(const GivenFootprint& given) {
-    PlacedFootprint placed;
-    placed.place = PlacedFootprint::Place::outside;
-    std::vector<WorldPolygon> polygons = given.polygons;
-    if (!to_dem_.apply(polygons) || !box_of(polygons).meets(window_))
-        return placed;
-    polygons = valid_copy(given);
-    if (to_dem_.apply(polygons))
         find_cells(std::move(polygons), placed);
     return placed;
 }
@@ -374,13 +341,6 @@ FootprintLayer label_cells(const GivenFootprints& given, std::vector<std::size_t
     return layer;
 }
 
-std::vector<FootprintLayer> make_layers(const GivenFootprints& given, Context& context) {
-    std::vector<FootprintLayer> layers;
-    for (std::vector<std::size_t>& members : divide_into_layers(given, context))
-        layers.push_back(label_cells(given, std::move(members), context));
-    return layers;
-}
-
 void count_places(const GivenFootprints& given, FootprintReport& report) {
     using Place = PlacedFootprint::Place;
     const auto count = [&](Place place) {
@@ -395,46 +355,37 @@ void count_places(const GivenFootprints& given, FootprintReport& report) {
 
 GivenFootprints place_footprints(FootprintSource& source, const features::RunSetup& setup, Context& context) {
     GivenFootprints given{{}, {}, context.make_spool(), setup.dem.window};
-    FootprintReport& report = context.report.footprints.emplace();
+    context.report.footprints.emplace();
     const StageClock clock(context.report, Stage::read);
-    FootprintPlacer placer(source.crs_wkt(), setup, given.window, *given.spool, context);
+    FootprintPlacer placer(source.crs_wkt(), setup, *given.spool, context);
     source.for_each([&](GivenFootprint&& footprint) {
         context.check_stop();
         given.all.push_back(placer.place(std::move(footprint)));
     });
     placer.warn_of_invalid(context);
-    report.given = std::ssize(given.all);
-    report.invalid = placer.invalid();
-    count_places(given, report);
-    given.layers = make_layers(given, context);
+    count_places(given, *context.report.footprints);
     return given;
 }
 
-GivenFootprints place_footprints_in(const Window& part, FootprintSource& source,
-                                    const features::RunSetup& setup, Context& context) {
-    GivenFootprints given{{}, {}, context.make_spool(), part};
-    FootprintPlacer placer(source.crs_wkt(), setup, part, *given.spool, context);
-    source.for_each([&](GivenFootprint&& footprint) {
-        context.check_stop();
-        given.all.push_back(placer.place_cells(footprint));
-    });
-    given.layers = make_layers(given, context);
-    return given;
+void label_footprints(GivenFootprints& given, Context& context) {
+    const StageClock clock(context.report, Stage::read);
+    for (std::vector<std::size_t>& members : divide_into_layers(given, context))
+        given.layers.push_back(label_cells(given, std::move(members), context));
 }
 
-void PlacedFootprint::add(const detect::SeenFootprint& seen, double metres) {
-    elevated += seen.elevated;
-    trees += seen.trees;
-    if (seen.own_cells <= most_own_cells)
+std::vector<RowSpan> GivenFootprints::cells(std::size_t footprint) const {
+    return all[footprint].cell_count > 0 ? spans_of(all[footprint], *spool) : std::vector<RowSpan>();
+}
+
+void GivenFootprints::add(std::size_t footprint, const detect::SeenFootprint& seen, double metres) {
+    PlacedFootprint& placed = all[footprint];
+    placed.elevated += seen.elevated;
+    placed.trees += seen.trees;
+    if (seen.own_cells <= placed.most_own_cells)
         return;
-    most_own_cells = seen.own_cells;
-    ground = seen.ground / metres;
-    shift_m = seen.shift_m;
-}
-
-void GivenFootprints::add(std::size_t layer, std::span<const detect::SeenFootprint> seen, double metres) {
-    for (const detect::SeenFootprint& one : seen)
-        all[layers[layer].footprints[one.label]].add(one, metres);
+    placed.most_own_cells = seen.own_cells;
+    placed.ground = seen.ground / metres;
+    placed.shift_m = seen.shift_m;
 }
 
 Grid<Label> GivenFootprints::labels(std::size_t layer, const Window& part, Executor& threads) const {
@@ -456,47 +407,6 @@ std::vector<WorldPolygon> GivenFootprints::shape(std::size_t footprint) const {
         return {};
     ByteReader reader(*spool, all[footprint].shape);
     return load_polygons(reader);
-}
-
-std::vector<bool> covered_objects(const GivenFootprints& given, const detect::LabelRows& labels, Label count,
-                                  Executor& threads) {
-    std::vector<CoveredCells> cells(count + std::size_t{1});
-    const std::vector<RowBand> bands = row_bands(given.window.rows, given.window.cols);
-    threads.in_order(
-        bands.size(),
-        [&](std::size_t i, std::size_t) {
-            const BandShape shape{given.window.row + bands[i].begin, bands[i].end - bands[i].begin,
-                                  given.window.cols};
-            std::vector<bool> covered(shape.size());
-            for (const FootprintLayer& layer : given.layers) {
-                const LabelBand footprints = layer.labels.band(shape);
-                for (std::size_t k = 0; k < covered.size(); ++k)
-                    covered[k] = covered[k] || footprints.labels[k] != 0;
-            }
-            std::vector<std::pair<Label, CoveredCells>> here;
-            const LabelBand objects = labels.band(shape);
-            for (std::size_t k = 0; k < covered.size(); ++k) {
-                const Label label = objects.labels[k];
-                if (label == 0)
-                    continue;
-                if (here.empty() || here.back().first != label)
-                    here.push_back({label, {}});
-                ++here.back().second.all;
-                here.back().second.covered += covered[k] ? 1 : 0;
-            }
-            return here;
-        },
-        [&](std::size_t, const std::vector<std::pair<Label, CoveredCells>>& here) {
-            for (const auto& [label, some] : here) {
-                cells[label].all += some.all;
-                cells[label].covered += some.covered;
-            }
-        });
-    std::vector<bool> covered;
-    covered.reserve(cells.size());
-    for (const CoveredCells& object : cells)
-        covered.push_back(object.has_footprint());
-    return covered;
 }
 
 }  // namespace d2b::pipeline

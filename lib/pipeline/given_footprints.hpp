@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "core/band.hpp"
@@ -16,6 +15,7 @@
 #include "detect/footprint_fit.hpp"
 #include "detect/units.hpp"
 #include "features/run_setup.hpp"
+#include "raster/row_spans.hpp"
 
 namespace d2b::pipeline {
 
@@ -45,9 +45,6 @@ struct PlacedFootprint {
     std::int64_t parts = 0;
     std::int32_t levels = 0;
     RoofRecord roof_shape;
-
-    /// Adds the measurements of a unit; those of units are added row by row. @param metres per vertical unit
-    void add(const detect::SeenFootprint& seen, double metres);
 };
 
 /// Footprints that share no cell, as one label per cell.
@@ -65,12 +62,14 @@ struct GivenFootprints {
     /// covers it.
     std::vector<FootprintLayer> layers;
     std::unique_ptr<Spool> spool;
-    Window window;  ///< in which cells were searched
+    Window window;
 
-    /// Adds what a unit has seen of the footprints of a layer. @param metres per vertical unit
-    void add(std::size_t layer, std::span<const detect::SeenFootprint> seen, double metres);
+    /// Adds what a unit has seen of a footprint. @param metres per vertical unit
+    void add(std::size_t footprint, const detect::SeenFootprint& seen, double metres);
     /// Returns the labels of a layer in a part of the window.
     [[nodiscard]] Grid<Label> labels(std::size_t layer, const Window& part, Executor& threads) const;
+    /// Returns the runs of its cells in the window, in scan order.
+    [[nodiscard]] std::vector<RowSpan> cells(std::size_t footprint) const;
     /// Returns its valid polygons in the CRS of the DEM; none if it has no cell.
     [[nodiscard]] std::vector<WorldPolygon> shape(std::size_t footprint) const;
 };
@@ -79,24 +78,8 @@ struct GivenFootprints {
 /// named in a warning. @throws InputError, Cancelled
 [[nodiscard]] GivenFootprints place_footprints(FootprintSource& source, const features::RunSetup& setup,
                                                Context& context);
-
-/// Same as place_footprints(), but only the cells in a part of the window are found, for a tile. Nothing else
-/// is known of the footprints, and none is reported.
-[[nodiscard]] GivenFootprints place_footprints_in(const Window& part, FootprintSource& source,
-                                                  const features::RunSetup& setup, Context& context);
-
-/// Cells of an object, and how many of them are in a footprint.
-struct CoveredCells {
-    std::int64_t all = 0;
-    std::int64_t covered = 0;
-
-    /// Returns whether the object has a footprint, so that it is not missing in the source.
-    [[nodiscard]] bool has_footprint() const { return all > 0 && 2 * covered >= all; }
-};
-/// Returns which objects footprints cover by half or more, by label; [0] is not used.
-/// @param labels objects, from 1 to `count`
-[[nodiscard]] std::vector<bool> covered_objects(const GivenFootprints& given, const detect::LabelRows& labels,
-                                                Label count, Executor& threads);
+/// Divides placed footprints into layers. @throws OutputError, Cancelled
+void label_footprints(GivenFootprints& given, Context& context);
 
 /// Returns the transform from coordinates to columns and rows. @pre not singular
 [[nodiscard]] AffineTransform inverse_of(const AffineTransform& g);

@@ -98,6 +98,7 @@ struct PieceSizes {
 /// Results of the stages before tracing.
 struct SearchResult {
     ElevationStatistics statistics;
+    contours::LevelPlan global;  ///< levels of the whole DEM
     Tiers tiers;
     std::optional<FoundBuildings> found;
 };
@@ -120,19 +121,18 @@ SearchResult search_levels(ElevationReader& reader, const features::RunSetup& se
         set_heights(*lattice, result.statistics.range(), sinks);
     if (sinks.elevations != nullptr)
         write_elevations(reader, window.col, *sinks.elevations, metres);
-    result.tiers.plan =
+    result.global =
         contours::plan_global_levels(result.statistics, decided.asked.levels, decided.levels, context);
-    if (!decided.detects_buildings())
+    if (!decided.detects_buildings()) {
+        result.tiers.plan = result.global;
         return result;
+    }
     result.found = with_progress(context, at.read, at.found, [&] {
         return find_buildings({decided, sources, sinks, reader, {window, setup.cell, metres}, context, given},
                               size, given);
     });
-    if (given != nullptr)
-        result.found->drop(
-            covered_objects(*given, result.found->labels, result.found->count(), *context.threads));
     result.tiers = plan_tiers(reader, *result.found, window, setup, result.statistics.fixed_point(),
-                              result.tiers.plan, context);
+                              result.global, context);
     return result;
 }
 
@@ -204,7 +204,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     std::optional<features::SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
     std::optional<GivenFootprints> given;
     if (sources.footprints != nullptr)
-        given.emplace(place_footprints(*sources.footprints, setup, context));
+        label_footprints(given.emplace(place_footprints(*sources.footprints, setup, context)), context);
     // Given footprints are measured and written after the others are found.
     std::optional<ProgressSpan> others;
     if (given)
@@ -255,7 +255,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     others.reset();
     if (given)
         with_progress(context, share_of_others, building_milestones.drawn, [&] {
-            write_footprints(std::move(*given), reader, {frame.fixed, frame.range, search.tiers.plan}, setup,
+            write_footprints(std::move(*given), reader, {frame.fixed, frame.range, search.global}, setup,
                              sinks.features, context);
         });
     prepare_sinks(sinks, commit, context);

@@ -44,15 +44,14 @@ class FootprintReader final : public FootprintSource {
     [[nodiscard]] std::vector<std::string> take_warnings() override { return warnings_.take(); }
 
   private:
-    void open();
     [[nodiscard]] GivenFootprint footprint_of(OGRFeatureH feature) const;
     [[nodiscard]] GeometryOwner in_target_crs(OGRFeatureH feature, OGRGeometryH geometry) const;
 
     PolygonSource source_;
     Warnings warnings_;
     std::optional<NetworkGuard> gate_;  ///< active during construction
-    DatasetOwner dataset_;              ///< null after for_each()
-    OGRLayerH layer_ = nullptr;
+    DatasetOwner dataset_;
+    OGRLayerH layer_;
     std::shared_ptr<const OgrOriginalLayer> original_;
     std::string crs_wkt_;
     TransformOwner to_target_;
@@ -60,10 +59,13 @@ class FootprintReader final : public FootprintSource {
 
 FootprintReader::FootprintReader(const FootprintChoice& choice, const DemInfo& dem,
                                  const Callbacks& callbacks)
-    : source_(footprints_of(choice)), warnings_(callbacks.on_warning), gate_(std::in_place, source_.path) {
-    open();
-    original_ = std::make_shared<const OgrOriginalLayer>(layer_);
-    crs_wkt_ = wkt_of(OGR_L_GetSpatialRef(layer_));
+    : source_(footprints_of(choice)),
+      warnings_(callbacks.on_warning),
+      gate_(std::in_place, source_.path),
+      dataset_(open_vector_dataset(source_.path, "The " + source_.name() + " cannot be opened", warnings_)),
+      layer_(layer_of(dataset_.get(), source_, warnings_)),
+      original_(std::make_shared<const OgrOriginalLayer>(layer_)),
+      crs_wkt_(wkt_of(OGR_L_GetSpatialRef(layer_))) {
     // Checks that the CRSs fit; the polygons are projected later, from repaired copies.
     if (!transform_to_dem(OGR_L_GetSpatialRef(layer_), source_, dem, warnings_))
         crs_wkt_.clear();  // the same as that of the DEM
@@ -79,11 +81,6 @@ FootprintReader::FootprintReader(const FootprintChoice& choice, const DemInfo& d
                          " has no features; give a layer with footprints.");
     warnings_.hold();
     gate_.reset();
-}
-
-void FootprintReader::open() {
-    dataset_ = open_vector_dataset(source_.path, "The " + source_.name() + " cannot be opened", warnings_);
-    layer_ = layer_of(dataset_.get(), source_, warnings_);
 }
 
 GeometryOwner FootprintReader::in_target_crs(OGRFeatureH feature, OGRGeometryH geometry) const {
@@ -117,8 +114,6 @@ GivenFootprint FootprintReader::footprint_of(OGRFeatureH feature) const {
 
 void FootprintReader::for_each(const std::function<void(GivenFootprint&&)>& use) {
     {
-        if (!dataset_)
-            open();
         const NetworkGuard gate(dataset_.get());
         const GdalMessages messages;
         OGR_L_ResetReading(layer_);
@@ -128,6 +123,7 @@ void FootprintReader::for_each(const std::function<void(GivenFootprint&&)>& use)
             throw InputError("The " + source_.name() + " cannot be read: " + messages.reason() + ".");
         messages.pass_warnings(warnings_);
     }
+    to_target_.reset();
     layer_ = nullptr;
     dataset_.reset();
 }

@@ -461,6 +461,27 @@ TEST_F(TilesTool, refusesWhatLiesBesideASourceAndHasChanged) {
                    {"find", "work", "0"});
 }
 
+TEST_F(TilesTool, refusesFootprintsThatHaveChanged) {
+    std::filesystem::copy(sample("town_parcels.gpkg"), path("mine.gpkg"));
+    well({"plan", "-q", "-footprints", "mine.gpkg", sample("town.tif"), "a.gpkg", "work"});
+    std::ofstream(path("mine.gpkg"), std::ios::app | std::ios::binary) << "more";
+    expect_refused(1, "'mine.gpkg' has changed since the plan was made; plan again, with a new work folder.",
+                   {"find", "work", "0"});
+}
+
+/// A plan that was killed before its footprints were written is made again.
+TEST_F(TilesTool, namesThePlanWhereItsFootprintsAreMissing) {
+    const Arguments plan{"plan",   "-q",  "-footprints", sample("town_parcels.gpkg"), sample("town.tif"),
+                         "a.gpkg", "work"};
+    well(plan);
+    std::filesystem::remove(path("work/plan/0"));
+    const ToolResult refused = tiles({"find", "work", "0"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("run 'plan'"), std::string::npos) << refused.err;
+    well(plan);
+    well({"find", "work", "0"});
+}
+
 TEST_F(TilesTool, losesNothingOnADiskThatIsFull) {
     well({"plan", "-q", sample("town.tif"), "a.gpkg", "work"});
     ToolSetup setup;

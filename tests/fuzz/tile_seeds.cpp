@@ -45,6 +45,7 @@ tiles::FoundTile found() {
     std::vector<Label> line(static_cast<std::size_t>(w.rows));
     line[4] = line[5] = 2;
     unit.edges.right = {line, line};
+    unit.footprints = {{7, {1, 6, 5, 1, 1.5, 0.5}}};
     return tile;
 }
 

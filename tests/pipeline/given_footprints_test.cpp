@@ -12,9 +12,9 @@
 #include "dem2buildings/footprint_source.hpp"
 #include "pipeline/made_town.hpp"
 #include "pipeline/pipeline_case.hpp"
+#include "pipeline/random_town.hpp"
 #include "pipeline/run.hpp"
 #include "pipeline/tiles_case.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace d2b::test {
 namespace {
@@ -110,9 +110,9 @@ struct FootprintRun {
         options.write.footprints = "given";
         options.run.threads = 2;
     }
-    [[nodiscard]] Sources sources() { return {dem, nullptr, nullptr, nullptr, nullptr, &source}; }
     void run(const detect::UnitSize& units = {}) {
-        result.report = pipeline::run_in_units(options, sources(), {result.sink}, {}, units);
+        result.report = pipeline::run_in_units(options, {dem, nullptr, nullptr, nullptr, nullptr, &source},
+                                               {result.sink}, {}, units);
     }
     [[nodiscard]] double number(std::size_t footprint, const std::string& field) const {
         return result.sink.number(buildings, footprint, field);
@@ -284,32 +284,36 @@ TEST(GivenFootprints, doNotDependOnUnits) {
     }
 }
 
-/// Tiles of 24 cells and of all; all objects but the unmapped building have a footprint, also those that
-/// seams cut.
-TEST(GivenFootprints, areTheSameInTilesAsInOneRun) {
-    for (const bool roofs : {false, true})
-        for (const bool doubtful : {false, true})
-            for (const TileOrder& order : {TileOrder{1, false, false, 1}, TileOrder{2, true, true, 2}}) {
-                FootprintRun run;
-                run.options.write.roofs = roofs;
-                run.options.write.doubtful = doubtful;
-                const detect::UnitSize units{.most_whole = 100, .most_side = 24};
-                run.run(units);
-                ASSERT_EQ(run.result.sink.features[missing].size(), 1U);
-                const TemporaryFolder folder;
-                StepsInTiles steps(run.sources(), run.options, {folder.path(), some_plan, 1, units});
-                EXPECT_GT(steps.count(), 9);
-                Result tiles;
-                steps.run(order, tiles);
-                expect_same(tiles, run.result);
-            }
+/// Seams of tiles pass through the buildings and the footprints.
+TEST(GivenFootprints, areThoseOfOneRunInTiles) {
+    for (const std::int32_t side : {1, 2})
+        for (const bool roofs : {false, true}) {
+            FootprintRun run;
+            run.options.write.roofs = roofs;
+            run.options.write.doubtful = roofs;
+            if (roofs)
+                run.options.levels.interval = 5;
+            const detect::UnitSize units{.most_whole = 100, .most_side = 24};
+            run.run(units);
+            const TemporaryFolder folder;
+            StepsInTiles steps({run.dem, nullptr, nullptr, nullptr, nullptr, &run.source}, run.options,
+                               {folder.path(), some_plan, side, units});
+            EXPECT_GT(steps.count(), 3);
+            Result tiles;
+            steps.run({side, side == 2, side == 1, 2}, tiles);
+            expect_same(tiles, run.result);
+            EXPECT_EQ(tiles.report.footprints->given, 10);
+            EXPECT_EQ(tiles.report.footprints->missing, 1);
+        }
 }
 
 /// Another source is one that the tiles have not measured.
 TEST(GivenFootprints, areRefusedInTilesIfTheyChange) {
     FootprintRun run;
     const TemporaryFolder folder;
-    StepsInTiles steps(run.sources(), run.options, {folder.path(), some_plan, 1, {}});
+    StepsInTiles steps({run.dem, nullptr, nullptr, nullptr, nullptr, &run.source}, run.options,
+                       {folder.path(), some_plan, 1, {}});
+    steps.plan();
     steps.find(0);
     steps.join();
     steps.draw(0);
@@ -317,6 +321,41 @@ TEST(GivenFootprints, areRefusedInTilesIfTheyChange) {
     Result tiles;
     EXPECT_EQ(refusal([&] { steps.merge(tiles); }),
               "The footprints have changed since the plan was made; plan again, with a new work folder.");
+}
+
+/// No unit sees all of the town, and many footprints overlap.
+TEST(GivenFootprints, ofARandomTownAreThoseOfOneRunInTiles) {
+    std::vector<std::vector<WorldPolygon>> given;
+    for (int i = 0; i < 60; ++i)
+        given.push_back({rectangle(i * 37 % 320 - 4.3, i * 53 % 260 - 4.6, 6 + i * 7 % 41, 5 + i * 11 % 53)});
+    MemorySource dem = random_town(2, {270, 330, 60, true, true});
+    place_in_utm(dem, 1);
+    MadeFootprints source;
+    source.footprints = given;
+    Options options;
+    options.ground.max_building_width = 10;  // units see 50 cells around
+    options.write.footprints = "given";
+    options.write.roofs = true;
+    const Sources sources{dem, nullptr, nullptr, nullptr, nullptr, &source};
+    const detect::UnitSize units{0, 64};
+    Result whole;
+    whole.report = pipeline::run_in_units(options, sources, {whole.sink}, {}, units);
+    EXPECT_GT(whole.report.footprints->missing, 3);
+    const TemporaryFolder folder;
+    StepsInTiles steps(sources, options, {folder.path(), some_plan, 1, units});
+    EXPECT_GT(steps.count(), 20);
+    Result tiles;
+    steps.run({1, true, false, 2}, tiles);
+    expect_same(tiles, whole);
+}
+
+/// Nothing is found beside them, and the thresholds are those of the whole raster.
+TEST(GivenFootprints, mayCoverAllThatIsFound) {
+    FootprintRun run({{rectangle(0, 0, 120, 80)}});
+    run.options.levels.interval = 5;
+    run.run();
+    EXPECT_EQ(run.result.report.footprints->missing, 0);
+    EXPECT_EQ(run.whole(0, "n_levels"), 3);  // the ground, 5 m and 10 m
 }
 
 /// Footprints in degrees are measured at the same place, and all layers are in their CRS.

@@ -72,20 +72,24 @@ void expect_same(const RunReport& a, const RunReport& b) {
         EXPECT_EQ(a.roofs->doubtful_area_m2, b.roofs->doubtful_area_m2);
         EXPECT_EQ(a.roofs->level, b.roofs->level);
     }
-    ASSERT_EQ(a.footprints.has_value(), b.footprints.has_value());
-    if (a.footprints) {
-        EXPECT_EQ(a.footprints->given, b.footprints->given);
-        EXPECT_EQ(a.footprints->measured, b.footprints->measured);
-        EXPECT_EQ(a.footprints->invalid, b.footprints->invalid);
-        EXPECT_EQ(a.footprints->missing, b.footprints->missing);
-        EXPECT_EQ(a.footprints->outside, b.footprints->outside);
-    }
     ASSERT_EQ(a.sampling.has_value(), b.sampling.has_value());
     if (a.sampling) {
         EXPECT_EQ(a.sampling->interpolated_fraction, b.sampling->interpolated_fraction);
         EXPECT_EQ(a.sampling->points_per_cell, b.sampling->points_per_cell);
         EXPECT_EQ(a.sampling->edge_width_cells, b.sampling->edge_width_cells);
         EXPECT_EQ(a.sampling->quantization_step, b.sampling->quantization_step);
+    }
+    ASSERT_EQ(a.footprints.has_value(), b.footprints.has_value());
+    if (a.footprints) {
+        EXPECT_EQ(a.footprints->given, b.footprints->given);
+        EXPECT_EQ(a.footprints->measured, b.footprints->measured);
+        EXPECT_EQ(a.footprints->outside, b.footprints->outside);
+        EXPECT_EQ(a.footprints->without_cell, b.footprints->without_cell);
+        EXPECT_EQ(a.footprints->without_polygon, b.footprints->without_polygon);
+        EXPECT_EQ(a.footprints->without_data, b.footprints->without_data);
+        EXPECT_EQ(a.footprints->invalid, b.footprints->invalid);
+        EXPECT_EQ(a.footprints->flat, b.footprints->flat);
+        EXPECT_EQ(a.footprints->missing, b.footprints->missing);
     }
     ASSERT_EQ(a.levels.size(), b.levels.size());
     for (std::size_t i = 0; i < a.levels.size(); ++i) {
@@ -100,6 +104,12 @@ void expect_same(const RunReport& a, const RunReport& b) {
 std::int64_t StepsInTiles::count() {
     tiles::PlannedSink sink(layers_);
     return tiles::TileRun(work_, options_, sources_, sink, {}).tiles().count();
+}
+
+void StepsInTiles::plan() {
+    tiles::PlannedSink sink(layers_);
+    tiles::TileRun run(work_, options_, sources_, sink, {});
+    tiles::plan_footprints(run);
 }
 
 void StepsInTiles::find(std::int64_t tile) {
@@ -164,6 +174,7 @@ void StepsInTiles::each(const TileOrder& order, const Step& step) {
 void StepsInTiles::run(const TileOrder& order, Result& result) {
     options_.run.threads = order.threads;
     work_.side = order.side;
+    plan();
     each(order, [&](std::int64_t tile) { find(tile); });
     join();
     each(order, [&](std::int64_t tile) { draw(tile); });

@@ -30,6 +30,7 @@ class StepsInTiles {
         : sources_(sources), options_(std::move(options)), work_(std::move(work)), layers_(layers) {}
 
     [[nodiscard]] std::int64_t count();
+    void plan();
     void find(std::int64_t tile);
     void join();
     void draw(std::int64_t tile);

@@ -21,9 +21,9 @@ constexpr std::string_view place_text =
     "Relative file names refer to the folder in which plan was run, on every machine.";
 constexpr std::string_view refused_text =
     "plan refuses what the steps cannot do exactly: -flow_ready, -min_gap, -min_wall, -surface, -page, "
-    "-preview, -sweep, -simplify, -write_rejected and -preset thesis. -write_ground, -write_height and "
-    "-write_canopy name a VRT: find writes one GeoTIFF per tile, and join the file that shows them as one "
-    "raster. With -footprints, merge reads all elevations once more.";
+    "-preview, -sweep, -simplify, -write_rejected and -preset thesis, and -footprints with a folder of "
+    "files. -write_ground, -write_height and -write_canopy name a VRT: find writes one GeoTIFF per tile, and "
+    "join the file that shows them as one raster. With -footprints, merge reads all elevations once more.";
 
 std::string heading(const TileOption& option) {
     return "-" + std::string(option.name) + (option.value.empty() ? "" : " ") + std::string(option.value);

@@ -113,6 +113,13 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
     require_no_other(work, plan);
     if (!std::filesystem::exists(work / "plan.json"))
         write_plan(work, plan, cost);
+    if (options.write.has_footprints()) {
+        Callbacks silent = callbacks;  // merge tells of invalid ones
+        silent.on_warning = nullptr;
+        tiles::PlannedSink nowhere(plan.layers);
+        tiles::TileRun planned(read_plan(work).work, options, inputs.sources(), nowhere, silent);
+        tiles::plan_footprints(planned);
+    }
     if (mosaic)
         mosaic->keep();
     if (!command.quiet)

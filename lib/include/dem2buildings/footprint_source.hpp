@@ -33,8 +33,8 @@ class FootprintSource {
     [[nodiscard]] virtual std::string crs_wkt() const { return {}; }
     /// Returns the layer that the features come from; null if they have no fields to keep.
     [[nodiscard]] virtual std::shared_ptr<const OriginalLayer> layer() const { return nullptr; }
-    /// Calls use(footprint) for each, in the order of the source. May be called again. Afterwards the source
-    /// holds no file open, so that the result may go into the same file. @throws InputError
+    /// Calls use(footprint) for each, in the order of the source. Called once; afterwards the source holds no
+    /// file open, so that the result may go into the same file. @throws InputError
     virtual void for_each(const std::function<void(GivenFootprint&&)>& use) = 0;
     /// Same as DemSource::take_warnings().
     [[nodiscard]] virtual std::vector<std::string> take_warnings() { return {}; }

@@ -55,7 +55,7 @@ bool is_whole(const FileHeader& header, std::uint64_t size) {
 
 std::string rerun_text(const CheckpointId& id) {
     const std::string step = "'" + std::string(step_name(id.step)) + "'";
-    const bool of_all = id.step == TileStep::join || id.step == TileStep::merge;
+    const bool of_all = id.step == TileStep::join || id.step == TileStep::merge || id.step == TileStep::plan;
     return of_all ? step : step + " of tile " + std::to_string(id.part);
 }
 
@@ -126,7 +126,7 @@ std::filesystem::path made_folder(std::filesystem::path folder) {
 }  // namespace
 
 std::string_view step_name(TileStep step) {
-    constexpr std::array<std::string_view, 5> names{"find", "join", "draw", "merge", "write"};
+    constexpr std::array<std::string_view, 6> names{"find", "join", "draw", "merge", "write", "plan"};
     return names[static_cast<std::size_t>(step)];
 }
 

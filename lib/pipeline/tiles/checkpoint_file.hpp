@@ -20,7 +20,7 @@ namespace d2b::tiles {
 class FileHandleCache;
 
 /// Steps that exchange files, named as in messages.
-enum class TileStep : std::uint32_t { find, join, draw, merge, write };
+enum class TileStep : std::uint32_t { find, join, draw, merge, write, plan };
 [[nodiscard]] std::string_view step_name(TileStep step);
 
 /// Identity of a file between two steps: step, plan and tile.

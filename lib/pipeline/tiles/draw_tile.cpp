@@ -283,7 +283,7 @@ void TileDrawing::draw_whole(const contours::StoredContours& contours, const pip
                                            features::lattice_frame(run_.window(), setup.plan.trace)});
     const outline::Outliner outliner = features::draw_outlines(contours, setup, context_);
     std::optional<features::StoredRoofs> roofs;
-    if (setup.plan.needs_roofs() && run_.sources().footprints == nullptr)
+    if (run_.extracts_roofs())
         roofs.emplace(extract_roofs(contours, outliner, found));
     const features::FeatureInput input{setup,  contours, outliner, found.buildings,
                                        fixed_, nullptr,  nullptr,  roofs ? &*roofs : nullptr};

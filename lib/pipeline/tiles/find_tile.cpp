@@ -1,12 +1,9 @@
-#include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "elevations/elevation_reader.hpp"
 #include "pipeline/find_buildings.hpp"
 #include "pipeline/report_run.hpp"
+#include "pipeline/tiles/tile_footprints.hpp"
 #include "pipeline/tiles/tile_rasters.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
@@ -25,36 +22,21 @@ ElevationSurvey survey(ElevationReader& reader, const TileRun& run, const Window
         own);
 }
 
-FoundUnit found_unit(const detect::Unit& unit, pipeline::FoundInUnit&& here) {
+/// @param by_layer of the footprints of the tile
+std::vector<SeenGiven> seen_given(const std::vector<std::vector<detect::SeenFootprint>>& by_layer,
+                                  const PlannedFootprints& given) {
+    std::vector<SeenGiven> seen;
+    for (std::size_t layer = 0; layer < by_layer.size(); ++layer)
+        for (const detect::SeenFootprint& one : by_layer[layer])
+            seen.push_back({given.indices[given.footprints.layers[layer].footprints[one.label]], one});
+    return seen;
+}
+
+FoundUnit found_unit(const detect::Unit& unit, pipeline::FoundInUnit&& here, const PlannedFootprints& given) {
     std::vector<LabelRun> runs = label_runs(unit, here.labels);
     std::vector<Window> boxes = boxes_of(here.objects.size(), runs);
-    return {std::move(here.objects), std::move(boxes), std::move(runs), detect::edges_of(unit, here.labels)};
-}
-
-/// Counts the cells of a unit's objects that lie in a footprint, by label - 1.
-std::vector<std::int64_t> covered_cells(const pipeline::GivenFootprints& given, const Window& own,
-                                        const FoundUnit& found, Executor& threads) {
-    Grid<Label> covered(own.rows, own.cols);
-    for (std::size_t layer = 0; layer < given.layers.size(); ++layer) {
-        const Grid<Label> labels = given.labels(layer, own, threads);
-        std::ranges::transform(covered.values, labels.values, covered.values.begin(),
-                               [](Label a, Label b) { return std::max(a, b); });
-    }
-    std::vector<std::int64_t> cells(found.objects.size());
-    for (const LabelRun& run : found.runs) {
-        const auto row = covered.row(run.row - own.row)
-                             .subspan(static_cast<std::size_t>(run.begin - own.col),
-                                      static_cast<std::size_t>(run.end - run.begin));
-        cells[run.label - 1] += std::ranges::count_if(row, [](Label label) { return label != 0; });
-    }
-    return cells;
-}
-
-void add_footprints(const pipeline::GivenFootprints& given, std::int64_t unit,
-                    const std::vector<std::vector<detect::SeenFootprint>>& seen, FoundTile& found) {
-    for (std::size_t layer = 0; layer < seen.size(); ++layer)
-        for (const detect::SeenFootprint& one : seen[layer])
-            found.footprints.push_back({unit, given.layers[layer].footprints[one.label], one});
+    return {std::move(here.objects), std::move(boxes), std::move(runs), detect::edges_of(unit, here.labels),
+            seen_given(here.footprints, given)};
 }
 
 void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, ElevationReader& reader,
@@ -64,29 +46,21 @@ void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, Elevatio
                           of_run.parcels, nullptr,        of_run.exclusion, of_run.corrections};
     PlannedSink nowhere(run.setup().plan.layers);
     AuxiliarySinks rasters = open_tile_rasters(run, tile);
+    const PlannedFootprints given = load_planned_footprints(run, tile);
     const Sinks sinks{nowhere, rasters.ground.get(), rasters.height.get(), rasters.canopy.get()};
-    std::optional<pipeline::GivenFootprints> given;
-    if (of_run.footprints != nullptr)
-        given.emplace(pipeline::place_footprints_in(run.tiles().whole(tile).seen, *of_run.footprints,
-                                                    run.setup(), run.context()));
     const pipeline::UnitSearch search{run.setup().plan,
                                       sources,
                                       sinks,
                                       reader,
                                       {run.window(), run.setup().cell, run.metres()},
                                       run.context(),
-                                      given ? &*given : nullptr};
+                                      run.has_footprints() ? &given.footprints : nullptr};
     FoundFacts& facts = found.facts;
     for (const NumberedUnit& placed : run.tiles().units_of(tile)) {
         pipeline::FoundInUnit here = pipeline::find_in_unit(search, placed.unit);
         facts.scene.merge(here.scene);
         facts.effective.insert(here.effective.begin(), here.effective.end());
-        if (given)
-            add_footprints(*given, placed.number, here.footprints, found);
-        found.units.push_back(found_unit(placed.unit, std::move(here)));
-        if (given)
-            found.units.back().covered =
-                covered_cells(*given, placed.unit.own, found.units.back(), *run.context().threads);
+        found.units.push_back(found_unit(placed.unit, std::move(here), given));
     }
     finish_tile_rasters(run, tile, rasters);
     if (run.setup().plan.ground == GroundMode::given)

@@ -54,10 +54,10 @@ void save(const FoundUnit& unit, ByteWriter& writer) {
     writer.put_list(unit.objects);
     writer.put_list(unit.boxes);
     writer.put_list(unit.runs);
-    writer.put_list(unit.covered);
     for (const detect::UnitEdges::Lines* lines :
          {&unit.edges.above, &unit.edges.left, &unit.edges.below, &unit.edges.right})
         save(*lines, writer);
+    writer.put_list(unit.footprints);
 }
 
 detect::UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32_t cells) {
@@ -72,12 +72,9 @@ FoundUnit load_found_unit(ByteReader& reader, const Window& own) {
     unit.objects = reader.take_list<detect::SeenObject>();
     unit.boxes = reader.take_list<Window>();
     unit.runs = reader.take_list<LabelRun>();
-    unit.covered = reader.take_list<std::int64_t>();
     const auto labels = static_cast<Label>(unit.objects.size());
     if (unit.boxes.size() != unit.objects.size())
         throw CorruptRecord("objects have no boxes");
-    if (!unit.covered.empty() && unit.covered.size() != unit.objects.size())
-        throw CorruptRecord("objects have no numbers of covered cells");
     for (const LabelRun& run : unit.runs)
         if (run.label == 0 || run.label > labels || run.begin >= run.end || !own.holds(run.row, run.begin) ||
             run.end > own.end_col())
@@ -86,6 +83,7 @@ FoundUnit load_found_unit(ByteReader& reader, const Window& own) {
     unit.edges.left = load_lines(reader, labels, own.rows);
     unit.edges.below = load_lines(reader, labels, own.cols);
     unit.edges.right = load_lines(reader, labels, own.rows);
+    unit.footprints = reader.take_list<SeenGiven>();
     return unit;
 }
 
@@ -161,7 +159,6 @@ void save(const FoundTile& tile, ByteWriter& writer) {
     tile.facts.save(writer);
     for (const FoundUnit& unit : tile.units)
         save(unit, writer);
-    writer.put_list(tile.footprints);
 }
 
 FoundTile load_found_tile(ByteReader& reader, FoundFacts facts, const std::vector<Window>& windows) {
@@ -169,7 +166,6 @@ FoundTile load_found_tile(ByteReader& reader, FoundFacts facts, const std::vecto
     FoundTile tile{std::move(facts), {}};
     for (const Window& own : windows)
         tile.units.push_back(load_found_unit(reader, own));
-    tile.footprints = reader.take_list<UnitFootprint>();
     return tile;
 }
 

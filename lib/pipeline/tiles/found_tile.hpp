@@ -28,14 +28,19 @@ struct LabelRun {
 /// Returns the runs in the core of a unit, row by row. @param labels of its whole extent
 [[nodiscard]] std::vector<LabelRun> label_runs(const detect::Unit& unit, const Grid<Label>& labels);
 
+/// Given footprint as a unit sees it.
+struct SeenGiven {
+    std::uint64_t footprint = 0;  ///< its index in the order of the source
+    detect::SeenFootprint seen;   ///< its label is not used
+};
+
 /// Results of step find for a unit. Labels are local to the unit and begin at 1.
 struct FoundUnit {
     std::vector<detect::SeenObject> objects;  ///< indexed by label - 1
     std::vector<Window> boxes;  ///< bounding boxes of their cells in the core of the unit; likewise
     std::vector<LabelRun> runs;
     detect::UnitEdges edges;
-    /// Number of their own cells in given footprints; likewise; empty without given footprints.
-    std::vector<std::int64_t> covered{};
+    std::vector<SeenGiven> footprints{};
 };
 /// Returns the bounding boxes of objects. @param objects number of labels @param runs of their labels
 [[nodiscard]] std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& runs);
@@ -58,18 +63,10 @@ struct FoundFacts {
     std::set<std::size_t> effective;  ///< corrections that have had an effect
 };
 
-/// Given footprint as a unit has measured it.
-struct UnitFootprint {
-    std::int64_t unit = 0;
-    std::uint64_t footprint = 0;  ///< index in the order of the source
-    detect::SeenFootprint seen;
-};
-
 /// Results of step find for a tile.
 struct FoundTile {
     FoundFacts facts;
     std::vector<FoundUnit> units;  ///< row by row
-    std::vector<UnitFootprint> footprints{};
 };
 void save(const FoundTile& tile, ByteWriter& writer);
 /// @param facts empty facts with the rules of the run @param windows cores of the tile's units

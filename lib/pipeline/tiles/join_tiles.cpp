@@ -38,15 +38,6 @@ std::vector<T> take_list(const Spool& spool, const SpoolEntry& entry) {
 
 }  // namespace
 
-namespace {
-
-/// Returns the number of cells of an object in given footprints.
-std::int64_t covered_cells(const FoundUnit& unit, Label label) {
-    return unit.covered.empty() ? 0 : unit.covered[label - 1];
-}
-
-}  // namespace
-
 UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, Tally& tally) {
     const std::vector<bool> at_seam = labels_at_seams(unit);
     UnitObjects divided;
@@ -69,9 +60,7 @@ UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, Ta
                         seen.is_building ? 1 : 0);
             continue;
         }
-        if (!seen.is_building && !rules.doubtful)
-            continue;
-        if (pipeline::CoveredCells{seen.own_cells, covered_cells(unit, label)}.has_footprint())
+        if (seen.is_covered() || (!seen.is_building && !rules.doubtful))
             continue;
         divided.marks[i] = UnitObjects::interior;
         divided.interior_objects.push_back({seen, unit.boxes[i], label});
@@ -111,8 +100,7 @@ void BorderObjects::put(std::int64_t number, FoundUnit&& found, const UnitObject
     for (const Label label : divided.at_seams) {
         const detect::SeenObject& seen = found.objects[label - 1];
         unit.objects.push_back(seen);
-        unit.places.push_back({found.boxes[label - 1], seen.own_cells, number, label, seen.object.whole,
-                               covered_cells(found, label)});
+        unit.places.push_back({found.boxes[label - 1], seen.own_cells, number, label, seen.object.whole});
     }
     unit.edges = seam_labels(std::move(found.edges), divided.marks);
     known_[i] = true;
@@ -143,7 +131,6 @@ void ObjectAssignment::place(std::vector<BorderObject> seen, detect::UnitMerger:
         if (const BorderObject& part = seen[label]; part.whole != 0)
             wholes_.push_back({part.unit, part.whole, merged.wholes[label]});
     std::ranges::sort(wholes_, {}, [](const SeamWhole& whole) { return std::pair(whole.unit, whole.whole); });
-    drop_covered(seen, merged.objects.size());
     crossing_.resize(merged.objects.size());
     std::vector<BorderObject> owners(crossing_.size());
     for (std::size_t label = 1; label < seen.size(); ++label) {
@@ -162,25 +149,11 @@ void ObjectAssignment::place(std::vector<BorderObject> seen, detect::UnitMerger:
     }
     merged.objects = std::vector<detect::SeenObject>();  // = {} would keep the capacity
     seen = std::vector<BorderObject>();
-    std::erase_if(crossing_,
-                  [](const AssignedObject& object) { return object.joined == AssignedObject::none; });
     const auto tile = [&](const AssignedObject& object) {
         return tiles_.tile_of(owners[object.joined].unit);
     };
     std::ranges::stable_sort(crossing_, {}, tile);
     std::ranges::transform(crossing_, std::back_inserter(drawn_by_), tile);
-}
-
-/// Gives objects with a footprint the number 0.
-void ObjectAssignment::drop_covered(const std::vector<BorderObject>& seen, std::size_t objects) {
-    std::vector<pipeline::CoveredCells> cells(objects + 1);
-    for (std::size_t label = 1; label < seen.size(); ++label) {
-        cells[number_[label]].all += seen[label].cells;
-        cells[number_[label]].covered += seen[label].covered;
-    }
-    for (std::size_t label = 1; label < seen.size(); ++label)
-        if (cells[number_[label]].has_footprint())
-            number_[label] = 0;
 }
 
 std::vector<AssignedObject> ObjectAssignment::of(std::int64_t tile) const {
@@ -254,8 +227,6 @@ class TileJoiner {
     void load();
     void join();
     void write_tiles();
-    /// Writes what all units have measured of given footprints, row by row.
-    void write_footprints();
     /// Called last, because the frame file marks the step as complete.
     void write_frame();
 
@@ -269,7 +240,6 @@ class TileJoiner {
     BorderObjects seams_;
     ObjectAssignment placed_{run_.tiles(), interior_, seams_};
     FoundFacts facts_;
-    std::vector<UnitFootprint> footprints_;
 };
 
 void TileJoiner::load() {
@@ -279,7 +249,6 @@ void TileJoiner::load() {
         run_.context().check_stop();
         FoundTile found = run_.load_found(tile);
         facts_.merge(found.facts);
-        footprints_.insert(footprints_.end(), found.footprints.begin(), found.footprints.end());
         const std::vector<NumberedUnit> placed = run_.tiles().units_of(tile);
         for (std::size_t i = 0; i < placed.size(); ++i)
             load(std::move(found.units[i]), placed[i].number, rules);
@@ -331,15 +300,6 @@ void TileJoiner::write_tiles() {
     files.finish();
 }
 
-void TileJoiner::write_footprints() {
-    if (run_.sources().footprints == nullptr)
-        return;
-    std::ranges::stable_sort(footprints_, {}, &UnitFootprint::unit);
-    ByteWriter writer;
-    writer.put_list(footprints_);
-    write_checkpoint(run_.footprint_file(), run_.footprint_seal(), writer.bytes());
-}
-
 void TileJoiner::write_frame() {
     ByteWriter writer;
     facts_.save(writer);
@@ -356,7 +316,6 @@ void join_tiles(TileRun& run) {
     join.join();
     join.write_tiles();
     publish_rasters(run);
-    join.write_footprints();
     join.write_frame();
     run.remove_leftovers(TileStep::find);
     run.remove_leftovers(TileStep::join);

@@ -69,9 +69,8 @@ struct BorderObject {
     Window box;              ///< bounding box of its cells among the unit's own
     std::int64_t cells = 0;  ///< number of these cells
     std::int64_t unit = 0;
-    Label label = 0;           ///< label in the unit
-    Label whole = 0;           ///< label in the unit of what it is a part of
-    std::int64_t covered = 0;  ///< number of its cells in given footprints
+    Label label = 0;  ///< label in the unit
+    Label whole = 0;  ///< label in the unit of what it is a part of
 };
 
 /// Objects at the seams of all units. Units are added in any order but compared row by row, so that the edges
@@ -151,8 +150,6 @@ class ObjectAssignment {
         Label whole = 0;  ///< label in the unit
         Label name = 0;   ///< merger's label, which is the same in all units
     };
-    /// @param objects number of merged ones
-    void drop_covered(const std::vector<BorderObject>& seen, std::size_t objects);
     /// Adds the objects of a unit that do not touch a seam.
     void add_interior(std::int64_t unit, std::vector<AssignedObject>& objects) const;
 

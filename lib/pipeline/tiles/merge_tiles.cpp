@@ -14,6 +14,7 @@
 #include "contours/level_plan.hpp"
 #include "core/lattice.hpp"
 #include "dem2buildings/spool.hpp"
+#include "elevations/elevation_reader.hpp"
 #include "features/divided_buildings.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/feature_writer.hpp"
@@ -25,6 +26,7 @@
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/drawn_tile.hpp"
 #include "pipeline/tiles/file_cache.hpp"
+#include "pipeline/tiles/tile_footprints.hpp"
 #include "pipeline/tiles/tile_numbers.hpp"
 #include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
@@ -336,31 +338,17 @@ FoundFacts load_and_report_frame(TileRun& run, FeatureSink& features) {
     return facts;
 }
 
-/// Reads given footprints with the measurements of all tiles. @throws InputError
-pipeline::GivenFootprints measured_footprints(TileRun& run) {
-    pipeline::GivenFootprints given =
-        pipeline::place_footprints(*run.sources().footprints, run.setup(), run.context());
-    for (const UnitFootprint& measured : run.load_footprints()) {
-        if (measured.footprint >= given.all.size())
-            throw InputError(
-                "The footprints have changed since the plan was made; plan again, with a new work folder.");
-        given.all[measured.footprint].add(measured.seen, run.metres());
-    }
-    return given;
-}
-
-/// Traces and writes given footprints, for which the elevations are read once more.
-/// @param global levels of the whole DEM
-void write_footprints(TileRun& run, pipeline::GivenFootprints&& given, const ElevationStatistics& statistics,
-                      const contours::LevelPlan& global, FeatureSink& features) {
+/// Measures and writes given footprints.
+void write_given(TileRun& run, pipeline::GivenFootprints&& given, const pipeline::ElevationFrame& frame,
+                 FeatureSink& features) {
     Context& context = run.context();
+    add_seen_footprints(run, given);
+    pipeline::label_footprints(given, context);
     ElevationReader reader(run.sources().dem, context);
     // The survey is run only for its side effect of filtering invalid elevations.
     (void)reader.survey(
         run.validity_rules(), [&](const ElevationBand&) { context.check_stop(); }, Window{});
-    pipeline::write_footprints(std::move(given), reader,
-                               {statistics.fixed_point(), statistics.range(), global}, run.setup(), features,
-                               context);
+    pipeline::write_footprints(std::move(given), reader, frame, run.setup(), features, context);
 }
 
 /// @throws Error
@@ -370,8 +358,8 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
     const features::RunSetup& setup = run.setup();
     const Options& options = setup.plan.asked;
     std::optional<pipeline::GivenFootprints> given;
-    if (run.sources().footprints != nullptr)
-        given.emplace(measured_footprints(run));
+    if (run.has_footprints())
+        given.emplace(pipeline::place_footprints(*run.sources().footprints, setup, context));
     const FoundFacts facts = load_and_report_frame(run, features);
     const ElevationStatistics& statistics = facts.survey.statistics;
     const FixedPoint fixed = statistics.fixed_point();
@@ -388,12 +376,12 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
                                           {drawn.plan, fixed, drawn.footprints, run.metres(),
                                            features::lattice_frame(run.window(), setup.plan.trace)});
     pipeline::report_levels(drawn.plan, drawn.levels, report);
-    pipeline::warn_of_result(setup, drawn.plan,
-                             static_cast<std::size_t>(drawn.buildings) + (given ? given->all.size() : 0),
+    const std::size_t measured = given ? given->all.size() : 0;
+    pipeline::warn_of_result(setup, drawn.plan, static_cast<std::size_t>(drawn.buildings) + measured,
                              &facts.scene, run.sources().terrain, context);
     const outline::Outliner outliner = features::draw_outlines(*drawn.left, setup, context);
     std::optional<features::StoredRoofs> roofs;
-    if (setup.plan.needs_roofs() && !given)
+    if (run.extracts_roofs())
         roofs.emplace(drawn.extract_roofs(outliner, setup, context));
     const features::FeatureInput input{
         setup,          *drawn.left,           outliner, drawn.sure,
@@ -401,7 +389,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
         drawn.divided()};
     const TileIds numbers = write_all(input, records, drawn, features, parts, context);
     if (given)
-        write_footprints(run, std::move(*given), statistics, global, features);
+        write_given(run, std::move(*given), {fixed, statistics.range(), global}, features);
     pipeline::prepare_sinks({features}, commit, context);
     if (parts != nullptr) {
         parts->write(run, numbers, drawn.levels);

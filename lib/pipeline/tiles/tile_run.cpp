@@ -128,10 +128,6 @@ CheckpointId TileRun::frame_seal(TileStep step) const {
     return {step, work_.plan, std::numeric_limits<std::uint32_t>::max()};
 }
 
-CheckpointId TileRun::footprint_seal() const {
-    return {TileStep::join, work_.plan, std::numeric_limits<std::uint32_t>::max() - 1};
-}
-
 FoundTile TileRun::load_found(std::int64_t tile) const {
     std::vector<Window> windows;
     for (const NumberedUnit& placed : tiles_.units_of(tile))
@@ -148,11 +144,6 @@ FoundFacts TileRun::load_frame() const {
         facts.load(reader);
         return facts;
     });
-}
-
-std::vector<UnitFootprint> TileRun::load_footprints() const {
-    CheckpointFile file(footprint_file(), footprint_seal());
-    return load_body(file, [](ByteReader& reader) { return reader.take_list<UnitFootprint>(); });
 }
 
 void require_tileable(const Options& options) {

@@ -89,6 +89,9 @@ class TileRun {
     /// Values in the window that denote missing data without being declared as nodata.
     [[nodiscard]] const UndeclaredNodata& undeclared() const { return *work_.undeclared; }
     [[nodiscard]] ValidityRules validity_rules() const;
+    [[nodiscard]] bool has_footprints() const { return setup_.plan.asked.write.has_footprints(); }
+    /// True if found buildings get roofs. Those without a given footprint get none.
+    [[nodiscard]] bool extracts_roofs() const { return setup_.plan.needs_roofs() && !has_footprints(); }
     [[nodiscard]] FoundFacts empty_facts() const;
 
     [[nodiscard]] CheckpointId seal(TileStep step, std::int64_t tile) const {
@@ -104,16 +107,9 @@ class TileRun {
         return folder(step) / "frame";
     }
     [[nodiscard]] CheckpointId frame_seal(TileStep step = TileStep::join) const;
-    /// Returns the file in which join stores what units have measured of given footprints.
-    [[nodiscard]] std::filesystem::path footprint_file() const {
-        return folder(TileStep::join) / "footprints";
-    }
-    [[nodiscard]] CheckpointId footprint_seal() const;
     /// @throws InputError
     [[nodiscard]] FoundTile load_found(std::int64_t tile) const;
     [[nodiscard]] FoundFacts load_frame() const;
-    /// Returns measurements of given footprints, those of units row by row. @throws InputError
-    [[nodiscard]] std::vector<UnitFootprint> load_footprints() const;
 
   private:
     TileRunParameters work_;

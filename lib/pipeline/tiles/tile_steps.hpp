@@ -13,6 +13,9 @@ namespace d2b::tiles {
 // output is a function of the plan, the sources and the files of the previous steps, so the result equals
 // that of run(), whichever process handled which tile, when, and how often.
 
+/// Finds the cells of given footprints, and writes those that each tile sees. Part of planning; does nothing
+/// without footprints. @throws as find_tile()
+void plan_footprints(TileRun& run);
 /// Estimates the ground and detects buildings in the units of a tile. @throws InputError, OutputError,
 /// Cancelled
 void find_tile(TileRun& run, std::int64_t tile);
