@@ -18,6 +18,9 @@ namespace d2b::mesh {
 namespace {
 
 constexpr std::int32_t not_known = -3;
+/// Part of a step. Triangles without a longer edge are not divided, because between edges that meet at a very
+/// small angle CGAL divides them without end, until their corners lie on one line.
+constexpr double shortest_divided = 1.0 / 64;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
@@ -90,6 +93,10 @@ CGAL::Mesh_2::Face_badness Criteria::Is_bad::operator()(const Face& face, Qualit
         squares[i] = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
     }
     std::ranges::sort(squares);
+    if (squares[2] < shortest_divided * shortest_divided) {
+        quality = {};
+        return CGAL::Mesh_2::NOT_BAD;
+    }
     const double twice_area =
         (at[1].x - at[0].x) * (at[2].y - at[0].y) - (at[1].y - at[0].y) * (at[2].x - at[0].x);
     quality.sine2 = twice_area * twice_area / (squares[1] * squares[2]);

@@ -6,7 +6,11 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <utility>
+#include <vector>
+
+#include "core/disjoint_sets.hpp"
 
 namespace d2b::mesh {
 namespace {
@@ -36,17 +40,29 @@ std::vector<std::array<Position, 2>> outlines(const PlanDrawing& drawing) {
     return edges;
 }
 
-/// Lifts a roof. Slanted ones of a building are lifted together, because otherwise they would cross.
-void lift_with_slopes(std::vector<Region>& regions, std::size_t which, std::int64_t lift) {
-    const bool together = regions[which].plane.has_value();
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-        Region& region = regions[i];
-        if (i != which && !(together && region.plane && region.building == regions[which].building))
+/// Returns sets of regions that are lifted together, because they meet at a slanted roof, and would cross
+/// along a wall if one were lifted alone.
+DisjointSets regions_at_slopes(const PlanMesh& mesh, const std::vector<Region>& regions) {
+    DisjointSets sets(static_cast<std::uint32_t>(regions.size()));
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> region_at;
+    for (const PlanTriangle& triangle : mesh.triangles) {
+        if (triangle.region < 0)
             continue;
-        region.top += lift;
-        if (region.plane)
-            region.plane->height += static_cast<double>(lift);
+        const auto here = static_cast<std::uint32_t>(triangle.region);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [low, high] = std::minmax(triangle.nodes[i], triangle.nodes[(i + 1) % 3]);
+            const std::uint32_t other = region_at.try_emplace({low, high}, here).first->second;
+            if (regions[here].plane || regions[other].plane)
+                sets.join(here, other);
+        }
     }
+    return sets;
+}
+
+void lift_roof(Region& region, std::int64_t lift) {
+    region.top += lift;
+    if (region.plane)
+        region.plane->height += static_cast<double>(lift);
 }
 
 }  // namespace
@@ -145,15 +161,19 @@ PlanHeights heights_over(const PlanMesh& mesh, std::vector<Region> regions, cons
                 place[region] = node;
             }
         }
-    for (std::size_t i = 0; i < heights.regions.size(); ++i) {
+    DisjointSets together = regions_at_slopes(mesh, heights.regions);
+    std::vector<std::int64_t> most(lift.size(), 0);  // by root
+    for (std::uint32_t i = 0; i < together.size(); ++i) {
+        std::int64_t& of_set = most[together.find(i)];
+        of_set = std::max(of_set, lift[i]);
         if (lift[i] == 0)
             continue;
-        Region& region = heights.regions[i];
         report.lifted.push_back({frame.world(mesh.nodes[place[i]]),
                                  static_cast<double>(lift[i]) * frame.metres_of_height(),
-                                 city.buildings[static_cast<std::size_t>(region.building)].name});
-        lift_with_slopes(heights.regions, i, lift[i]);
+                                 city.buildings[static_cast<std::size_t>(heights.regions[i].building)].name});
     }
+    for (std::uint32_t i = 0; i < together.size(); ++i)
+        lift_roof(heights.regions[i], most[together.find(i)]);
     heights.raise_roofs(mesh, frame);
     return heights;
 }
