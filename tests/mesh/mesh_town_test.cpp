@@ -57,6 +57,24 @@ TEST_F(MeshTown, ofDelft) {
     expect_good(dem);
 }
 
+/// Roofs that leave very small angles (La Rochelle), and roofs that the terrain lifts above others
+/// (Stuttgart).
+TEST_F(MeshTown, ofSlantedRoofsOfPlaces) {
+    for (const std::string place : {"larochelle_2m5", "stuttgart_csite2"}) {
+        const std::string dem = D2B_SHARED "/cities/" + place + "/dsm.tif";
+        if (!std::filesystem::exists(dem))
+            GTEST_SKIP() << missing_shared(dem);
+        make({"-q", "-overwrite", "-layers", "buildings", "-write_ground", "g.tif", "-surface_of", "roofs",
+              "-surface", "in.city.json", dem, "out.gpkg"});
+        for (const Arguments& more : {Arguments{}, Arguments{"-ground", "g.tif"}}) {
+            Arguments arguments{"-q", "-overwrite", "in.city.json", "out.city.json"};
+            arguments.insert(arguments.begin(), more.begin(), more.end());
+            const ToolResult result = mesh(arguments);  // it refuses a mesh that is not closed
+            EXPECT_EQ(result.status, 0) << place << result.err;
+        }
+    }
+}
+
 /// A mesh encloses as much as the solids that it is made of, and keeps their ridges, whatever points are
 /// added.
 TEST_F(MeshTown, ofSlantedRoofs) {
