@@ -226,10 +226,6 @@ void count_rejected(const detect::RejectedObjects& rejected, const Window& own, 
         }
 }
 
-}  // namespace
-
-namespace {
-
 /// Objects that were found in a unit, and what they were found in.
 struct SearchedUnit {
     const detect::Scene& scene;

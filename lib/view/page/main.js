@@ -90,7 +90,6 @@ class Page {
     };
     this.finder = new Finder(this.town, onFind, () => this.refilter());
     showAlternatives(this.town, (value) => this.turnTo(value));
-    this.turnTo(this.town.alternative);
     this.sunCard = new SunCard(this.town, (direction) => this.scene?.setSun(direction));
     this.measure = new Measure((points) => this.views.forEach((view) => view.drawLine(points)));
   }

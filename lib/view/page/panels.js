@@ -77,6 +77,7 @@ export function showAlternatives(town, onChoose) {
     const button = document.createElement('button');
     button.type = 'button';
     button.dataset.value = value;
+    button.setAttribute('aria-pressed', String(value === town.alternative));
     button.textContent = texts.surveys[value] ?? value;
     button.addEventListener('click', () => onChoose(value));
     return button;

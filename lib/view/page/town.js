@@ -33,7 +33,8 @@ export class Town {
     // Values of the field whose buildings are shown in turns, in the order of the data.
     this.alternatives = [...new Set(this.fields.get(about.alternatives)?.values ?? [])];
     this.alternative = this.alternatives.at(-1) ?? null;
-    this.filter();
+    if (this.alternative !== null)
+      this.filter();
     this.boxes = this.makeBoxes();
     this.extent = this.makeExtent();
   }
