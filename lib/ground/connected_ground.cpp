@@ -114,10 +114,71 @@ Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& 
 
 namespace {
 
-/// Border of a component of blocks, counted by sides of blocks.
+/// Sums over the blocks of a component, from which the slope of its least-squares plane follows.
+class PlaneSums {
+  public:
+    /// Blocks are measured from the first one, so that the sums do not depend on the position.
+    void add(BlockIndex at, float z) {
+        if (count_ == 0) {
+            first_ = at;
+            first_z_ = z;
+        }
+        const double y = at.row - first_.row;
+        const double x = at.col - first_.col;
+        const auto h = static_cast<double>(z - first_z_);
+        count_ += 1;
+        y_ += y;
+        x_ += x;
+        h_ += h;
+        yy_ += y * y;
+        xx_ += x * x;
+        xy_ += x * y;
+        yh_ += y * h;
+        xh_ += x * h;
+    }
+    /// Returns the slope in m/m; 0 if all blocks lie on one line.
+    [[nodiscard]] double slope(const CellSize& cell) const {
+        const double yy = yy_ - y_ * y_ / count_;
+        const double xx = xx_ - x_ * x_ / count_;
+        const double xy = xy_ - x_ * y_ / count_;
+        const double yh = yh_ - y_ * h_ / count_;
+        const double xh = xh_ - x_ * h_ / count_;
+        const double determinant = xx * yy - xy * xy;
+        if (!(determinant > 0))
+            return 0;
+        return std::hypot((yh * xx - xh * xy) / determinant / cell.down,
+                          (xh * yy - yh * xy) / determinant / cell.across);
+    }
+
+  private:
+    BlockIndex first_{0, 0};
+    float first_z_ = 0;
+    double count_ = 0;
+    double y_ = 0;
+    double x_ = 0;
+    double h_ = 0;
+    double yy_ = 0;
+    double xx_ = 0;
+    double xy_ = 0;
+    double yh_ = 0;
+    double xh_ = 0;
+};
+
+/// Border of a component of blocks, counted by sides of blocks, and its plane.
 struct BorderSides {
-    std::int64_t all = 0;
+    std::int64_t within = 0;  ///< sides within the raster
+    std::int64_t beyond = 0;  ///< sides at its border, beyond which the component may continue
     std::int64_t walled = 0;
+    PlaneSums plane;
+
+    [[nodiscard]] double walled_share() const { return share_of(within + beyond); }
+    /// Ignores the border of the raster, because it cuts roofs; 0 if half of the sides or more are there.
+    [[nodiscard]] double walled_share_within() const { return beyond < within ? share_of(within) : 0; }
+
+  private:
+    [[nodiscard]] double share_of(std::int64_t sides) const {
+        return sides > 0 ? static_cast<double>(walled) / static_cast<double>(sides) : 0;
+    }
 };
 
 /// Counts the sides at which the surface steps by more than `rise`: up or down in the next block, or down
@@ -133,10 +194,10 @@ std::vector<BorderSides> border_sides(const MetreGrid& grid, const Mask& inside,
         for (const BlockIndex& side : neighbours_4) {
             const BlockIndex beside{at.row + side.row, at.col + side.col};
             if (!grid.holds(beside.row, beside.col))
-                ++border.all;  // the component may continue beyond the raster
+                ++border.beyond;
             if (!is_outside(beside))
                 continue;
-            ++border.all;
+            ++border.within;
             const BlockIndex behind{beside.row + side.row, beside.col + side.col};
             const float z = grid.at(at.row, at.col);
             const float there = grid.at(beside.row, beside.col);
@@ -146,8 +207,10 @@ std::vector<BorderSides> border_sides(const MetreGrid& grid, const Mask& inside,
     };
     for (std::int32_t r = 0; r < components.rows; ++r)
         for (const RegionRun& run : components.row(r))
-            for (std::int32_t c = run.begin; c < run.end; ++c)
+            for (std::int32_t c = run.begin; c < run.end; ++c) {
                 add({r, c}, borders[run.label]);
+                borders[run.label].plane.add({r, c}, grid.at(r, c));
+            }
     return borders;
 }
 
@@ -165,12 +228,16 @@ void remove_enclosed_by_walls(const AlignedGrid& blocks, const MetreGrid& limits
     const std::vector<CellBox> boxes = bounding_boxes(components);
     const std::vector<BorderSides> borders =
         border_sides(grid, inside, components, static_cast<float>(rules.wall_rise));
+    const auto is_level = [&](Label label) {
+        return static_cast<double>(components.cells[label]) * blocks.cell.area() >= rules.level_area &&
+               borders[label].plane.slope(blocks.cell) < rules.level_slope;
+    };
     const auto is_enclosed = [&](Label label) {
         const BorderSides& border = borders[label];
         return std::max(boxes[label].rows() * blocks.cell.down, boxes[label].cols() * blocks.cell.across) <=
                    largest &&
-               border.all > 0 &&
-               static_cast<double>(border.walled) / static_cast<double>(border.all) > rules.wall_share;
+               (border.walled_share() > rules.wall_share ||
+                (is_level(label) && border.walled_share_within() > rules.level_share));
     };
     paint(components, is_enclosed, 0, ground, threads);
 }

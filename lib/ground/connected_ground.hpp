@@ -17,8 +17,9 @@ namespace d2b::ground {
                                                   double slope, int steps, Executor& threads);
 
 /// Removes roofs that became connected ground over a ramp, a canopy or a tree: pieces with walls along nearly
-/// all of their border. Hills and terraces continue without a step somewhere. A piece longer than the widest
-/// walled building stays ground, because the support must be bounded.
+/// all of their border; on coarse cells three fifths of it if they are large and level. Hills and terraces
+/// continue without a step somewhere. A piece longer than the widest walled building stays ground, because
+/// the support must be bounded.
 /// @param limits height above which a block was an object before it was connected
 /// @param ground 1 for connected ground; modified
 /// @param largest metres

@@ -24,6 +24,7 @@ Rules rules_for(const CellSize& cell) {
     go_to(rules.border_share, 1);
     go_to(rules.large_rise, 0.3);
     go_to(rules.wall_share, 0.75);
+    go_to(rules.level_share, 0.6);
     go_to(rules.plateau_share, 0.75);
     return rules;
 }

@@ -27,12 +27,15 @@ struct Rules {
     double large_border = 24;   ///< within this distance from the border, border_share of that
     double line_rise = 2;       ///< same for linear elements
     double line_slope = 0.15;
-    double link_slope = 0.3;  ///< steepest slope of ground, or half a wall per block
-    double link_rise = 1;     ///< height of ground above the lowest point of its block, at most
-    int link_steps = 60;      ///< blocks
-    double wall_share = 0.9;  ///< a piece walled along a larger share of its border is a roof ...
-    double wall_rise = 1.5;   ///< ... if the surface steps by this much ...
-    double wall_length = 5;   ///< ... and it is not longer than this, in widths of the widest building
+    double link_slope = 0.3;    ///< steepest slope of ground, or half a wall per block
+    double link_rise = 1;       ///< height of ground above the lowest point of its block, at most
+    int link_steps = 60;        ///< blocks
+    double wall_share = 0.9;    ///< a piece walled along a larger share of its border is a roof ...
+    double wall_rise = 1.5;     ///< ... if the surface steps by this much ...
+    double wall_length = 5;     ///< ... and it is not longer than this, in widths of the widest building
+    double level_share = 0.9;   ///< same share for a large level piece, because a terrace of that size slopes
+    double level_slope = 0.05;  ///< slope of its plane, at most
+    double level_area = 600;    ///< m2, at least
     double plateau_share =
         0.9;  ///< a plateau that drops by a wall along a larger share of its border is a roof
 

@@ -296,6 +296,43 @@ TEST(WalledBack, WhereNothingWasConnectedNothingChanges) {
     EXPECT_EQ(none.size(), 0U);
 }
 
+/// A roof on a street at 0 m, in blocks of 2 m, with walls on three sides. At its fourth it meets a yard that
+/// is as high.
+/// @param slope of the roof along its columns @param left columns of street at the left of the roof
+/// @return number of its blocks that stay ground
+std::int64_t blocks_left(std::int32_t rows, std::int32_t cols, float slope, const Rules& rules,
+                         std::int32_t left = 5) {
+    AlignedGrid surface;
+    surface.cell = {2, 2};
+    surface.grid = MetreGrid(rows + 10, cols + left + 5);
+    MetreGrid limits(surface.grid.rows, surface.grid.cols, 1);
+    for (std::int32_t r = 5; r < rows + 8; ++r)
+        for (std::int32_t c = left; c < cols + left; ++c) {
+            surface.grid.at(r, c) = 5 + 2 * slope * static_cast<float>(c - left);
+            if (r >= rows + 5)
+                limits.at(r, c) = 100;
+        }
+    Mask ground(surface.grid.rows, surface.grid.cols, 1);
+    remove_enclosed_by_walls(surface, limits, rules, any_length, ground, test::threads());
+    return std::ranges::count(ground.values, std::uint8_t{1}) - static_cast<std::int64_t>(ground.size()) +
+           std::int64_t{rows} * cols;
+}
+
+TEST(WalledBack, ALargeLevelRoofWithThreeWallsOnCoarseCells) {
+    const Rules coarse = rules_for({2, 2});
+    // 40 of 60 sides are walls, more than 0.6; 800 m2.
+    EXPECT_EQ(blocks_left(10, 20, 0, coarse), 0);
+    EXPECT_EQ(blocks_left(10, 20, 0.04F, coarse), 0);
+    EXPECT_EQ(blocks_left(10, 20, 0.06F, coarse), 200) << "a terrace";
+    EXPECT_EQ(blocks_left(10, 20, 0, rules_for({1, 1})), 200) << "fine cells";
+    EXPECT_EQ(blocks_left(7, 20, 0, coarse), 140) << "560 m2, 34 of 54 sides";
+    EXPECT_EQ(blocks_left(8, 20, 0, coarse), 0) << "640 m2, 36 of 56 sides";
+    EXPECT_EQ(blocks_left(5, 40, 0, coarse), 200) << "50 of 90 sides";
+    EXPECT_EQ(blocks_left(30, 15, 0, coarse, 0), 0)
+        << "45 of 60 sides, and 30 that the border of the raster cuts";
+    EXPECT_EQ(blocks_left(10, 20, 0, coarse, 0), 200) << "30 of 50 sides";
+}
+
 constexpr double unbounded = 1000;
 
 /// Blocks of 2 m; each character is a height in metres, a dot has no point. All are connected ground, and

@@ -119,6 +119,7 @@ TEST(Ground, ARoofReachedByAWideRampIsNone) {
     // It is its walls that tell: no share is more than one.
     Rules rules;
     rules.wall_share = 1;
+    rules.level_share = 1;
     const Terrain connected =
         estimate(city.surface, city.cell, GroundOptions{}.max_building_width, Context(), {}, rules);
     EXPECT_EQ(connected.elevation.at(130, 170), 106);
@@ -298,9 +299,9 @@ Terrain estimated(const test::Scene& scene, const Rules& rules) {
 }
 
 /// Those that depend on the cell.
-std::array<double, 6> of_cells(const Rules& rules) {
-    return {rules.border_reach, rules.small_slope, rules.border_share,
-            rules.large_rise,   rules.wall_share,  rules.plateau_share};
+std::array<double, 7> of_cells(const Rules& rules) {
+    return {rules.border_reach, rules.small_slope, rules.border_share, rules.large_rise,
+            rules.wall_share,   rules.level_share, rules.plateau_share};
 }
 
 TEST(GroundRules, CellsOfAMetreHaveTheUsualOnes) {
@@ -309,9 +310,9 @@ TEST(GroundRules, CellsOfAMetreHaveTheUsualOnes) {
 }
 
 TEST(GroundRules, ChangeEvenlyUpToCellsOfTwoMetres) {
-    const std::array<double, 6> fine = of_cells({});
-    const std::array<double, 6> coarse = of_cells(rules_for({2, 2}));
-    const std::array<double, 6> between = of_cells(rules_for({1.6, 1.6}));
+    const std::array<double, 7> fine = of_cells({});
+    const std::array<double, 7> coarse = of_cells(rules_for({2, 2}));
+    const std::array<double, 7> between = of_cells(rules_for({1.6, 1.6}));
     for (std::size_t k = 0; k < fine.size(); ++k)
         EXPECT_NEAR(between[k], (fine[k] + coarse[k]) / 2, 1e-12) << k;
     EXPECT_EQ(of_cells(rules_for({5, 5})), coarse);
@@ -323,7 +324,9 @@ TEST(GroundRules, ARowOfHousesThatTheBorderCutsIsNoGroundOnCoarseCells) {
     const test::Scene plain(60, 80, {2.5, 2.5});
     test::Scene street = plain;
     street.box({0, 15, 8, 50}, 5);  // 20 m deep, whose alleys no cell shows
-    EXPECT_EQ(estimated(street, {}).elevation.at(2, 40), 105);
+    Rules fine;
+    fine.level_share = 1;
+    EXPECT_EQ(estimated(street, fine).elevation.at(2, 40), 105);
     const Terrain terrain = estimated(street, rules_for(street.cell));
     for (std::size_t k = 0; k < plain.surface.size(); ++k)
         ASSERT_NEAR(terrain.elevation.values[k], plain.surface.values[k], 1e-3);
