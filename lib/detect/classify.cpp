@@ -142,6 +142,8 @@ std::string_view counter_evidence_name(CounterEvidence doubt) {
             return "no right angles";
         case CounterEvidence::ragged:
             return "ragged form";
+        case CounterEvidence::bridge:
+            return "bridge";
     }
     return "";
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/grid.hpp"
+#include "detect/bridges.hpp"
 #include "detect/candidates.hpp"
 #include "detect/corrections.hpp"
 #include "detect/detection_passes.hpp"
@@ -115,7 +116,10 @@ Candidates detect_candidates(const Scene& scene, const DetectOptions& options, d
     if (has_very_thin_points(quality.filled))
         second = relaxed_pass(scene, cells, min_area_m2, quality, judged.regions, threads);
     apply_priors(scene, quality.filled, judged, second, threads);
-    return second ? merge_candidates(std::move(judged), *second, threads) : judged;
+    if (second)
+        judged = merge_candidates(std::move(judged), *second, threads);
+    doubt_bridges(scene, judged.regions, judged.objects, threads);
+    return judged;
 }
 
 /// Sorts buildings before doubtful objects, each in scan order.

@@ -58,7 +58,8 @@ enum class CounterEvidence {
     pieces,           ///< its smooth segments are small
     green,            ///< its NDVI is that of vegetation
     no_right_angles,  ///< its border follows no two perpendicular directions
-    ragged            ///< it is small and has arms and bays
+    ragged,           ///< it is small and has arms and bays
+    bridge            ///< see doubt_bridges()
 };
 [[nodiscard]] std::string_view counter_evidence_name(detect::CounterEvidence doubt);
 

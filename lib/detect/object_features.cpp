@@ -90,17 +90,30 @@ void ShapeMoments::add(std::int32_t r, const RegionRun& run) {
     down_across_ += y * across;
 }
 
-double ShapeMoments::compactness() const {
-    if (cells_ == 0)
-        return 1;
+ShapeMoments::Variances ShapeMoments::variances() const {
     constexpr double within_a_cell = 1.0 / 12;
     const double down = down_ / cells_;
     const double across = across_ / cells_;
-    const double down_down = down_down_ / cells_ - down * down + within_a_cell;
-    const double across_across = across_across_ / cells_ - across * across + within_a_cell;
-    const double down_across = down_across_ / cells_ - down * across;
-    const double spread = down_down * across_across - down_across * down_across;
+    return {down_down_ / cells_ - down * down + within_a_cell,
+            across_across_ / cells_ - across * across + within_a_cell, down_across_ / cells_ - down * across};
+}
+
+double ShapeMoments::compactness() const {
+    if (cells_ == 0)
+        return 1;
+    const Variances v = variances();
+    const double spread = v.down * v.across - v.down_across * v.down_across;
     return cells_ / (4 * std::numbers::pi * std::sqrt(spread));
+}
+
+double ShapeMoments::largest_variance(const CellSize& cell) const {
+    if (cells_ == 0)
+        return 0;
+    const Variances v = variances();
+    const double down = v.down * cell.down * cell.down;
+    const double across = v.across * cell.across * cell.across;
+    const double mixed = v.down_across * cell.down * cell.across;
+    return (down + across) / 2 + std::hypot((down - across) / 2, mixed);
 }
 
 namespace {

@@ -47,8 +47,19 @@ class ShapeMoments {
     /// 0.955 for parallelograms, 1 for ellipses, less for shapes with arms. Cells count as squares, not as
     /// points. Returns 1 if there are no cells.
     [[nodiscard]] double compactness() const;
+    /// Returns the variance in m2 along the longest axis: L^2 / 12 for a strip of length L. 0 if there are no
+    /// cells.
+    [[nodiscard]] double largest_variance(const CellSize& cell) const;
 
   private:
+    /// Central second moments per cell, in cells.
+    struct Variances {
+        double down = 0;
+        double across = 0;
+        double down_across = 0;
+    };
+    [[nodiscard]] Variances variances() const;
+
     std::int32_t first_row_ = 0;
     std::int32_t first_col_ = 0;
     double cells_ = 0;

@@ -14,10 +14,10 @@
 namespace d2b::tiles {
 namespace {
 
-constexpr std::array doubts{detect::CounterEvidence::rough, detect::CounterEvidence::no_step,
-                            detect::CounterEvidence::steep, detect::CounterEvidence::pieces,
-                            detect::CounterEvidence::green, detect::CounterEvidence::no_right_angles,
-                            detect::CounterEvidence::ragged};
+constexpr std::array doubts{detect::CounterEvidence::rough,  detect::CounterEvidence::no_step,
+                            detect::CounterEvidence::steep,  detect::CounterEvidence::pieces,
+                            detect::CounterEvidence::green,  detect::CounterEvidence::no_right_angles,
+                            detect::CounterEvidence::ragged, detect::CounterEvidence::bridge};
 
 std::uint8_t number_of(std::string_view doubt) {
     std::uint8_t number = 0;
