@@ -8,6 +8,10 @@
 namespace d2b::view {
 
 void* load_symbol(const char* library, const char* function) {
+    if (!system::can_load_symbols())
+        throw OutputError(
+            "This program draws no pictures on this system; leave -preview out, and draw the layers in "
+            "a GIS.");
     std::string reason;
     void* const found = system::load_symbol(library, function, reason);
     if (found == nullptr)

@@ -17,6 +17,8 @@ namespace d2b::system {
 /// once.
 [[nodiscard]] const std::filesystem::path& data_beside_program();
 
+/// False if load_symbol() never finds anything, because no such libraries are made for the system.
+[[nodiscard]] bool can_load_symbols();
 /// Loads a library on first use and returns one of its functions; it is never unloaded.
 /// @param reason set to a text if there is no such library or function, and null is returned
 [[nodiscard]] void* load_symbol(const char* library, const char* function, std::string& reason);

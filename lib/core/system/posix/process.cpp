@@ -43,6 +43,10 @@ const std::filesystem::path& data_beside_program() {
     return data;
 }
 
+bool can_load_symbols() {
+    return true;
+}
+
 void* load_symbol(const char* library, const char* function, std::string& reason) {
     void* const opened = ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);
     void* const found = opened != nullptr ? ::dlsym(opened, function) : nullptr;

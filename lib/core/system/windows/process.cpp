@@ -47,8 +47,12 @@ const std::filesystem::path& data_beside_program() {
     return data;
 }
 
-void* load_symbol(const char* /*library*/, const char* /*function*/, std::string& reason) {
-    reason = "pictures are not a part of the program for Windows";
+bool can_load_symbols() {
+    return false;
+}
+
+void* load_symbol(const char* library, const char* /*function*/, std::string& reason) {
+    reason = library;
     return nullptr;
 }
 
