@@ -141,6 +141,17 @@ bool NetworkGuard::allows(const std::string& address) const {
            (fetching_ == Fetching::one_server && server_in(address) == server_in(name_));
 }
 
+std::string missing_file_system(const std::string& name) {
+    const CPLStringList prefixes(VSIGetFileSystemsPrefixes());
+    const std::span known(prefixes.List(), static_cast<std::size_t>(prefixes.Count()));
+    for (const char* prefix : remote_prefixes)
+        if (name.find(prefix) != std::string::npos && std::ranges::none_of(known, [&](const char* system) {
+                return std::string_view(system).starts_with(prefix);
+            }))
+            return "this program was built without " + std::string(prefix) + "/; download the file";
+    return {};
+}
+
 DatasetOwner open_guarded(const std::string& name, unsigned flags, const char* const* drivers,
                           const char* const* open_options) {
     const NetworkGuard gate(name);

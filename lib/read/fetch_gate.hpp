@@ -49,6 +49,10 @@ class NetworkGuard {
 inline constexpr std::array remote_prefixes{"/vsicurl", "/vsis3",    "/vsigs",      "/vsiaz",  "/vsiadls",
                                             "/vsioss",  "/vsiswift", "/vsiwebhdfs", "/vsihdfs"};
 
+/// Reason why a name cannot be opened if GDAL was built without the file system that it names, such as that
+/// of servers; otherwise "". GDAL itself would say that the file does not exist.
+[[nodiscard]] std::string missing_file_system(const std::string& name);
+
 /// Calls GDALOpenEx() behind a gate. @param drivers null for all @return null if it cannot be opened
 [[nodiscard]] DatasetOwner open_guarded(const std::string& name, unsigned flags,
                                         const char* const* drivers = nullptr,

@@ -6,6 +6,8 @@
 
 #include <cpl_error.h>
 
+#include "read/fetch_gate.hpp"
+
 namespace d2b::reading {
 
 namespace {
@@ -93,6 +95,8 @@ std::string GdalMessages::first_reason() const {
 }
 
 std::string GdalMessages::reason_for(const std::string& path) const {
+    if (std::string missing = missing_file_system(path); !missing.empty())
+        return missing;
     const std::string text = reason();
     const std::string name = one_line(path) + ": ";
     return text.starts_with(name) ? text.substr(name.size()) : text;

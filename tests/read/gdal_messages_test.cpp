@@ -1,11 +1,17 @@
 #include "read/gdal_messages.hpp"
 
+#include <algorithm>
+#include <span>
+#include <string_view>
 #include <thread>
 
 #include <cpl_error.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
 #include "dem2buildings/open_sources.hpp"
+#include "read/fetch_gate.hpp"
 #include "read/gdal_setup.hpp"
 
 namespace d2b::reading {
@@ -92,6 +98,25 @@ TEST(GdalMessages, aFloodOfWarningsIsCut) {
     ASSERT_EQ(heard.size(), 21U);
     EXPECT_EQ(heard[19], "GDAL: block 104.");
     EXPECT_EQ(heard[20], "GDAL: further warnings are left out.");
+}
+
+TEST(GdalMessages, namesAFileSystemThatGdalWasBuiltWithout) {
+    start_gdal();
+    EXPECT_EQ(missing_file_system("town.tif"), "");
+    EXPECT_EQ(missing_file_system("/vsimem/town.tif"), "");
+    const CPLStringList prefixes(VSIGetFileSystemsPrefixes());
+    const std::span known(prefixes.List(), static_cast<std::size_t>(prefixes.Count()));
+    for (const std::string prefix : remote_prefixes) {
+        const std::string name = "/vsizip/" + prefix + "/server/town.zip";
+        const bool there = std::ranges::any_of(
+            known, [&](const char* system) { return std::string_view(system).starts_with(prefix); });
+        const GdalMessages messages;
+        say(CE_Failure, "does not exist");
+        EXPECT_EQ(missing_file_system(name).empty(), there) << name;
+        EXPECT_EQ(
+            messages.reason_for(name),
+            there ? "does not exist" : "this program was built without " + prefix + "/; download the file");
+    }
 }
 
 TEST(GdalMessages, linesAreCleaned) {

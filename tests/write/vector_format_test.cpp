@@ -77,6 +77,20 @@ TEST_F(FormatTest, UnusableFormatsAreRefusedWithOthersThatServe) {
     EXPECT_EQ(message(named("")), "The name of the destination is empty; give a file, e.g. buildings.gpkg.");
 }
 
+TEST_F(FormatTest, SaysThatThereIsNoPostgresql) {
+    const GDALDriverH driver = GDALGetDriverByName("PostgreSQL");
+    if (driver != nullptr)
+        GDALDeregisterDriver(driver);
+    for (const char* name : {"PG:dbname=town", "pg:dbname=town", "postgresql://server/town"})
+        EXPECT_EQ(
+            thrown<OptionError>([&] { static_cast<void>(format_for(named(name))); }),
+            "\"" + std::string(name) +
+                "\" is in PostgreSQL, which this program was built without; write a GeoPackage, and load it "
+                "with ogr2ogr.");
+    if (driver != nullptr)
+        GDALRegisterDriver(driver);
+}
+
 TEST_F(FormatTest, KnowsWhatHoldsBothLayers) {
     for (const auto& [name, format] :
          std::vector<std::pair<std::string, std::string>>{{"a.gpkg", ""},

@@ -15,6 +15,7 @@
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
+#include "options/provenance_text.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"
@@ -198,6 +199,12 @@ GDALDriverH driver_by_destination(const std::string& destination) {
         if (can_create(driver) && (is_connection(driver, destination) || extension_fits(driver, destination)))
             return driver;
     }
+    if (const std::string begin = to_lower(destination.substr(0, destination.find(':')));
+        begin == "pg" || begin == "postgresql")
+        throw OptionError(
+            "\"" + redacted_destination(destination) +
+            "\" is in PostgreSQL, which this program was built without; write a GeoPackage, and "
+            "load it with ogr2ogr.");
     throw OptionError(
         "The name \"" + destination +
         "\" does not show its format; give it an extension such as .gpkg, or give the format with -f: " +
