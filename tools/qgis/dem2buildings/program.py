@@ -37,8 +37,8 @@ def find():
 def _source(platform):
     """Where users of a system get the program."""
     if platform == "win32":
-        return ("There is no package for Windows yet. If you have built the program, add its folder to the PATH of the "
-                "OSGeo4W shell.")
+        return ("For Windows it comes with the plugin: install the plugin from dem2buildings-<version>-windows.zip of the "
+                "release. A program elsewhere is found if its folder is on the PATH of the OSGeo4W shell.")
     if platform == "darwin":
         return "Build it from the sources, as docs/install.md says."
     return "Install the Debian package of the release, or build it from the sources, as docs/install.md says."
