@@ -240,7 +240,7 @@ build_boost() {
 }
 
 # Headers that are the same on all systems.
-copy_headers() {
+build_headers() {
     local config
     ln -sfn /usr/include/eigen3 "$root/include/eigen3"
     ln -sfn /usr/include/nlohmann "$root/include/nlohmann"
@@ -299,11 +299,10 @@ mkdir -p "$root/include" "$root/built"
 if ! ls "$sources"/gdal_*.dsc "$sources"/boost1.74_*.dsc >/dev/null 2>&1; then
     get_sources zlib libzstd expat sqlite3 geographiclib geos proj gdal boost1.74
 fi
-copy_headers
 # SQLite is one file, which takes one processor for minutes.
 build_once sqlite &
 sqlite=$!
-build_once zlib zstd expat geographiclib boost geos
+build_once headers zlib zstd expat geographiclib boost geos
 wait $sqlite
 build_once proj gdal
 copy_licences
