@@ -237,6 +237,20 @@ build_boost() {
     compile_library boost_program_options "$cxx_compiler" -I "$root/include" -- \
         "$sources"/boost1.74/libs/program_options/src/{cmdline,config_file,convert,options_description,parsers}.cpp \
         "$sources"/boost1.74/libs/program_options/src/{positional_options,split,utf8_codecvt_facet,value_semantic,variables_map}.cpp
+    # That of the system names its own libraries.
+    mkdir -p "$root/lib/cmake/Boost"
+    cat >"$root/lib/cmake/Boost/BoostConfig.cmake" <<'END'
+if(NOT TARGET Boost::headers)
+  get_filename_component(boost_root "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
+  add_library(Boost::headers INTERFACE IMPORTED)
+  target_include_directories(Boost::headers INTERFACE "${boost_root}/include")
+  add_library(Boost::program_options STATIC IMPORTED)
+  set_target_properties(Boost::program_options PROPERTIES
+    IMPORTED_LOCATION "${boost_root}/lib/libboost_program_options.a" INTERFACE_LINK_LIBRARIES Boost::headers)
+endif()
+END
+    echo 'set(PACKAGE_VERSION 1.74.0)
+set(PACKAGE_VERSION_COMPATIBLE TRUE)' >"$root/lib/cmake/Boost/BoostConfigVersion.cmake"
 }
 
 # Headers that are the same on all systems.
