@@ -113,7 +113,7 @@ def draw_scene(bench, scene, settings, trials):
     original = (f"{scene.z.size:,} points", full_surface(scene))
     bench.draw(f"{scene.name}_settings", [original] + [
         (f"{one.name}: {one.surface.count():,} points", one.surface) for one in settings], 2, (480, 330), 1.15)
-    ours = [(f"{one.points:,} points", one.surface) for one in trials if one.method in OURS.values()]
+    ours = [(f"{one.method.removeprefix('dem2buildings, ')}: {one.points:,} points", one.surface) for one in trials if one.method in OURS.values()]
     bench.draw(f"{scene.name}_ours", ours, 2, (480, 330), 1.15)
     budget = sorted(bench.budgets)[len(bench.budgets) // 2 - 1]
     shown = [one for one in trials if one.budget == budget and one.source == "raw"]
