@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <span>
-#include <utility>
-#include <vector>
 
 #include "core/text.hpp"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "compare/find_changes.hpp"
 #include "compare/surveyed_building.hpp"

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/statistics.hpp"
+
 namespace d2b::compare {
 namespace {
 
@@ -40,9 +42,7 @@ StandsThere stands_there(std::span<const double> own, std::span<const double> ot
         return {};
     if (share_near(differences, 0) >= same_share)
         return {true, 0};
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::ranges::nth_element(differences, middle);
-    if (const double rise = *middle; share_near(differences, rise) >= moved_share)
+    if (const double rise = upper_median(differences); share_near(differences, rise) >= moved_share)
         return {true, rise};
     return {confidence < sure_confidence, RoofHeights::nan};
 }

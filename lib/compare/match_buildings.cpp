@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <optional>
 
 #include "core/disjoint_sets.hpp"
 #include "geometry/box_tree.hpp"

@@ -1,17 +1,17 @@
 #include "compare/read_survey.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <span>
 #include <system_error>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "compare/height_grid.hpp"
 #include "core/number_from_chars.hpp"
+#include "core/statistics.hpp"
 #include "dem2buildings/extract_file.hpp"
 #include "dem2buildings/run.hpp"
 #include "read/field_layer.hpp"
@@ -66,9 +66,7 @@ class SurveyCollector {
     [[nodiscard]] std::optional<double> cell_m() {
         if (areas_per_cell_.empty())
             return std::nullopt;
-        const auto middle = areas_per_cell_.begin() + static_cast<std::ptrdiff_t>(areas_per_cell_.size() / 2);
-        std::ranges::nth_element(areas_per_cell_, middle);
-        return std::sqrt(*middle);
+        return std::sqrt(upper_median(areas_per_cell_));
     }
     [[nodiscard]] SurveyedPlace take() { return std::move(place_); }
 

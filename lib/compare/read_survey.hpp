@@ -1,8 +1,6 @@
 #pragma once
 
-#include <functional>
 #include <string>
-#include <vector>
 
 #include "compare/surveyed_building.hpp"
 #include "core/crs.hpp"

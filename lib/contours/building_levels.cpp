@@ -4,7 +4,6 @@
 #include <cmath>
 #include <span>
 
-#include "contours/natural_breaks.hpp"
 #include "core/grid.hpp"
 
 namespace d2b::contours {

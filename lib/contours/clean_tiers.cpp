@@ -4,13 +4,9 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
-#include <mutex>
 #include <utility>
-#include <vector>
 
 #include "contours/for_each_building.hpp"
-#include "core/context.hpp"
-#include "core/grid.hpp"
 
 namespace d2b::contours {
 namespace {

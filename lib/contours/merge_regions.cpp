@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "contours/region_adjacency_graph.hpp"
 #include "core/disjoint_sets.hpp"
-#include "core/stop_token.hpp"
 
 namespace d2b::contours {
 

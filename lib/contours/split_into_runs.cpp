@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
-#include <vector>
 
 #include "contours/open_chains.hpp"
 #include "core/band.hpp"

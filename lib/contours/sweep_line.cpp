@@ -2,11 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <span>
 #include <utility>
-#include <vector>
-
-#include "contours/open_chains.hpp"
 
 namespace d2b::contours {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstddef>
+#include <condition_variable>
+#include <exception>
 #include <limits>
+#include <mutex>
 #include <thread>
 #include <typeinfo>
-
-#include "dem2buildings/callbacks.hpp"
 
 namespace d2b {
 

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"

@@ -1,12 +1,8 @@
 #include "core/statistics.hpp"
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
-#include <vector>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>

@@ -39,6 +39,14 @@ class ExactSum {
     std::array<Int128, bin_count> bins_{};
 };
 
+/// Returns the median, the upper of two; reorders the values. @param values not empty
+template <typename T>
+[[nodiscard]] T upper_median(std::vector<T>& values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
 /// Number of values, their exact sum and the exact sum of their squares.
 struct Moments {
     std::int64_t n = 0;

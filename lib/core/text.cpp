@@ -1,7 +1,5 @@
 #include "core/text.hpp"
 
-#include <cstddef>
-
 namespace d2b {
 namespace {
 

@@ -1,7 +1,6 @@
 #include "core/warnings.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace d2b {
 

@@ -1,7 +1,6 @@
 #include "detect/bridges.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/statistics.hpp"
 #include "detect/object_features.hpp"
 
 namespace d2b::detect {
@@ -41,11 +41,7 @@ struct Cell {
 };
 
 double median(std::vector<double>& values) {
-    if (values.empty())
-        return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    return *middle;
+    return values.empty() ? std::numeric_limits<double>::quiet_NaN() : upper_median(values);
 }
 
 /// Cells of an object, with the shortest paths between them that stay within it.

@@ -8,7 +8,6 @@
 #include <queue>
 #include <span>
 #include <utility>
-#include <vector>
 
 namespace d2b::detect {
 namespace {

@@ -4,15 +4,11 @@
 #include <cstdint>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "core/grid.hpp"
-#include "detect/object_features.hpp"
-#include "detect/smoothness.hpp"
 #include "detect/surface_quality.hpp"
 #include "detect/tree_crowns.hpp"
 #include "raster/morphology.hpp"
-#include "raster/regions.hpp"
 
 namespace d2b::detect {
 namespace {

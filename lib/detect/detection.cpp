@@ -12,9 +12,7 @@
 #include "detect/divide_buildings.hpp"
 #include "detect/priors.hpp"
 #include "detect/sampling_rules.hpp"
-#include "detect/smoothness.hpp"
 #include "detect/threshold_scale.hpp"
-#include "raster/regions.hpp"
 
 namespace d2b::detect {
 namespace {

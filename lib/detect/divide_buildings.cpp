@@ -10,9 +10,7 @@
 
 #include "core/band.hpp"
 #include "detect/building_pieces.hpp"
-#include "detect/scene.hpp"
 #include "raster/morphology.hpp"
-#include "raster/regions.hpp"
 
 namespace d2b::detect {
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
-#include <utility>
 
 #include "detect/ground_level.hpp"
 #include "detect/smoothness.hpp"

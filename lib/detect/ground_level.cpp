@@ -8,8 +8,6 @@
 #include <span>
 #include <utility>
 
-#include "core/grid.hpp"
-
 namespace d2b::detect {
 namespace {
 

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <span>
 
-#include "detect/smoothness.hpp"
-
 namespace d2b::detect {
 namespace {
 

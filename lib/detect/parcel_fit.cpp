@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/grid.hpp"
+#include "core/statistics.hpp"
 #include "detect/scene.hpp"
 
 namespace d2b::detect {
@@ -165,9 +164,7 @@ class Moves {
         : down_(shift_steps(cell.down)), right_(shift_steps(cell.across)), counts_(counts) {
         std::vector<std::int64_t> all;
         for_all([&](std::int32_t d, std::int32_t r) { all.push_back(on_walls(d, r)); });
-        const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-        std::ranges::nth_element(all, middle);
-        ordinary_ = *middle;
+        ordinary_ = upper_median(all);
     }
 
     [[nodiscard]] std::int64_t on_walls(std::int32_t down, std::int32_t right) const {

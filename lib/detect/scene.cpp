@@ -1,13 +1,7 @@
 #include "detect/scene.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
-#include <vector>
-
-#include "core/context.hpp"
-#include "core/grid.hpp"
 
 namespace d2b::detect {
 

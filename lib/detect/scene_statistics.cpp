@@ -1,13 +1,10 @@
 #include "detect/scene_statistics.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <vector>
 
-#include "core/grid.hpp"
 #include "raster/regions.hpp"
 
 namespace d2b::detect {

@@ -1,11 +1,10 @@
 #include "detect/smoothness.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
-#include <vector>
 
 #include "core/grid.hpp"
+#include "raster/plane_sums.hpp"
 
 namespace d2b::detect {
 namespace {
@@ -91,59 +90,13 @@ namespace {
 constexpr double least_area_m2 = 12;
 constexpr std::int64_t fewest_cells = 6;
 
-/// Sums for the least-squares plane of a segment, relative to its first cell, because small numbers keep
-/// their digits.
-struct PlaneSums {
-    std::int32_t row = 0;
-    std::int32_t col = 0;
-    float z = 0;
-    double n = 0;
-    double x = 0;
-    double y = 0;
-    double h = 0;
-    double xx = 0;
-    double xy = 0;
-    double yy = 0;
-    double xh = 0;
-    double yh = 0;
-
-    void add(double px, double py, double ph) {
-        n += 1;
-        x += px;
-        y += py;
-        h += ph;
-        xx += px * px;
-        xy += px * py;
-        yy += py * py;
-        xh += px * ph;
-        yh += py * ph;
-    }
-    [[nodiscard]] double tilt() const {
-        const double sxx = xx / n - x * x / n / n;
-        const double sxy = xy / n - x * y / n / n;
-        const double syy = yy / n - y * y / n / n;
-        const double sxh = xh / n - x * h / n / n;
-        const double syh = yh / n - y * h / n / n;
-        // A collinear segment has no unique plane; the small number keeps it level across.
-        const double det = sxx * syy - sxy * sxy + 1e-6;
-        return std::hypot(sxh * syy - syh * sxy, syh * sxx - sxh * sxy) / det;
-    }
-};
-
 std::vector<PlaneSums> plane_sums(const Scene& scene, const Regions& regions, Executor& threads) {
     std::vector<PlaneSums> sums(regions.count());
     for_runs_by_label(threads, regions, [&](std::int32_t r, const RegionRun& run) {
         const std::span<const float> surface = scene.surface.row(r);
         PlaneSums sum = sums[run.label - 1];
-        if (sum.n == 0) {
-            sum.row = r;
-            sum.col = run.begin;
-            sum.z = surface[static_cast<std::size_t>(run.begin)];
-        }
-        const double y = (r - sum.row) * scene.cell.down;
         for (std::int32_t c = run.begin; c < run.end; ++c)
-            sum.add((c - sum.col) * scene.cell.across, y,
-                    static_cast<double>(surface[static_cast<std::size_t>(c)] - sum.z));
+            sum.add(r, c, surface[static_cast<std::size_t>(c)], scene.cell);
         sums[run.label - 1] = sum;
     });
     return sums;
@@ -197,7 +150,7 @@ SmoothSegments smooth_segments(const Scene& scene, const Mask& elevated, const G
                                Executor& threads) {
     SmoothSegments result{smooth_regions(scene, elevated, flags, threads), {}};
     for (const PlaneSums& sum : plane_sums(scene, result.regions, threads))
-        result.pieces.push_back({static_cast<std::int64_t>(sum.n), sum.tilt()});
+        result.pieces.push_back({sum.count(), sum.tilt()});
     return result;
 }
 

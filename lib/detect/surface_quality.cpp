@@ -3,13 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
-#include "core/grid.hpp"
 #include "detect/smoothness.hpp"
 #include "raster/regions.hpp"
 

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "core/grid.hpp"
 #include "detect/detection.hpp"
-#include "detect/object_features.hpp"
 #include "raster/morphology.hpp"
 
 namespace d2b::detect {

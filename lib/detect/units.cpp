@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <map>
-#include <utility>
 
 #include "core/byte_stream.hpp"
-#include "core/grid.hpp"
 
 namespace d2b::detect {
 namespace {

@@ -1,12 +1,7 @@
 #include "elevations/elevation_cache.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
-#include <span>
-#include <utility>
-
-#include "core/grid.hpp"
 
 namespace d2b {
 

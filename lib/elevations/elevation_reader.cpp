@@ -1,11 +1,7 @@
 #include "elevations/elevation_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <span>
-
-#include "core/context.hpp"
 
 namespace d2b {
 namespace {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
-#include <span>
 
 namespace d2b {
 namespace {

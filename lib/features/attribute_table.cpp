@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <iterator>
 #include <numbers>
-#include <string>
-#include <vector>
 
 #include "core/text.hpp"
 

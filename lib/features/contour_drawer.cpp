@@ -1,18 +1,14 @@
 #include "features/contour_drawer.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <utility>
 
-#include "core/context.hpp"
 #include "core/georeference.hpp"
 #include "dem2buildings/error.hpp"
-#include "features/reprojection.hpp"
 #include "features/roof_layer.hpp"
 
 namespace d2b::features {

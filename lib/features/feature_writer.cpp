@@ -2,16 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
 
-#include "core/context.hpp"
 #include "core/height_text.hpp"
 #include "diagnose/warnings.hpp"
-#include "features/attribute_table.hpp"
 #include "features/reprojection.hpp"
-#include "features/write_features.hpp"
 #include "outline/arc_graph.hpp"
 
 namespace d2b::features {

@@ -6,12 +6,10 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <string_view>
 #include <tuple>
 #include <utility>
 
-#include "core/context.hpp"
 #include "core/disjoint_sets.hpp"
 #include "features/reprojection.hpp"
 #include "geometry/box_tree.hpp"

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <set>
 #include <span>
 #include <string>
 
-#include "core/context.hpp"
 #include "features/attribute_table.hpp"
 
 namespace d2b::features {

@@ -6,10 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
-
-#include "core/georeference.hpp"
 
 namespace d2b::features {
 namespace {

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "core/int128.hpp"
 #include "outline/fine_geometry.hpp"

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/georeference.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "surface/roof_heights.hpp"

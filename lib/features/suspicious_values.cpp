@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
-#include "core/invalid_elevations.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 

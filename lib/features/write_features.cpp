@@ -1,10 +1,7 @@
 #include "features/write_features.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "core/byte_stream.hpp"
 #include "core/text.hpp"

@@ -13,10 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/context.hpp"
 #include "features/attribute_table.hpp"
 #include "features/problem_layer.hpp"
-#include "features/surface_cluster.hpp"
 #include "features/write_features.hpp"
 #include "geometry/geos.hpp"
 #include "options/provenance_text.hpp"

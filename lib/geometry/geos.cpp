@@ -10,7 +10,6 @@
 
 #include <geos_c.h>
 
-#include "core/stop_token.hpp"
 #include "dem2buildings/error.hpp"
 #include "geometry/geos_converter.hpp"
 #include "geometry/validity.hpp"

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "geometry/box_tree.hpp"
 #include "geometry/geos_converter.hpp"

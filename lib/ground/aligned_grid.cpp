@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "core/grid.hpp"
 #include "raster/rank_filter.hpp"
 
 namespace d2b::ground {

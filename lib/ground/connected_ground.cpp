@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "core/grid.hpp"
+#include "raster/plane_sums.hpp"
 #include "raster/rank_filter.hpp"
 #include "raster/regions.hpp"
 
@@ -114,56 +114,6 @@ Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& 
 
 namespace {
 
-/// Sums over the blocks of a component, from which the slope of its least-squares plane follows.
-class PlaneSums {
-  public:
-    /// Blocks are measured from the first one, so that the sums do not depend on the position.
-    void add(BlockIndex at, float z) {
-        if (count_ == 0) {
-            first_ = at;
-            first_z_ = z;
-        }
-        const double y = at.row - first_.row;
-        const double x = at.col - first_.col;
-        const auto h = static_cast<double>(z - first_z_);
-        count_ += 1;
-        y_ += y;
-        x_ += x;
-        h_ += h;
-        yy_ += y * y;
-        xx_ += x * x;
-        xy_ += x * y;
-        yh_ += y * h;
-        xh_ += x * h;
-    }
-    /// Returns the slope in m/m; 0 if all blocks lie on one line.
-    [[nodiscard]] double slope(const CellSize& cell) const {
-        const double yy = yy_ - y_ * y_ / count_;
-        const double xx = xx_ - x_ * x_ / count_;
-        const double xy = xy_ - x_ * y_ / count_;
-        const double yh = yh_ - y_ * h_ / count_;
-        const double xh = xh_ - x_ * h_ / count_;
-        const double determinant = xx * yy - xy * xy;
-        if (!(determinant > 0))
-            return 0;
-        return std::hypot((yh * xx - xh * xy) / determinant / cell.down,
-                          (xh * yy - yh * xy) / determinant / cell.across);
-    }
-
-  private:
-    BlockIndex first_{0, 0};
-    float first_z_ = 0;
-    double count_ = 0;
-    double y_ = 0;
-    double x_ = 0;
-    double h_ = 0;
-    double yy_ = 0;
-    double xx_ = 0;
-    double xy_ = 0;
-    double yh_ = 0;
-    double xh_ = 0;
-};
-
 /// Border of a component of blocks, counted by sides of blocks, and its plane.
 struct BorderSides {
     std::int64_t within = 0;  ///< sides within the raster
@@ -183,8 +133,9 @@ struct BorderSides {
 
 /// Counts the sides at which the surface steps by more than `rise`: up or down in the next block, or down
 /// within two, because a wall may extend into a block.
-std::vector<BorderSides> border_sides(const MetreGrid& grid, const Mask& inside, const Regions& components,
-                                      float rise) {
+std::vector<BorderSides> border_sides(const AlignedGrid& blocks, const Mask& inside,
+                                      const Regions& components, float rise) {
+    const MetreGrid& grid = blocks.grid;
     const auto is_outside = [&](BlockIndex at) {
         return grid.holds(at.row, at.col) && inside.at(at.row, at.col) == 0 &&
                grid.at(at.row, at.col) != no_value;
@@ -209,7 +160,7 @@ std::vector<BorderSides> border_sides(const MetreGrid& grid, const Mask& inside,
         for (const RegionRun& run : components.row(r))
             for (std::int32_t c = run.begin; c < run.end; ++c) {
                 add({r, c}, borders[run.label]);
-                borders[run.label].plane.add({r, c}, grid.at(r, c));
+                borders[run.label].plane.add(r, c, grid.at(r, c), blocks.cell);
             }
     return borders;
 }
@@ -227,10 +178,10 @@ void remove_enclosed_by_walls(const AlignedGrid& blocks, const MetreGrid& limits
     const Regions components = connected_regions(inside, 1, 0, threads);
     const std::vector<CellBox> boxes = bounding_boxes(components);
     const std::vector<BorderSides> borders =
-        border_sides(grid, inside, components, static_cast<float>(rules.wall_rise));
+        border_sides(blocks, inside, components, static_cast<float>(rules.wall_rise));
     const auto is_level = [&](Label label) {
         return static_cast<double>(components.cells[label]) * blocks.cell.area() >= rules.level_area &&
-               borders[label].plane.slope(blocks.cell) < rules.level_slope;
+               borders[label].plane.tilt() < rules.level_slope;
     };
     const auto is_enclosed = [&](Label label) {
         const BorderSides& border = borders[label];

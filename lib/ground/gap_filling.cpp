@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <cstdint>
-#include <span>
-#include <utility>
 
 #include "core/grid.hpp"
 #include "raster/rank_filter.hpp"

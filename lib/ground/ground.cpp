@@ -1,18 +1,15 @@
 #include "ground/ground.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "core/grid.hpp"
 #include "ground/aligned_grid.hpp"
 #include "ground/gap_filling.hpp"
 #include "ground/initial_terrain.hpp"
 #include "ground/low_outliers.hpp"
-#include "ground/rules.hpp"
 #include "raster/rank_filter.hpp"
 
 namespace d2b::ground {

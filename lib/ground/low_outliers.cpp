@@ -4,7 +4,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "ground/aligned_grid.hpp"
 #include "ground/quantized_elevations.hpp"
 #include "raster/opening.hpp"
 #include "raster/rank_filter.hpp"

@@ -1,7 +1,6 @@
 #include "options/option_checks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

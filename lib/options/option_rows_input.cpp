@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/options.hpp"
 #include "options/option_rows.hpp"
 
 namespace d2b {

@@ -1,9 +1,7 @@
 #include "options/option_values.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <system_error>
 #include <utility>

@@ -2,15 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <limits>
-#include <span>
 #include <utility>
-#include <vector>
-
-#include "contours/contour.hpp"
-#include "core/lattice.hpp"
-#include "core/stop_token.hpp"
 
 namespace d2b::outline {
 

@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <utility>
-#include <vector>
 
-#include "core/lattice.hpp"
 #include "dem2buildings/spool.hpp"
 #include "geometry/box_tree.hpp"
 #include "outline/arc_graph.hpp"

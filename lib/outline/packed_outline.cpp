@@ -1,7 +1,5 @@
 #include "outline/packed_outline.hpp"
 
-#include <cstddef>
-
 namespace d2b::outline {
 namespace {
 

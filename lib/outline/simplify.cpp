@@ -9,7 +9,6 @@
 #include <set>
 #include <tuple>
 #include <unordered_map>
-#include <vector>
 
 #include "core/lattice.hpp"
 

@@ -3,15 +3,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "core/crs.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_sinks.hpp"
 #include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/version.hpp"
 #include "elevations/filter_invalid.hpp"

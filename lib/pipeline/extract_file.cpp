@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "dem2buildings/open_sinks.hpp"
-#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "options/run_plan.hpp"
 #include "pipeline/report_run.hpp"

@@ -1,15 +1,12 @@
 #include "pipeline/extract_roofs.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 #include "contours/clean_tiers.hpp"
 #include "contours/for_each_building.hpp"
 #include "diagnose/warnings.hpp"
 #include "geometry/geos.hpp"
-#include "roofs/make_roof.hpp"
 
 namespace d2b::pipeline {
 

@@ -3,21 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <mutex>
 #include <utility>
-#include <vector>
 
-#include "core/context.hpp"
-#include "core/grid.hpp"
-#include "dem2buildings/run.hpp"
 #include "detect/corrections.hpp"
 #include "detect/detection.hpp"
 #include "detect/ground_level.hpp"
 #include "detect/left_out.hpp"
 #include "detect/scene.hpp"
-#include "detect/units.hpp"
 #include "ground/ground.hpp"
 
 namespace d2b::pipeline {

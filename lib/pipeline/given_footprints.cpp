@@ -1,7 +1,6 @@
 #include "pipeline/given_footprints.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <numeric>
@@ -12,7 +11,6 @@
 #include "core/byte_stream.hpp"
 #include "features/reprojection.hpp"
 #include "geometry/geos.hpp"
-#include "raster/row_spans.hpp"
 
 namespace d2b::pipeline {
 

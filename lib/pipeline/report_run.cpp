@@ -1,12 +1,10 @@
 #include "pipeline/report_run.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <limits>
-#include <string>
-#include <utility>
 
-#include "core/context.hpp"
 #include "diagnose/search_warnings.hpp"
 #include "diagnose/warnings.hpp"
 

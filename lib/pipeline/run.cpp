@@ -1,13 +1,15 @@
 #include "pipeline/run.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/context.hpp"
 #include "core/crs.hpp"
-#include "dem2buildings/run.hpp"
 #include "dem2buildings/version.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "elevations/filter_invalid.hpp"

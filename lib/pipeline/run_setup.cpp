@@ -4,15 +4,12 @@
 #include <cmath>
 #include <string>
 #include <thread>
-#include <utility>
 
-#include "core/context.hpp"
 #include "core/crs.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/report.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "diagnose/warnings.hpp"
 #include "features/reprojection.hpp"

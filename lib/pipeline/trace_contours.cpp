@@ -3,14 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "contours/building_levels.hpp"
-#include "contours/clean_tiers.hpp"
-#include "contours/level_plan.hpp"
-#include "core/context.hpp"
 #include "detect/detection.hpp"
 
 namespace d2b::pipeline {

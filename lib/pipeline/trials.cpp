@@ -5,7 +5,6 @@
 #include <chrono>
 #include <optional>
 #include <set>
-#include <string>
 #include <utility>
 #include <variant>
 

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <span>
-#include <vector>
 
-#include "core/grid.hpp"
 #include "raster/rank_filter.hpp"
 #include "raster/regions.hpp"
 

@@ -1,12 +1,8 @@
 #include "raster/opening.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
-
-#include "core/grid.hpp"
-#include "raster/rank_filter.hpp"
 
 namespace d2b {
 namespace {

@@ -1,10 +1,6 @@
 #include "raster/rank_filter.hpp"
 
-#include <algorithm>
 #include <span>
-#include <vector>
-
-#include "core/grid.hpp"
 
 namespace d2b {
 namespace {

@@ -1,9 +1,5 @@
 #include "raster/regions.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <cstring>
-#include <span>
 #include <tuple>
 #include <utility>
 

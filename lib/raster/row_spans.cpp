@@ -1,7 +1,5 @@
 #include "raster/row_spans.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <compare>
 #include <cstddef>
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include <gdal_alg.h>
@@ -16,11 +15,8 @@
 #include "core/grid.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/fetch_gate.hpp"
-#include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeferencing.hpp"
-#include "read/ring_projection.hpp"
-#include "read/vector_layer.hpp"
 
 namespace d2b::reading {
 

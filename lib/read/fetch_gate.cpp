@@ -1,8 +1,6 @@
 #include "read/fetch_gate.hpp"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <span>
 #include <string_view>
 

@@ -1,8 +1,8 @@
 #include "read/footprint_reader.hpp"
 
 #include <optional>
-#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/warnings.hpp"
 #include "dem2buildings/error.hpp"

@@ -1,7 +1,7 @@
 #include "read/gdal_messages.hpp"
 
 #include <algorithm>
-#include <string_view>
+#include <cstddef>
 #include <utility>
 
 #include <cpl_error.h>

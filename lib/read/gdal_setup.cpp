@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdarg>
+#include <cstddef>
 #include <filesystem>
 #include <iterator>
-#include <string>
 
 #include <cpl_conv.h>
 #include <cpl_error.h>

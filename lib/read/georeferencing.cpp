@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
+#include <cstdint>
 
 #include <ogr_spatialref.h>
 
 #include "core/crs.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
 namespace d2b::reading {

@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <span>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/open_sources.hpp"
 #include "read/band_reader.hpp"
 #include "read/cutline.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"
 #include "read/georeferencing.hpp"
-#include "read/open_raster.hpp"
 #include "read/shared_raster.hpp"
 #include "read/source_place.hpp"
 

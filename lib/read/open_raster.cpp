@@ -1,8 +1,8 @@
 #include "read/open_raster.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"

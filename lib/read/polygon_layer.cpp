@@ -1,15 +1,12 @@
 #include "read/polygon_layer.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <gdal_alg.h>
 

@@ -5,9 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include <cpl_string.h>
 #include <gdal_priv.h>

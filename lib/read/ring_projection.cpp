@@ -9,8 +9,6 @@
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/sinks.hpp"
-#include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 
 namespace d2b::reading {

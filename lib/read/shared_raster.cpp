@@ -3,16 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <condition_variable>
-#include <cstdint>
 #include <cstdlib>
 #include <deque>
-#include <memory>
 #include <mutex>
-#include <span>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include <cpl_conv.h>
 #include <cpl_minixml.h>

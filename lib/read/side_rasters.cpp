@@ -5,19 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "core/crs.hpp"
-#include "core/invalid_elevations.hpp"
 #include "core/text.hpp"
 #include "core/units.hpp"
 #include "core/warnings.hpp"
-#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/band_reader.hpp"
 #include "read/cutline.hpp"

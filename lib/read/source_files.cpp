@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <iterator>
 #include <set>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>

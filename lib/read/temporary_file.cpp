@@ -1,9 +1,7 @@
 #include "read/temporary_file.hpp"
 
 #include <cerrno>
-#include <cstddef>
 #include <filesystem>
-#include <span>
 #include <system_error>
 #include <utility>
 #include <vector>

@@ -1,12 +1,9 @@
 #include "read/vector_layer.hpp"
 
-#include <cstddef>
 #include <utility>
-#include <vector>
 
 #include "dem2buildings/error.hpp"
 #include "read/fetch_gate.hpp"
-#include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeferencing.hpp"
 

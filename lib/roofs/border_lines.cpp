@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
 #include <unordered_map>
-#include <utility>
 
 #include "core/disjoint_sets.hpp"
 

@@ -8,7 +8,6 @@
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "geometry/box_tree.hpp"
 
 namespace d2b::score {
 namespace {

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <span>
-#include <vector>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS             // required by Boost 1.74's own headers
 #include <boost/geometry/algorithms/distance.hpp>  // required by the R-tree of Boost 1.83

@@ -1,7 +1,6 @@
 #include "score/score.hpp"
 
 #include <algorithm>
-#include <span>
 #include <utility>
 
 #include "score/measure.hpp"

@@ -1,19 +1,15 @@
 #include "surface/faces.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
 #include "outline/fine_geometry.hpp"
-#include "surface/planar_partition.hpp"
 
 namespace d2b::surface {
 namespace {

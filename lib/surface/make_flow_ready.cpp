@@ -1,6 +1,7 @@
 #include "surface/make_flow_ready.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
 #include <utility>
 

@@ -2,19 +2,14 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "core/disjoint_sets.hpp"
-#include "dem2buildings/surfaces.hpp"
-#include "surface/faces.hpp"
 #include "surface/partition.hpp"
-#include "surface/planar_partition.hpp"
 #include "surface/roof_heights.hpp"
 #include "surface/vertex_snapping.hpp"
 

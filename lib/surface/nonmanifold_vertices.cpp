@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <functional>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "outline/fine_geometry.hpp"

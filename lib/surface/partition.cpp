@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
-#include <span>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "geometry/box_tree.hpp"
 #include "outline/fine_geometry.hpp"
-#include "surface/planar_partition.hpp"
 
 namespace d2b::surface {
 

@@ -1,12 +1,9 @@
 #include "surface/planar_partition.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "outline/fine_geometry.hpp"
 

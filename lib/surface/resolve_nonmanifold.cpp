@@ -11,9 +11,7 @@
 #include <utility>
 
 #include "outline/fine_geometry.hpp"
-#include "surface/nonmanifold_vertices.hpp"
 #include "surface/partition_editor.hpp"
-#include "surface/planar_partition.hpp"
 
 namespace d2b::surface {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <utility>
 
@@ -11,7 +10,6 @@
 #include "outline/fine_geometry.hpp"
 #include "surface/partition.hpp"
 #include "surface/partition_editor.hpp"
-#include "surface/planar_partition.hpp"
 
 namespace d2b::surface {
 namespace {

@@ -1,9 +1,6 @@
 #include "view/cairo.hpp"
 
-#include <string>
-
 #include "core/system/process.hpp"
-#include "dem2buildings/error.hpp"
 
 namespace d2b::view {
 

@@ -1,9 +1,6 @@
 #include "view/map_frame.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <filesystem>
 #include <utility>
 
 namespace d2b::view {

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 
-#include "view/map_frame.hpp"
 #include "view/page.hpp"
 
 namespace d2b::view {

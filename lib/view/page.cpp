@@ -1,19 +1,16 @@
 #include "view/page.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <memory>
-#include <string>
+#include <optional>
 #include <string_view>
 
 #include "core/height_classes.hpp"
 #include "core/text.hpp"
-#include "view/cairo.hpp"
-#include "view/map_frame.hpp"
 
 namespace d2b::view {
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <string>
-#include <utility>
 
 #include "core/georeference.hpp"
 #include "dem2buildings/error.hpp"

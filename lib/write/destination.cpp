@@ -4,13 +4,9 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <filesystem>
 #include <fstream>
-#include <optional>
-#include <string>
 #include <system_error>
 #include <thread>
-#include <vector>
 
 #include <cpl_vsi.h>
 

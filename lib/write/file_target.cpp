@@ -1,6 +1,7 @@
 #include "write/file_target.hpp"
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <system_error>
 

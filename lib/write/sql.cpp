@@ -1,5 +1,7 @@
 #include "write/sql.hpp"
 
+#include <cstddef>
+
 #include "read/gdal_messages.hpp"
 
 namespace d2b::writing {

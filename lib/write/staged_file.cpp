@@ -1,7 +1,5 @@
 #include "write/staged_file.hpp"
 
-#include <utility>
-
 #include <cpl_vsi.h>
 
 #include "read/gdal_messages.hpp"

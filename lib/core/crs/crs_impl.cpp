@@ -3,18 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <memory>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include <GeographicLib/Config.h>
 #include <proj.h>
 
-#include "core/crs.hpp"
-#include "core/crs/lon_lat.hpp"
-#include "core/crs/proj.hpp"
 #include "dem2buildings/error.hpp"
 
 namespace d2b {

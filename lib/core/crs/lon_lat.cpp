@@ -1,14 +1,9 @@
 #include "core/crs/lon_lat.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
-
-#include "core/crs/proj.hpp"
 
 namespace d2b {
 namespace {

@@ -10,10 +10,8 @@
 #include <new>
 #include <numbers>
 #include <sstream>
-#include <string>
 #include <utility>
 
-#include "core/crs.hpp"
 #include "core/system/process.hpp"
 
 namespace d2b {

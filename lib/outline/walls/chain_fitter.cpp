@@ -1,13 +1,8 @@
 #include "outline/walls/chain_fitter.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
-
-#include "outline/walls/chain_polyline.hpp"
 
 namespace d2b::outline {
 

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
 #include <iterator>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "outline/fine_geometry.hpp"
 #include "outline/packed_outline.hpp"

@@ -1,9 +1,6 @@
 #include "outline/walls/trace_sums.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <numbers>
 #include <utility>
 
 namespace d2b::outline {

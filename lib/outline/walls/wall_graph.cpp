@@ -1,13 +1,11 @@
 #include "outline/walls/wall_graph.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "core/disjoint_sets.hpp"
 

@@ -1,18 +1,11 @@
 #include "outline/walls/wall_segmentation.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "core/stop_token.hpp"
 #include "outline/walls/chain_polyline.hpp"
 #include "outline/walls/wall_adjustment.hpp"
 #include "outline/walls/wall_path.hpp"

@@ -7,7 +7,6 @@
 #include <optional>
 #include <random>
 #include <system_error>
-#include <utility>
 
 #include "core/system/process.hpp"
 #include "dem2buildings/version.hpp"

@@ -1,9 +1,10 @@
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <span>
-#include <tuple>
+#include <string>
 #include <utility>
 #include <vector>
 

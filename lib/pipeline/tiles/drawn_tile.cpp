@@ -4,9 +4,7 @@
 #include <array>
 #include <functional>
 #include <string_view>
-#include <utility>
 
-#include "contours/contour_archive.hpp"
 #include "detect/detection.hpp"
 #include "features/roof_layer.hpp"
 #include "roofs/make_roof.hpp"

@@ -1,7 +1,6 @@
 #include "pipeline/tiles/found_tile.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 #include "core/grid.hpp"

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <iterator>
 #include <unordered_map>
-#include <utility>
 
 #include "pipeline/find_buildings.hpp"
-#include "pipeline/tiles/found_tile.hpp"
 #include "pipeline/tiles/tile_rasters.hpp"
-#include "pipeline/tiles/tile_run.hpp"
 #include "pipeline/tiles/tile_steps.hpp"
 
 namespace d2b::tiles {

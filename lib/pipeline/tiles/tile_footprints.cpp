@@ -1,8 +1,6 @@
 #include "pipeline/tiles/tile_footprints.hpp"
 
 #include <algorithm>
-#include <tuple>
-#include <utility>
 
 #include "core/byte_stream.hpp"
 #include "pipeline/tiles/checkpoint_file.hpp"

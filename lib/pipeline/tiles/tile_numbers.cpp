@@ -4,8 +4,6 @@
 #include <system_error>
 #include <utility>
 
-#include "pipeline/tiles/drawn_tile.hpp"
-
 namespace d2b::tiles {
 
 TileIds::TileIds(std::unique_ptr<Spool> spool, std::size_t tiles)

@@ -4,12 +4,9 @@
 #include <limits>
 #include <numeric>
 #include <string>
-#include <utility>
 
-#include "elevations/filter_invalid.hpp"
 #include "features/contour_drawer.hpp"
 #include "pipeline/find_buildings.hpp"
-#include "pipeline/run_setup.hpp"
 
 namespace d2b::tiles {
 namespace {

@@ -4,14 +4,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstddef>
 #include <filesystem>
-#include <memory>
-#include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
-#include <vector>
 
 #include <nlohmann/json.hpp>
 

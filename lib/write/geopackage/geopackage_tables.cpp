@@ -3,7 +3,6 @@
 #include <cpl_conv.h>
 #include <gdal_version.h>
 
-#include "write/qgis/qgis_style.hpp"
 #include "write/sql.hpp"
 
 namespace d2b::writing {

@@ -1,12 +1,10 @@
 #include "write/postgresql/postgresql.hpp"
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
-#include "write/qgis/qgis_style.hpp"
 #include "write/sql.hpp"
 
 namespace d2b::writing {

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <fstream>
 #include <span>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include <cpl_vsi.h>
 
 #include "core/height_classes.hpp"
 #include "core/height_text.hpp"
 #include "core/text.hpp"
-#include "dem2buildings/sinks.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/xml_text.hpp"
 

@@ -4,27 +4,22 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
 #include "core/crs.hpp"
 #include "core/text.hpp"
-#include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/config_option.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"
-#include "write/file_target.hpp"
 #include "write/ogr_util.hpp"
 #include "write/staged_file.hpp"
 #include "write/staging.hpp"

@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +13,6 @@
 
 #include "core/crs.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/surfaces.hpp"
 #include "write/staging.hpp"
 #include "write/surface/obj_stl_sink.hpp"
 #include "write/surface/surface_file.hpp"

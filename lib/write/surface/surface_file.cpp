@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <cstddef>
-#include <span>
 #include <system_error>
 #include <type_traits>
 #include <utility>

@@ -3,22 +3,17 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <span>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/sinks.hpp"
 #include "write/destination.hpp"
 #include "write/geopackage/geopackage_tables.hpp"
 #include "write/ogr_util.hpp"
 #include "write/postgresql/postgresql.hpp"
 #include "write/qgis/qgis_style.hpp"
-#include "write/sql.hpp"
-#include "write/vector/layer_writer.hpp"
 #include "write/vector/vector_format.hpp"
 
 namespace d2b::writing {

@@ -1,11 +1,9 @@
 #include "write/vector/layer_names.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <string_view>
 
 #include <cpl_conv.h>
@@ -14,11 +12,9 @@
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "dem2buildings/options.hpp"
 #include "read/gdal_messages.hpp"
 #include "write/ogr_util.hpp"
 #include "write/vector/dxf_sink.hpp"
-#include "write/vector/vector_format.hpp"
 
 namespace d2b::writing {
 

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"

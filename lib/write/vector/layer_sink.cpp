@@ -1,7 +1,5 @@
 #include "write/vector/layer_sink.hpp"
 
-#include <utility>
-
 #include "dem2buildings/open_sinks.hpp"
 #include "read/gdal_setup.hpp"
 #include "write/vector/vector_format.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
-#include <utility>
 #include <variant>
 
 #include <cpl_vsi.h>

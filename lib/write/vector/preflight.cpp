@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <set>
-#include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +15,6 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/options.hpp"
-#include "dem2buildings/sinks.hpp"
 #include "features/rounded_polygons.hpp"
 #include "read/config_option.hpp"
 #include "read/gdal_messages.hpp"
