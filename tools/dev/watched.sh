@@ -31,7 +31,8 @@ build_progress() {
 
 # A line for each tenth of the way; what fails, with all that it says; one line at the end.
 test_progress() {
-    awk '
+    # The numbers of CTest have a point.
+    LC_ALL=C awk '
         / Test +#[0-9]+: / {
             split($1, place, "/")
             if (int(10 * place[1] / place[2]) > tenth) {
