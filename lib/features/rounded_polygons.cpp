@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
@@ -156,34 +155,6 @@ void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, Layer laye
     }
 }
 
-void RoundedPolygons::find_uncovered(const std::vector<Parts>& shapes, Damage& harm) {
-    std::unordered_map<std::int64_t, std::size_t> indices;
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> children;
-    std::vector<std::int64_t> parents;  // in the order of contours
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-        if (items_[i].layer != Layer::contours || shapes[i].empty())
-            continue;
-        indices.emplace(items_[i].id, i);
-        auto& list = children[items_[i].parent_id];
-        if (list.empty())
-            parents.push_back(items_[i].parent_id);
-        list.push_back(i);
-    }
-    for (const std::int64_t parent : parents) {
-        const auto place = indices.find(parent);
-        if (place == indices.end())
-            continue;
-        std::vector<Parts> inner;
-        for (const std::size_t i : children[parent])
-            inner.push_back(shapes[i]);
-        const std::vector<bool> inside = geos_.covered(shapes[place->second], inner);
-        for (std::size_t k = 0; k < inside.size(); ++k)
-            if (const Item& item = items_[children[parent][k]];
-                !inside[k] && geos_.covered(items_[place->second].exact, {item.exact}).front())
-                harm.add(item.name);
-    }
-}
-
 RoundedPolygons::Damage RoundedPolygons::damage_of(const CoordinateRounding& rounding) {
     Damage harm;
     std::vector<Parts> shapes;
@@ -195,8 +166,6 @@ RoundedPolygons::Damage RoundedPolygons::damage_of(const CoordinateRounding& rou
     }
     find_overlaps(shapes, Layer::buildings, harm);
     find_overlaps(shapes, Layer::contours, harm);
-    if (is_stacked_)
-        find_uncovered(shapes, harm);
     return harm;
 }
 

@@ -16,7 +16,8 @@ namespace d2b::features {
 
 /// Rounds polygons before writing in the same way as the destination, so that the polygons checked are those
 /// read back. Polygons broken by rounding are repaired on the same grid. finish() checks all polygons
-/// together: none may collapse or overlap a neighbour, and each contour must stay within its parent.
+/// together: none may collapse or overlap a neighbour. A contour may extend beyond its parent by as much as
+/// rounding moves corners, because a parent has no corner where one of its contours ends at its walls.
 class RoundedPolygons {
   public:
     /// Group of polygons that must not overlap.
@@ -56,7 +57,6 @@ class RoundedPolygons {
                                     bool& was_repaired);
     [[nodiscard]] Damage damage_of(const CoordinateRounding& rounding);
     void find_overlaps(const std::vector<Parts>& shapes, Layer layer, Damage& harm);
-    void find_uncovered(const std::vector<Parts>& shapes, Damage& harm);
 
     CoordinateRounding rounding_;
     bool is_stacked_;
