@@ -51,6 +51,7 @@ D2B_LAZY_SYMBOL(cairo_paint);
 D2B_LAZY_SYMBOL(cairo_paint_with_alpha);
 D2B_LAZY_SYMBOL(cairo_pattern_set_extend);
 D2B_LAZY_SYMBOL(cairo_pdf_surface_create_for_stream);
+D2B_LAZY_SYMBOL(cairo_pdf_surface_restrict_to_version);
 D2B_LAZY_SYMBOL(cairo_pdf_surface_set_metadata);
 D2B_LAZY_SYMBOL(cairo_recording_surface_create);
 D2B_LAZY_SYMBOL(cairo_rectangle);

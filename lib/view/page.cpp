@@ -262,6 +262,8 @@ SurfacePtr make_surface(PixelSize size, writing::PictureFormat format, std::stri
     }
     SurfacePtr surface(cairo_pdf_surface_create_for_stream(append, &bytes, size.width * points_per_pixel,
                                                            size.height * points_per_pixel));
+    // Any reader and plotter takes this one; the newest that a Cairo writes differs between systems.
+    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
     cairo_surface_set_device_scale(surface.get(), points_per_pixel, points_per_pixel);
     cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
     return surface;
