@@ -60,7 +60,9 @@ class Program(unittest.TestCase):
 
     def test_says_where_to_get_it(self):
         for platform, words in (("win32", "OSGeo4W"), ("linux", "Debian package"), ("darwin", "from the sources")):
-            with unittest.mock.patch.object(sys, "platform", platform):
+            # shutil.which() of another system is not here.
+            with unittest.mock.patch.object(sys, "platform", platform), unittest.mock.patch("shutil.which"):
+                shutil.which.return_value = None
                 with self.assertRaisesRegex(self.program.NotFound, words):
                     self.program.find()
 
