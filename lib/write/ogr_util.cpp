@@ -3,6 +3,7 @@
 #include <gdal_version.h>
 
 #include "dem2buildings/error.hpp"
+#include "write/io_error_monitor.hpp"
 
 namespace d2b::writing {
 
@@ -17,6 +18,10 @@ std::string advice_for(const std::string& reason) {
 }
 
 void OgrCall::check(bool succeeded, const std::string& doing) {
+    if (target_.monitor != nullptr)
+        target_.monitor->require_written(target_.name);
+    if (target_.monitor != nullptr)
+        target_.monitor->require_written(target_.name);
     if (!succeeded || messages_.failed())
         fail(doing);
     pass_warnings();

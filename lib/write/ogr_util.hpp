@@ -45,12 +45,15 @@ class NameValueList {
     CPLStringList list_;
 };
 
+class IoErrorMonitor;
+
 /// Destination as named in messages.
 struct WriteTarget {
     std::string name;           ///< user input
     std::string hidden_folder;  ///< temporary folder with trailing slash; "" if written in place
     Warnings* warnings = nullptr;
     StopToken stop{};
+    const IoErrorMonitor* monitor = nullptr;  ///< reports failed writes that the driver does not
 };
 
 /// Guards one call of OGR. Treats each reported error as a failure, even if the call returns success, because

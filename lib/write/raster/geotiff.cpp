@@ -20,6 +20,7 @@
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"
+#include "write/io_error_monitor.hpp"
 #include "write/ogr_util.hpp"
 #include "write/staged_file.hpp"
 #include "write/staging.hpp"
@@ -35,7 +36,7 @@ class GeoTiffFile {
     static constexpr std::int32_t tile = 256;
     static constexpr float nodata = -9999;
 
-    /// @param target must outlive this object @param path file to write @throws OutputError
+    /// @param path file to write @throws OutputError
     GeoTiffFile(const WriteTarget& target, const std::string& path, const DemInfo& grid,
                 const RasterMetadata& meta);
 
@@ -49,7 +50,8 @@ class GeoTiffFile {
     void set_georeferencing(const DemInfo& grid, const RasterMetadata& meta);
     void describe(const RasterMetadata& meta);
 
-    const WriteTarget& target_;
+    WriteTarget target_;
+    std::optional<IoErrorMonitor> monitor_;  ///< of a local file; declared before its dataset, which uses it
     reading::DatasetOwner dataset_;
 };
 
@@ -88,8 +90,14 @@ GeoTiffFile::GeoTiffFile(const WriteTarget& target, const std::string& path, con
     options.set("COMPRESS", "DEFLATE");
     options.set("PREDICTOR", "3");
     options.set("BIGTIFF", "IF_SAFER");
+    // GDAL 3.10 calls a file complete of which a buffered write failed.
+    if (!path.starts_with("/vsi")) {
+        target_.monitor = &monitor_.emplace();
+        target_.hidden_folder = monitor_->name_of(target_.hidden_folder);
+    }
+    const std::string name = monitor_ ? monitor_->name_of(path) : path;
     OgrCall call(target_);
-    dataset_.reset(GDALCreate(GDALGetDriverByName("GTiff"), path.c_str(), grid.window.cols, grid.window.rows,
+    dataset_.reset(GDALCreate(GDALGetDriverByName("GTiff"), name.c_str(), grid.window.cols, grid.window.rows,
                               1, GDT_Float32, options.get()));
     call.check(dataset_ != nullptr, "creating the GeoTIFF");
     set_georeferencing(grid, meta);

@@ -11,12 +11,12 @@
 #include "read/footprint_reader.hpp"
 #include "read/gdal_setup.hpp"
 #include "write/destination.hpp"
+#include "write/io_error_monitor.hpp"
 #include "write/qgis/qgis_style.hpp"
 #include "write/staging.hpp"
 #include "write/standard_output.hpp"
 #include "write/vector/dataset_writer.hpp"
 #include "write/vector/dxf_sink.hpp"
-#include "write/vector/io_error_monitor.hpp"
 #include "write/vector/layer_names.hpp"
 #include "write/vector/preflight.hpp"
 
@@ -183,9 +183,8 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
 }
 
 void OgrFeatureSink::require_written() const {
-    if (monitor_ && monitor_->error() != 0)
-        throw OutputError("Cannot write \"" + destination_.name +
-                          "\": " + std::generic_category().message(monitor_->error()) + ".");
+    if (monitor_)
+        monitor_->require_written(destination_.name);
 }
 
 void OgrFeatureSink::prepare(CommitList& commit) {

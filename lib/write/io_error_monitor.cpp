@@ -1,12 +1,15 @@
-#include "write/vector/io_error_monitor.hpp"
+#include "write/io_error_monitor.hpp"
 
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>
+
+#include "dem2buildings/error.hpp"
 
 namespace d2b::writing {
 
@@ -51,6 +54,23 @@ size_t write_file(void* file, const void* data, size_t size, size_t count) {
         VSIFSeekL(self.file, VSIFTellL(self.file) + (count - written) * size, SEEK_SET);
     }
     return count;
+}
+
+/// Seeking and reading write a buffer first.
+int seek_file(void* file, vsi_l_offset to, int from) {
+    errno = 0;
+    const int result = VSIFSeekL(monitored(file).file, to, from);
+    if (result != 0 && errno != EINVAL)
+        monitored(file).monitor.record(errno);
+    return result;
+}
+
+size_t read_file(void* file, void* data, size_t size, size_t count) {
+    errno = 0;
+    const size_t read = VSIFReadL(data, size, count, monitored(file).file);
+    if (read < count && errno != 0)
+        monitored(file).monitor.record(errno);
+    return read;
 }
 
 int flush_file(void* file) {
@@ -128,12 +148,8 @@ IoErrorMonitor::IoErrorMonitor()
     calls->read_dir = list_folder;
     calls->open = open_file;
     calls->tell = [](void* file) { return VSIFTellL(monitored(file).file); };
-    calls->seek = [](void* file, vsi_l_offset to, int from) {
-        return VSIFSeekL(monitored(file).file, to, from);
-    };
-    calls->read = [](void* file, void* data, size_t size, size_t count) {
-        return VSIFReadL(data, size, count, monitored(file).file);
-    };
+    calls->seek = seek_file;
+    calls->read = read_file;
     calls->eof = [](void* file) { return VSIFEofL(monitored(file).file); };
     calls->write = write_file;
     calls->flush = flush_file;
@@ -144,6 +160,11 @@ IoErrorMonitor::IoErrorMonitor()
 
 std::string IoErrorMonitor::name_of(const std::string& path) const {
     return prefix_ + (path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string());
+}
+
+void IoErrorMonitor::require_written(const std::string& name) const {
+    if (error_ != 0)
+        throw OutputError("Cannot write \"" + name + "\": " + std::generic_category().message(error_) + ".");
 }
 
 void IoErrorMonitor::record(int error) {
