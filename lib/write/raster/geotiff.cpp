@@ -37,8 +37,7 @@ class GeoTiffFile {
     static constexpr float nodata = -9999;
 
     /// @param path file to write @throws OutputError
-    GeoTiffFile(const WriteTarget& target, const std::string& path, const DemInfo& grid,
-                const RasterMetadata& meta);
+    GeoTiffFile(WriteTarget target, const std::string& path, const DemInfo& grid, const RasterMetadata& meta);
 
     /// @param cells window of one tile, relative to the first row and column @param values row by row
     /// @throws OutputError
@@ -80,9 +79,9 @@ AffineTransform transform_of(const DemInfo& grid) {
 
 }  // namespace
 
-GeoTiffFile::GeoTiffFile(const WriteTarget& target, const std::string& path, const DemInfo& grid,
+GeoTiffFile::GeoTiffFile(WriteTarget target, const std::string& path, const DemInfo& grid,
                          const RasterMetadata& meta)
-    : target_(target) {
+    : target_(std::move(target)) {
     NameValueList options;
     options.set("TILED", "YES");
     options.set("BLOCKXSIZE", std::to_string(tile));
