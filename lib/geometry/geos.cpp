@@ -146,27 +146,6 @@ std::vector<WorldPolygon> Geos::snap_to_grid(const std::vector<WorldPolygon>& po
     return geos.polygons_of<WorldPolygon>(snapped.get());
 }
 
-std::vector<bool> Geos::covered(const std::vector<WorldPolygon>& outer,
-                                const std::vector<std::vector<WorldPolygon>>& inner) {
-    const GeosConverter& geos = impl_->polygons;
-    const GeosInterrupt::Watch watch(geos.stop());
-    const GeometryPtr whole = geos.multi_polygon(outer);
-    const PreparedPtr prepared(GEOSPrepare_r(geos.context(), whole.get()), {geos.context()});
-    if (!prepared)
-        geos.fail("to prepare a polygon");
-    std::vector<bool> answers;
-    for (const std::vector<WorldPolygon>& part : inner) {
-        geos.stop().check();
-        const GeometryPtr geometry = geos.multi_polygon(part);
-        const bool exactly =
-            geos.predicate(GEOSPreparedCovers_r(geos.context(), prepared.get(), geometry.get()));
-        answers.push_back(exactly ||
-                          area_of(geos, geos.wrap(GEOSDifference_r(geos.context(), geometry.get(),
-                                                                   whole.get()))) <= area_of_rounding(part));
-    }
-    return answers;
-}
-
 bool Geos::overlap(const std::vector<WorldPolygon>& one, const std::vector<WorldPolygon>& other) {
     const GeosConverter& geos = impl_->polygons;
     const GeosInterrupt::Watch watch(geos.stop());

@@ -34,10 +34,6 @@ class Geos {
     /// @throws GeometryError
     [[nodiscard]] std::vector<WorldPolygon> snap_to_grid(const std::vector<WorldPolygon>& polygons,
                                                          double step);
-    /// Per inner polygon: true if `outer` covers it, up to rounding errors of corners on its border.
-    /// @throws GeometryError
-    [[nodiscard]] std::vector<bool> covered(const std::vector<WorldPolygon>& outer,
-                                            const std::vector<std::vector<WorldPolygon>>& inner);
     /// True if the interiors intersect, up to rounding errors. @throws GeometryError
     [[nodiscard]] bool overlap(const std::vector<WorldPolygon>& one, const std::vector<WorldPolygon>& other);
     /// Subtracts `parts`, which lie in `whole` and share only whole edges or points with its rings and each

@@ -20,8 +20,6 @@ std::string advice_for(const std::string& reason) {
 void OgrCall::check(bool succeeded, const std::string& doing) {
     if (target_.monitor != nullptr)
         target_.monitor->require_written(target_.name);
-    if (target_.monitor != nullptr)
-        target_.monitor->require_written(target_.name);
     if (!succeeded || messages_.failed())
         fail(doing);
     pass_warnings();
