@@ -54,10 +54,7 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
     void preflight(std::span<const LayerSpec> layers, const Provenance& provenance,
                    const Position& place) override;
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
-    void add(std::size_t layer, const Feature& feature) override {
-        writer_->add(layer, feature);
-        require_written();
-    }
+    void add(std::size_t layer, const Feature& feature) override { writer_->add(layer, feature); }
     [[nodiscard]] CoordinateRounding rounding() const override {
         return rounding_.value_or(CoordinateRounding());
     }
@@ -82,7 +79,6 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
         return existing_ ? ReplacedFiles{existing_->files, existing_->stamp} : ReplacedFiles{};
     }
     /// @throws OutputError if the disk rejected a write that the driver took for successful
-    void require_written() const;
 
     WriteOptions options_;
     VectorFormat format_;
@@ -158,7 +154,7 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
             return monitored ? monitor_->name_of(file.string()) : file.string();
         };
         if (monitored)
-            monitor_.emplace();
+            target_.monitor = &monitor_.emplace();
         target_.hidden_folder = called(staging.folder()) + "/";
         path = called(staging.dataset());
         if (mode() == DatasetWriter::Mode::extend) {
@@ -179,12 +175,6 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
         no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF");
     writer_.emplace(target_, format_, options_);
     writer_->begin(path, mode(), layers, provenance);
-    require_written();
-}
-
-void OgrFeatureSink::require_written() const {
-    if (monitor_)
-        monitor_->require_written(destination_.name);
 }
 
 void OgrFeatureSink::prepare(CommitList& commit) {
@@ -194,7 +184,6 @@ void OgrFeatureSink::prepare(CommitList& commit) {
         return;
     }
     writer_->close();
-    require_written();
     if (captured_) {
         captured_->require_captured();
         commit.add(*captured_);
