@@ -89,21 +89,6 @@ void collect(const reading::FieldLayer& layer, SurveyCollector& collector) {
     }
 }
 
-}  // namespace
-
-ReadSurvey read_buildings(const std::string& dataset, Warnings& warnings) {
-    const reading::FieldLayer layer =
-        reading::read_field_layer({dataset, {}, {"buildings"}, {}, {}}, wanted_fields(), warnings);
-    ReadSurvey survey{{dataset, layer.name, layer.features.size(), 0, {}}, Crs(layer.crs_wkt), {}};
-    SurveyCollector collector(survey.crs);
-    collect(layer, collector);
-    survey.about.cell_m = collector.cell_m();
-    survey.place = collector.take();
-    return survey;
-}
-
-namespace {
-
 /// Keeps the buildings of a run in memory.
 class SurveySink final : public FeatureSink {
   public:
@@ -142,6 +127,17 @@ class HeightSink final : public RasterSink {
 };
 
 }  // namespace
+
+ReadSurvey read_buildings(const std::string& dataset, Warnings& warnings) {
+    const reading::FieldLayer layer =
+        reading::read_field_layer({dataset, {}, {"buildings"}, {}, {}}, wanted_fields(), warnings);
+    ReadSurvey survey{{dataset, layer.name, layer.features.size(), 0, {}}, Crs(layer.crs_wkt), {}};
+    SurveyCollector collector(survey.crs);
+    collect(layer, collector);
+    survey.about.cell_m = collector.cell_m();
+    survey.place = collector.take();
+    return survey;
+}
 
 ReadSurvey find_buildings(const std::string& dsm, const Callbacks& callbacks) {
     Options options;

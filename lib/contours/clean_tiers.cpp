@@ -15,6 +15,15 @@ bool same(double a, double b) {
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
+void clean(BuildingCells& cells, const RegionOptions& options, const StopToken& stop) {
+    const TierRegions regions = merge_regions(cells, options, stop);
+    for (std::size_t i = 0; i < cells.elevations.size(); ++i) {
+        const TierRegion& region = regions.regions[regions.of_cell[i]];
+        if (region.points > 0)
+            cells.elevations[i] = region.mean;
+    }
+}
+
 }  // namespace
 
 CleanRows::CleanRows(std::unique_ptr<Spool> spool, const Window& window)
@@ -41,19 +50,6 @@ void CleanRows::add(const BuildingCells& cells) {
         slabs_[slab].push_back(entry);
     }
 }
-
-namespace {
-
-void clean(BuildingCells& cells, const RegionOptions& options, const StopToken& stop) {
-    const TierRegions regions = merge_regions(cells, options, stop);
-    for (std::size_t i = 0; i < cells.elevations.size(); ++i) {
-        const TierRegion& region = regions.regions[regions.of_cell[i]];
-        if (region.points > 0)
-            cells.elevations[i] = region.mean;
-    }
-}
-
-}  // namespace
 
 CleanRows clean_tiers(ElevationReader& reader, const detect::LabelRows& labels, Label count,
                       const RegionOptions& regions, const Window& window,

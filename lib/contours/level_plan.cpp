@@ -69,43 +69,6 @@ std::vector<double> usable(std::vector<double> thresholds, const ElevationStatis
     return kept;
 }
 
-}  // namespace
-
-int LevelPlan::level_count() const {
-    std::size_t most = 0;
-    for (const auto& list : thresholds)
-        most = std::max(most, list.size());
-    return static_cast<int>(most) + 1;
-}
-
-LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options,
-                             LevelSource source, Context& context) {
-    RunReport& report = context.report;
-    report.valid_points = statistics.moments.n;
-    LevelPlan plan{0, {{}, {}}};
-    if (statistics.moments.n == 0)
-        return plan;
-    report.minimum = plan.minimum = statistics.minimum;
-    report.maximum = statistics.maximum;
-    report.mean = statistics.moments.mean();
-    report.standard_deviation = statistics.moments.standard_deviation();
-    plan.thresholds[1] = usable(candidates(statistics, options, source), statistics, report);
-    check_level_count(plan.level_count(), options);
-    return plan;
-}
-
-void check_level_count(double levels, const LevelOptions& options) {
-    if (levels <= max_levels)
-        return;
-    const std::string most = std::to_string(max_levels - 1);  // the root is not a level for users
-    if (options.interval && options.fixed.empty())
-        throw OptionError("-i " + number_text(*options.interval) + " gives more than " + most +
-                          " levels on this DEM; use a larger interval.");
-    throw OptionError("-fl and -lod give at most " + most + " levels, not " + number_text(levels - 1) + ".");
-}
-
-namespace {
-
 // Up to this number of thresholds counting is faster than searching, because it is branch-free.
 constexpr std::size_t few = 16;
 
@@ -152,6 +115,39 @@ void quantise_run(std::span<const double> elevations, Label label, const LevelPl
 }
 
 }  // namespace
+
+int LevelPlan::level_count() const {
+    std::size_t most = 0;
+    for (const auto& list : thresholds)
+        most = std::max(most, list.size());
+    return static_cast<int>(most) + 1;
+}
+
+LevelPlan plan_global_levels(const ElevationStatistics& statistics, const LevelOptions& options,
+                             LevelSource source, Context& context) {
+    RunReport& report = context.report;
+    report.valid_points = statistics.moments.n;
+    LevelPlan plan{0, {{}, {}}};
+    if (statistics.moments.n == 0)
+        return plan;
+    report.minimum = plan.minimum = statistics.minimum;
+    report.maximum = statistics.maximum;
+    report.mean = statistics.moments.mean();
+    report.standard_deviation = statistics.moments.standard_deviation();
+    plan.thresholds[1] = usable(candidates(statistics, options, source), statistics, report);
+    check_level_count(plan.level_count(), options);
+    return plan;
+}
+
+void check_level_count(double levels, const LevelOptions& options) {
+    if (levels <= max_levels)
+        return;
+    const std::string most = std::to_string(max_levels - 1);  // the root is not a level for users
+    if (options.interval && options.fixed.empty())
+        throw OptionError("-i " + number_text(*options.interval) + " gives more than " + most +
+                          " levels on this DEM; use a larger interval.");
+    throw OptionError("-fl and -lod give at most " + most + " levels, not " + number_text(levels - 1) + ".");
+}
 
 template <typename Count>
 Count quantise(double z, Label label, const LevelPlan& plan) {

@@ -24,28 +24,6 @@ std::vector<HistogramBin> paired(const std::vector<HistogramBin>& bins) {
     return pairs;
 }
 
-}  // namespace
-
-void ElevationHistogram::add(double elevation_m, std::int64_t points) {
-    const double end = std::clamp(std::ceil(elevation_m * bins_a_metre), -farthest, farthest);
-    points_[static_cast<std::int64_t>(end) - 1] += points;
-}
-
-ElevationHistogram::Bins ElevationHistogram::bins(std::size_t most) const {
-    Bins result{1 / bins_a_metre, {}};
-    for (const auto& [bin, points] : points_)
-        result.bins.push_back({bin, points});
-    double width = 1;
-    while (result.bins.size() > std::max<std::size_t>(most, 2)) {
-        result.bins = paired(result.bins);
-        width *= 2;
-    }
-    result.width_m = width / bins_a_metre;
-    return result;
-}
-
-namespace {
-
 constexpr double impossible = std::numeric_limits<double>::infinity();
 
 /// Squared errors of classes of bins, in squared bins, from prefix sums.
@@ -132,6 +110,24 @@ std::vector<std::int64_t> followed_back(const std::vector<BreakRow>& rows, std::
 }
 
 }  // namespace
+
+void ElevationHistogram::add(double elevation_m, std::int64_t points) {
+    const double end = std::clamp(std::ceil(elevation_m * bins_a_metre), -farthest, farthest);
+    points_[static_cast<std::int64_t>(end) - 1] += points;
+}
+
+ElevationHistogram::Bins ElevationHistogram::bins(std::size_t most) const {
+    Bins result{1 / bins_a_metre, {}};
+    for (const auto& [bin, points] : points_)
+        result.bins.push_back({bin, points});
+    double width = 1;
+    while (result.bins.size() > std::max<std::size_t>(most, 2)) {
+        result.bins = paired(result.bins);
+        width *= 2;
+    }
+    result.width_m = width / bins_a_metre;
+    return result;
+}
 
 std::vector<std::int64_t> natural_breaks(std::span<const HistogramBin> bins, int most,
                                          std::int64_t least_bins, const BreakPenalty& price) {

@@ -14,39 +14,6 @@ bool is_small(std::int64_t squares, LatticePoint place, const NoiseRules& rules,
     return rules.min_area_m2 > 0 && static_cast<double>(squares) * square_area(place) < rules.min_area_m2;
 }
 
-}  // namespace
-
-bool is_too_low(Label label, const RoofElevations& roof, const HeightRules& rules) {
-    if (rules.min_p90_m == 0)
-        return false;
-    const double height = heights_above(rules.ground[label], roof, rules.metres)[p90_share];
-    return !(round_to_hundredths(height) >= rules.min_p90_m);
-}
-
-std::optional<Reason> contour_noise(const Contour& contour, const NoiseRules& rules,
-                                    const SquareArea& square_area) {
-    if (contour.key.level == 0 || (contour.key.level == 1 && rules.keep_footprints))
-        return {};
-    if (contour.exterior.points() < rules.noise_factor)
-        return Reason::contour_short;
-    if (is_small(contour.squares(), contour.key.first, rules, square_area))
-        return Reason::contour_small;
-    return {};
-}
-
-std::optional<Reason> hole_noise(const PackedRing& hole, std::int32_t level, const NoiseRules& rules,
-                                 const SquareArea& square_area) {
-    if (level == 1 && rules.keep_footprints)
-        return {};
-    if (hole.points() < rules.noise_factor)
-        return Reason::hole_short;
-    if (is_small(-hole.area(), hole.start(), rules, square_area))
-        return Reason::hole_small;
-    return {};
-}
-
-namespace {
-
 using Keys = std::span<const ContourKey>;
 
 /// Returns true if any of the sorted keys of a level lies in a row between two columns.
@@ -84,6 +51,35 @@ bool any_inside(Keys keys, std::int32_t level, std::span<const LatticePoint> cro
 }
 
 }  // namespace
+
+bool is_too_low(Label label, const RoofElevations& roof, const HeightRules& rules) {
+    if (rules.min_p90_m == 0)
+        return false;
+    const double height = heights_above(rules.ground[label], roof, rules.metres)[p90_share];
+    return !(round_to_hundredths(height) >= rules.min_p90_m);
+}
+
+std::optional<Reason> contour_noise(const Contour& contour, const NoiseRules& rules,
+                                    const SquareArea& square_area) {
+    if (contour.key.level == 0 || (contour.key.level == 1 && rules.keep_footprints))
+        return {};
+    if (contour.exterior.points() < rules.noise_factor)
+        return Reason::contour_short;
+    if (is_small(contour.squares(), contour.key.first, rules, square_area))
+        return Reason::contour_small;
+    return {};
+}
+
+std::optional<Reason> hole_noise(const PackedRing& hole, std::int32_t level, const NoiseRules& rules,
+                                 const SquareArea& square_area) {
+    if (level == 1 && rules.keep_footprints)
+        return {};
+    if (hole.points() < rules.noise_factor)
+        return Reason::hole_short;
+    if (is_small(-hole.area(), hole.start(), rules, square_area))
+        return Reason::hole_small;
+    return {};
+}
 
 std::vector<bool> fill_holes(std::span<const ContourKey> keys, std::span<const Hole> holes,
                              const std::function<LatticeRing(std::size_t)>& ring, Context& context) {

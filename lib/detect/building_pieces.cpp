@@ -26,6 +26,13 @@ void count_pair(PieceAdjacencyGraph::Piece& piece, Label other, bool beside) {
     ++(beside ? piece.borders.back().beside : piece.borders.back().below);
 }
 
+/// Shifts the labels of doubtful objects to make room for more buildings.
+void shift_doubtful(Detection& detection, Label buildings) {
+    for (Label& label : detection.labels.values)
+        if (label > detection.buildings)
+            label += buildings - detection.buildings;
+}
+
 }  // namespace
 
 PieceAdjacencyGraph::PieceAdjacencyGraph(Label count, const CellSize& cell)
@@ -111,17 +118,6 @@ void PieceAdjacencyGraph::merge_small(std::int64_t min_cells) {
             add(merge(label, into));
     }
 }
-
-namespace {
-
-/// Shifts the labels of doubtful objects to make room for more buildings.
-void shift_doubtful(Detection& detection, Label buildings) {
-    for (Label& label : detection.labels.values)
-        if (label > detection.buildings)
-            label += buildings - detection.buildings;
-}
-
-}  // namespace
 
 void write_pieces(const Regions& regions, const std::vector<Label>& number, Detection& detection) {
     const Label pieces = *std::max_element(number.begin(), number.end());

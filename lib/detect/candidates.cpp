@@ -57,29 +57,6 @@ bool is_blurred(const Scene& scene, const Mask& inside, std::int32_t row, std::i
     return static_cast<double>(scene.height(inside.index(row, col))) * count < blurred_below * sum;
 }
 
-}  // namespace
-
-void remove_blurred_edge(const Scene& scene, Mask& cells, Executor& threads) {
-    const Mask inside = inside_of(cells, threads);
-    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        std::vector<std::uint8_t> border(static_cast<std::size_t>(cells.cols));
-        for (std::int32_t row = band.begin; row < band.end; ++row) {
-            const std::span<std::uint8_t> here = cells.row(row);
-            const std::span<const std::uint8_t> within = inside.row(row);
-            std::uint8_t* const out = border.data();
-            for (std::size_t c = 0; c < here.size(); ++c)
-                out[c] = here[c] ^ within[c];  // inner cells are cells, too
-            for_mask_runs(border, 1, [&](std::int32_t begin, std::int32_t end) {
-                for (std::int32_t col = begin; col < end; ++col)
-                    if (is_blurred(scene, inside, row, col))
-                        here[static_cast<std::size_t>(col)] = 0;
-            });
-        }
-    });
-}
-
-namespace {
-
 constexpr double opening_m = 1.5;
 // Restores the cells that an opening rounds off at a right angle.
 constexpr int border_cells = 3;
@@ -167,6 +144,25 @@ void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& c
 }
 
 }  // namespace
+
+void remove_blurred_edge(const Scene& scene, Mask& cells, Executor& threads) {
+    const Mask inside = inside_of(cells, threads);
+    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
+        std::vector<std::uint8_t> border(static_cast<std::size_t>(cells.cols));
+        for (std::int32_t row = band.begin; row < band.end; ++row) {
+            const std::span<std::uint8_t> here = cells.row(row);
+            const std::span<const std::uint8_t> within = inside.row(row);
+            std::uint8_t* const out = border.data();
+            for (std::size_t c = 0; c < here.size(); ++c)
+                out[c] = here[c] ^ within[c];  // inner cells are cells, too
+            for_mask_runs(border, 1, [&](std::int32_t begin, std::int32_t end) {
+                for (std::int32_t col = begin; col < end; ++col)
+                    if (is_blurred(scene, inside, row, col))
+                        here[static_cast<std::size_t>(col)] = 0;
+            });
+        }
+    });
+}
 
 SceneCells scene_cells(const Scene& scene, const DetectOptions& options, Executor& threads) {
     return {elevated_cells(scene, options.min_height, threads), tall_rows(scene, threads), {}, {}};

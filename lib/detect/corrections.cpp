@@ -177,25 +177,6 @@ void BuildingMaker::renumber(Executor& threads) {
     detection_.objects = std::move(objects);
 }
 
-}  // namespace
-
-void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_cells, Detection& detection,
-                       Executor& threads) {
-    if (std::ranges::find(scene.corrections, CorrectionKind::building, &SceneCorrection::kind) ==
-        scene.corrections.end())
-        return;
-    BuildingMaker maker(scene, min_height, min_cells, detection);
-    for (const SceneCorrection& correction : scene.corrections)
-        if (is_area(correction, CorrectionKind::building))
-            maker.add_area(correction);
-    for (const SceneCorrection& correction : scene.corrections)
-        if (is_point(correction, CorrectionKind::building))
-            maker.add_point(correction);
-    maker.renumber(threads);
-}
-
-namespace {
-
 /// Returns the object with most cells of each piece; the first one wins ties.
 std::vector<Label> main_objects(const Regions& pieces, const Grid<Label>& objects) {
     std::vector<std::map<Label, std::int64_t>> shared(pieces.cells.size());
@@ -213,6 +194,21 @@ std::vector<Label> main_objects(const Regions& pieces, const Grid<Label>& object
 }
 
 }  // namespace
+
+void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_cells, Detection& detection,
+                       Executor& threads) {
+    if (std::ranges::find(scene.corrections, CorrectionKind::building, &SceneCorrection::kind) ==
+        scene.corrections.end())
+        return;
+    BuildingMaker maker(scene, min_height, min_cells, detection);
+    for (const SceneCorrection& correction : scene.corrections)
+        if (is_area(correction, CorrectionKind::building))
+            maker.add_area(correction);
+    for (const SceneCorrection& correction : scene.corrections)
+        if (is_point(correction, CorrectionKind::building))
+            maker.add_point(correction);
+    maker.renumber(threads);
+}
 
 void cut_by_corrections(const Scene& scene, double width_m, std::int64_t min_cells, Detection& detection,
                         Executor& threads) {

@@ -52,34 +52,6 @@ Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
     return low;
 }
 
-}  // namespace
-
-std::vector<FirstCell> remove_small(Regions& regions, std::int64_t min_cells) {
-    const auto is_small = [&](std::int64_t cells) { return cells < min_cells; };
-    std::vector<FirstCell> cells = first_cells(regions, is_small);
-    std::vector<Label> number(regions.cells.size(), 0);
-    std::vector<std::int64_t> left(1, 0);
-    for (Label label = 1; label < number.size(); ++label)
-        if (!is_small(regions.cells[label])) {
-            number[label] = static_cast<Label>(left.size());
-            left.push_back(regions.cells[label]);
-        }
-    relabel(regions, number);
-    regions.cells = std::move(left);
-    return cells;
-}
-
-std::vector<FirstCell> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags, double min_height,
-                                 std::int64_t min_cells, Executor& threads) {
-    if (!(min_height > static_cast<double>(lowest_roof_m)))
-        return {};
-    const Mask low = low_cells(scene, static_cast<float>(min_height), threads);
-    return first_cells(smooth_regions(scene, low, flags, threads),
-                       [&](std::int64_t cells) { return cells >= min_cells; });
-}
-
-namespace {
-
 /// Corrects confidences for the share of buildings in the scene and around each object. Objects of a second
 /// pass are mostly trees, even if the first pass found all houses, so they do not serve as reference objects.
 void apply_priors(const Scene& scene, double filled, Candidates& judged, std::optional<Candidates>& second,
@@ -140,6 +112,30 @@ Detection sorted_by_confidence(Candidates&& judged, double least, Executor& thre
 }
 
 }  // namespace
+
+std::vector<FirstCell> remove_small(Regions& regions, std::int64_t min_cells) {
+    const auto is_small = [&](std::int64_t cells) { return cells < min_cells; };
+    std::vector<FirstCell> cells = first_cells(regions, is_small);
+    std::vector<Label> number(regions.cells.size(), 0);
+    std::vector<std::int64_t> left(1, 0);
+    for (Label label = 1; label < number.size(); ++label)
+        if (!is_small(regions.cells[label])) {
+            number[label] = static_cast<Label>(left.size());
+            left.push_back(regions.cells[label]);
+        }
+    relabel(regions, number);
+    regions.cells = std::move(left);
+    return cells;
+}
+
+std::vector<FirstCell> low_roofs(const Scene& scene, const Grid<std::uint8_t>& flags, double min_height,
+                                 std::int64_t min_cells, Executor& threads) {
+    if (!(min_height > static_cast<double>(lowest_roof_m)))
+        return {};
+    const Mask low = low_cells(scene, static_cast<float>(min_height), threads);
+    return first_cells(smooth_regions(scene, low, flags, threads),
+                       [&](std::int64_t cells) { return cells >= min_cells; });
+}
 
 Detection detect_buildings(const Scene& scene, const DetectOptions& options, double min_area_m2,
                            Context& context) {

@@ -119,6 +119,39 @@ RejectedObjects still_rejected(RejectedObjects rejected, const Mask& cells) {
     return rejected;
 }
 
+// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
+// docs/accuracy.md.
+constexpr std::array<double, 4> factors{0.5, 0.7, 1, 1.4};
+constexpr std::size_t regular_pass = 2;
+constexpr double wide_pass_penalty = 1.1;  // penalty on the log-odds
+
+Candidates found_at(double factor, const Scene& scene, SceneCells& cells, double min_area_m2,
+                    SurfaceQuality quality, Executor& threads) {
+    quality.threshold_scale *= factor;
+    quality.margin_scale *= factor;
+    Candidates judged = find_candidates(scene, cells, min_area_m2, quality, threads);
+    if (factor > 1)
+        for (DetectedObject& object : judged.objects)
+            object.confidence = less_sure(object.confidence, wide_pass_penalty);
+    return judged;
+}
+
+// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
+// docs/accuracy.md.
+constexpr double margin_scale = 3;
+constexpr double log_odds_penalty = 0.8;  // penalty on the log-odds
+
+/// Clears the cells of regions and their eight neighbours.
+void clear_with_border(const Regions& regions, Mask& cells, Executor& threads) {
+    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y)
+                for (const RegionRun& run : regions.row(y))
+                    std::fill(cells.row(r).begin() + std::max(run.begin - 1, 0),
+                              cells.row(r).begin() + std::min(run.end + 1, cells.cols), std::uint8_t{0});
+    });
+}
+
 }  // namespace
 
 Candidates select_candidates(std::span<const Candidates> passes, std::size_t usual, Executor& threads) {
@@ -138,27 +171,6 @@ Candidates select_candidates(std::span<const Candidates> passes, std::size_t usu
     return result;
 }
 
-namespace {
-
-// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
-// docs/accuracy.md.
-constexpr std::array<double, 4> factors{0.5, 0.7, 1, 1.4};
-constexpr std::size_t regular_pass = 2;
-constexpr double wide_pass_penalty = 1.1;  // penalty on the log-odds
-
-Candidates found_at(double factor, const Scene& scene, SceneCells& cells, double min_area_m2,
-                    SurfaceQuality quality, Executor& threads) {
-    quality.threshold_scale *= factor;
-    quality.margin_scale *= factor;
-    Candidates judged = find_candidates(scene, cells, min_area_m2, quality, threads);
-    if (factor > 1)
-        for (DetectedObject& object : judged.objects)
-            object.confidence = less_sure(object.confidence, wide_pass_penalty);
-    return judged;
-}
-
-}  // namespace
-
 Candidates multi_threshold_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
                                       const SurfaceQuality& quality, Candidates usual, Executor& threads) {
     std::array<Candidates, factors.size()> passes;
@@ -168,26 +180,6 @@ Candidates multi_threshold_candidates(const Scene& scene, SceneCells& cells, dou
             passes[i] = found_at(factors[i], scene, cells, min_area_m2, quality, threads);
     return select_candidates(passes, regular_pass, threads);
 }
-
-namespace {
-
-// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
-// docs/accuracy.md.
-constexpr double margin_scale = 3;
-constexpr double log_odds_penalty = 0.8;  // penalty on the log-odds
-
-/// Clears the cells of regions and their eight neighbours.
-void clear_with_border(const Regions& regions, Mask& cells, Executor& threads) {
-    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y)
-                for (const RegionRun& run : regions.row(y))
-                    std::fill(cells.row(r).begin() + std::max(run.begin - 1, 0),
-                              cells.row(r).begin() + std::min(run.end + 1, cells.cols), std::uint8_t{0});
-    });
-}
-
-}  // namespace
 
 Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m2, SurfaceQuality quality,
                         const Regions& found, Executor& threads) {

@@ -224,22 +224,6 @@ void CellAssigner::assign_all() {
         owners_.values[i] = first_piece_[buildings_.values[i]];
 }
 
-}  // namespace
-
-Grid<Label> assign_cells(const Scene& scene, const Grid<Label>& pieces, const Grid<Label>& buildings,
-                         Label count, double width_m, Executor& threads) {
-    CellAssigner assigner(scene, pieces, buildings, width_m);
-    if (!(width_m > 0))
-        return assigner.take();
-    assigner.mark_cut(count);
-    assigner.unassign(pieces, assigner.cut_building_cells());
-    assigner.unassign(assigner.stepless(threads), assigner.near_cuts(threads));
-    assigner.assign_all();
-    return assigner.take();
-}
-
-namespace {
-
 Regions cut(const Mask& cells, const ParcelGrid& parcels, const Grid<Label>& labels, Executor& threads) {
     const auto cols = static_cast<std::size_t>(labels.cols);
     return joined_regions(
@@ -309,46 +293,6 @@ void name_parcels(const ParcelGrid& parcels, Detection& detection) {
         }
 }
 
-}  // namespace
-
-Regions divide_along(const Scene& scene, const ParcelGrid& boundaries, double width_m, std::int64_t min_cells,
-                     Detection& detection, Executor& threads) {
-    const Mask cells = building_cells(detection);
-    Regions pieces = cut(cells, boundaries, detection.labels, threads);
-    if (pieces.count() > detection.buildings) {
-        const Grid<Label> owners = assign_cells(scene, piece_grid(pieces, threads), detection.labels,
-                                                pieces.count(), width_m, threads);
-        const Regions regions = joined_regions(
-            cells,
-            [&](std::size_t i, std::size_t j) {
-                return detection.labels.values[i] == detection.labels.values[j] &&
-                       owners.values[i] == owners.values[j];
-            },
-            threads);
-        PieceAdjacencyGraph graph(regions.count(), scene.cell);
-        for (Label label = 1; label <= regions.count(); ++label) {
-            graph.piece(label).cells = regions.cells[label];
-            graph.piece(label).wide = true;
-        }
-        add_borders(piece_grid(regions, threads), detection.labels, graph);
-        graph.merge_small(min_cells);
-        write_pieces(regions, graph.numbered(), detection);
-    }
-    return pieces;
-}
-
-void cut_by_parcels(const Scene& scene, double width_m, std::int64_t min_cells, Detection& detection,
-                    Executor& threads) {
-    const ParcelGrid& parcels = *scene.parcels;
-    const Label whole = detection.buildings;
-    const Regions pieces = divide_along(scene, parcels, width_m, min_cells, detection, threads);
-    if (pieces.count() > whole)
-        detection.rejected.parts = pieces_gone(pieces, detection.labels);
-    name_parcels(parcels, detection);
-}
-
-namespace {
-
 /// Blurred walls of two or three cells are narrower, wings of houses are wider.
 constexpr double narrow_radius_m = 1.5;
 
@@ -390,6 +334,54 @@ void mark_wide(const Grid<Label>& pieces, const Regions& regions, const Element&
 }
 
 }  // namespace
+
+Grid<Label> assign_cells(const Scene& scene, const Grid<Label>& pieces, const Grid<Label>& buildings,
+                         Label count, double width_m, Executor& threads) {
+    CellAssigner assigner(scene, pieces, buildings, width_m);
+    if (!(width_m > 0))
+        return assigner.take();
+    assigner.mark_cut(count);
+    assigner.unassign(pieces, assigner.cut_building_cells());
+    assigner.unassign(assigner.stepless(threads), assigner.near_cuts(threads));
+    assigner.assign_all();
+    return assigner.take();
+}
+
+Regions divide_along(const Scene& scene, const ParcelGrid& boundaries, double width_m, std::int64_t min_cells,
+                     Detection& detection, Executor& threads) {
+    const Mask cells = building_cells(detection);
+    Regions pieces = cut(cells, boundaries, detection.labels, threads);
+    if (pieces.count() > detection.buildings) {
+        const Grid<Label> owners = assign_cells(scene, piece_grid(pieces, threads), detection.labels,
+                                                pieces.count(), width_m, threads);
+        const Regions regions = joined_regions(
+            cells,
+            [&](std::size_t i, std::size_t j) {
+                return detection.labels.values[i] == detection.labels.values[j] &&
+                       owners.values[i] == owners.values[j];
+            },
+            threads);
+        PieceAdjacencyGraph graph(regions.count(), scene.cell);
+        for (Label label = 1; label <= regions.count(); ++label) {
+            graph.piece(label).cells = regions.cells[label];
+            graph.piece(label).wide = true;
+        }
+        add_borders(piece_grid(regions, threads), detection.labels, graph);
+        graph.merge_small(min_cells);
+        write_pieces(regions, graph.numbered(), detection);
+    }
+    return pieces;
+}
+
+void cut_by_parcels(const Scene& scene, double width_m, std::int64_t min_cells, Detection& detection,
+                    Executor& threads) {
+    const ParcelGrid& parcels = *scene.parcels;
+    const Label whole = detection.buildings;
+    const Regions pieces = divide_along(scene, parcels, width_m, min_cells, detection, threads);
+    if (pieces.count() > whole)
+        detection.rejected.parts = pieces_gone(pieces, detection.labels);
+    name_parcels(parcels, detection);
+}
 
 void split_buildings(const Scene& scene, double split_height, std::int64_t min_cells, Detection& detection,
                      Executor& threads) {

@@ -11,143 +11,12 @@ namespace {
 
 constexpr std::int32_t ring_cells = 2;
 
-}  // namespace
-
-void BorderSums::add(const Scene& scene, const Mask& objects, std::int32_t r, std::int32_t c) {
-    double heights = heights_;
-    double cells = cells_;
-    const std::int32_t left = std::max(c - ring_cells, 0);
-    const std::int32_t right = std::min(c + ring_cells, objects.cols - 1);
-    for (std::int32_t y = std::max(r - ring_cells, 0); y <= std::min(r + ring_cells, objects.rows - 1); ++y) {
-        const std::uint8_t* const object = objects.row(y).data();
-        const float* const z = scene.surface.row(y).data();
-        const float* const ground = scene.terrain.row(y).data();
-        for (std::int32_t x = left; x <= right; ++x)
-            if (object[x] == 0 && !std::isnan(z[x])) {
-                heights += static_cast<double>(std::max(0.0F, z[x] - ground[x]));
-                cells += 1;
-            }
-    }
-    heights_ = heights;
-    cells_ = cells;
-    if (r > 0 && c > 0 && r + 1 < objects.rows && c + 1 < objects.cols)
-        add_gradient(scene.surface, r, c);
-}
-
-void BorderSums::add_gradient(const MetreGrid& surface, std::int32_t r, std::int32_t c) {
-    double across = 0;
-    double down = 0;
-    for (const std::int32_t k : {-1, 0, 1}) {
-        const double weight = k == 0 ? 2 : 1;
-        across += weight * static_cast<double>(surface.at(r + k, c + 1) - surface.at(r + k, c - 1));
-        down += weight * static_cast<double>(surface.at(r + 1, c + k) - surface.at(r - 1, c + k));
-    }
-    const double size = std::hypot(across, down);
-    if (std::isnan(size) || size == 0)
-        return;
-    // Squaring a complex number doubles its angle.
-    const double twice_cosine = (across * across - down * down) / (size * size);
-    const double twice_sine = 2 * across * down / (size * size);
-    cosine_ += size * (twice_cosine * twice_cosine - twice_sine * twice_sine);
-    sine_ += size * 2 * twice_cosine * twice_sine;
-    gradients_ += size;
-}
-
-double BorderSums::height_beside() const {
-    return cells_ > 0 ? heights_ / cells_ : 0;
-}
-
-double BorderSums::right_angles() const {
-    return gradients_ > 0 ? std::hypot(cosine_, sine_) / gradients_ : 0;
-}
-
-namespace {
-
 /// Returns 0^2 + 1^2 + ... + n^2; for negative n, minus the sum of squares from n + 1 to 0.
 double squares_to(double n) {
     return n * (n + 1) * (2 * n + 1) / 6;
 }
 
-}  // namespace
-
-void ShapeMoments::add(std::int32_t r, const RegionRun& run) {
-    if (cells_ == 0) {
-        first_row_ = r;
-        first_col_ = run.begin;
-    }
-    const double y = r - first_row_;
-    const double first = run.begin - first_col_;
-    const double last = run.end - 1 - first_col_;
-    const double n = last - first + 1;
-    const double across = n * (first + last) / 2;
-    cells_ += n;
-    down_ += n * y;
-    across_ += across;
-    down_down_ += n * y * y;
-    across_across_ += squares_to(last) - squares_to(first - 1);
-    down_across_ += y * across;
-}
-
-ShapeMoments::Variances ShapeMoments::variances() const {
-    constexpr double within_a_cell = 1.0 / 12;
-    const double down = down_ / cells_;
-    const double across = across_ / cells_;
-    return {down_down_ / cells_ - down * down + within_a_cell,
-            across_across_ / cells_ - across * across + within_a_cell, down_across_ / cells_ - down * across};
-}
-
-double ShapeMoments::compactness() const {
-    if (cells_ == 0)
-        return 1;
-    const Variances v = variances();
-    const double spread = v.down * v.across - v.down_across * v.down_across;
-    return cells_ / (4 * std::numbers::pi * std::sqrt(spread));
-}
-
-double ShapeMoments::largest_variance(const CellSize& cell) const {
-    if (cells_ == 0)
-        return 0;
-    const Variances v = variances();
-    const double down = v.down * cell.down * cell.down;
-    const double across = v.across * cell.across * cell.across;
-    const double mixed = v.down_across * cell.down * cell.across;
-    return (down + across) / 2 + std::hypot((down - across) / 2, mixed);
-}
-
-namespace {
-
 constexpr double steepest = 0.55;
-
-}  // namespace
-
-void LowSlopePairs::add(const Scene& scene, const Mask& objects, std::int32_t r, const RegionRun& run) {
-    const std::span<const float> here = scene.surface.row(r);
-    const auto begin = static_cast<std::size_t>(run.begin);
-    const auto end = static_cast<std::size_t>(run.end);
-    // Comparisons with NaN are false, so unknown heights do not count as gentle.
-    const auto across = static_cast<float>(steepest * scene.cell.across);
-    int low_slope = 0;
-    for (std::size_t c = begin; c + 1 < end; ++c)
-        low_slope += std::abs(here[c] - here[c + 1]) < across ? 1 : 0;
-    auto pairs = run.end - run.begin - 1;
-    if (r + 1 < objects.rows) {
-        const std::span<const float> below = scene.surface.row(r + 1);
-        const std::span<const std::uint8_t> object_below = objects.row(r + 1);
-        const auto down = static_cast<float>(steepest * scene.cell.down);
-        for (std::size_t c = begin; c < end; ++c) {
-            pairs += object_below[c];
-            low_slope += object_below[c] != 0 && std::abs(here[c] - below[c]) < down ? 1 : 0;
-        }
-    }
-    pairs_ += pairs;
-    low_slope_ += low_slope;
-}
-
-double LowSlopePairs::share() const {
-    return pairs_ > 0 ? static_cast<double>(low_slope_) / static_cast<double>(pairs_) : 1;
-}
-
-namespace {
 
 // A wall bends the surface by its height, or by a part of it if it is blurred over several cells: by more
 // than this, plus this per metre of cell size.
@@ -302,6 +171,125 @@ ObjectFeatures features_of(const Sums& sums, double cells, double cell_area) {
 }
 
 }  // namespace
+
+void BorderSums::add(const Scene& scene, const Mask& objects, std::int32_t r, std::int32_t c) {
+    double heights = heights_;
+    double cells = cells_;
+    const std::int32_t left = std::max(c - ring_cells, 0);
+    const std::int32_t right = std::min(c + ring_cells, objects.cols - 1);
+    for (std::int32_t y = std::max(r - ring_cells, 0); y <= std::min(r + ring_cells, objects.rows - 1); ++y) {
+        const std::uint8_t* const object = objects.row(y).data();
+        const float* const z = scene.surface.row(y).data();
+        const float* const ground = scene.terrain.row(y).data();
+        for (std::int32_t x = left; x <= right; ++x)
+            if (object[x] == 0 && !std::isnan(z[x])) {
+                heights += static_cast<double>(std::max(0.0F, z[x] - ground[x]));
+                cells += 1;
+            }
+    }
+    heights_ = heights;
+    cells_ = cells;
+    if (r > 0 && c > 0 && r + 1 < objects.rows && c + 1 < objects.cols)
+        add_gradient(scene.surface, r, c);
+}
+
+void BorderSums::add_gradient(const MetreGrid& surface, std::int32_t r, std::int32_t c) {
+    double across = 0;
+    double down = 0;
+    for (const std::int32_t k : {-1, 0, 1}) {
+        const double weight = k == 0 ? 2 : 1;
+        across += weight * static_cast<double>(surface.at(r + k, c + 1) - surface.at(r + k, c - 1));
+        down += weight * static_cast<double>(surface.at(r + 1, c + k) - surface.at(r - 1, c + k));
+    }
+    const double size = std::hypot(across, down);
+    if (std::isnan(size) || size == 0)
+        return;
+    // Squaring a complex number doubles its angle.
+    const double twice_cosine = (across * across - down * down) / (size * size);
+    const double twice_sine = 2 * across * down / (size * size);
+    cosine_ += size * (twice_cosine * twice_cosine - twice_sine * twice_sine);
+    sine_ += size * 2 * twice_cosine * twice_sine;
+    gradients_ += size;
+}
+
+double BorderSums::height_beside() const {
+    return cells_ > 0 ? heights_ / cells_ : 0;
+}
+
+double BorderSums::right_angles() const {
+    return gradients_ > 0 ? std::hypot(cosine_, sine_) / gradients_ : 0;
+}
+
+void ShapeMoments::add(std::int32_t r, const RegionRun& run) {
+    if (cells_ == 0) {
+        first_row_ = r;
+        first_col_ = run.begin;
+    }
+    const double y = r - first_row_;
+    const double first = run.begin - first_col_;
+    const double last = run.end - 1 - first_col_;
+    const double n = last - first + 1;
+    const double across = n * (first + last) / 2;
+    cells_ += n;
+    down_ += n * y;
+    across_ += across;
+    down_down_ += n * y * y;
+    across_across_ += squares_to(last) - squares_to(first - 1);
+    down_across_ += y * across;
+}
+
+ShapeMoments::Variances ShapeMoments::variances() const {
+    constexpr double within_a_cell = 1.0 / 12;
+    const double down = down_ / cells_;
+    const double across = across_ / cells_;
+    return {down_down_ / cells_ - down * down + within_a_cell,
+            across_across_ / cells_ - across * across + within_a_cell, down_across_ / cells_ - down * across};
+}
+
+double ShapeMoments::compactness() const {
+    if (cells_ == 0)
+        return 1;
+    const Variances v = variances();
+    const double spread = v.down * v.across - v.down_across * v.down_across;
+    return cells_ / (4 * std::numbers::pi * std::sqrt(spread));
+}
+
+double ShapeMoments::largest_variance(const CellSize& cell) const {
+    if (cells_ == 0)
+        return 0;
+    const Variances v = variances();
+    const double down = v.down * cell.down * cell.down;
+    const double across = v.across * cell.across * cell.across;
+    const double mixed = v.down_across * cell.down * cell.across;
+    return (down + across) / 2 + std::hypot((down - across) / 2, mixed);
+}
+
+void LowSlopePairs::add(const Scene& scene, const Mask& objects, std::int32_t r, const RegionRun& run) {
+    const std::span<const float> here = scene.surface.row(r);
+    const auto begin = static_cast<std::size_t>(run.begin);
+    const auto end = static_cast<std::size_t>(run.end);
+    // Comparisons with NaN are false, so unknown heights do not count as gentle.
+    const auto across = static_cast<float>(steepest * scene.cell.across);
+    int low_slope = 0;
+    for (std::size_t c = begin; c + 1 < end; ++c)
+        low_slope += std::abs(here[c] - here[c + 1]) < across ? 1 : 0;
+    auto pairs = run.end - run.begin - 1;
+    if (r + 1 < objects.rows) {
+        const std::span<const float> below = scene.surface.row(r + 1);
+        const std::span<const std::uint8_t> object_below = objects.row(r + 1);
+        const auto down = static_cast<float>(steepest * scene.cell.down);
+        for (std::size_t c = begin; c < end; ++c) {
+            pairs += object_below[c];
+            low_slope += object_below[c] != 0 && std::abs(here[c] - below[c]) < down ? 1 : 0;
+        }
+    }
+    pairs_ += pairs;
+    low_slope_ += low_slope;
+}
+
+double LowSlopePairs::share() const {
+    return pairs_ > 0 ? static_cast<double>(low_slope_) / static_cast<double>(pairs_) : 1;
+}
 
 std::vector<ObjectFeatures> compute_features(const Scene& scene, const ObjectRegions& objects,
                                              const SmoothSegments& segments, const Grid<std::uint8_t>& flags,

@@ -126,28 +126,6 @@ class EdgeCounter {
     WallGrid walls_;
 };
 
-}  // namespace
-
-void ShiftCounts::merge(const ShiftCounts& other) {
-    for (std::size_t i = 0; i < on_walls.size(); ++i)
-        on_walls[i] += other.on_walls[i];
-}
-
-void count_shifts(const Scene& scene, const Detection& detection, const Window& own, ShiftCounts& counts,
-                  Executor& threads) {
-    for (const bool below : {false, true}) {
-        const EdgeCounter counter(scene, detection, below, threads);
-        counts.merge(
-            reduce_row_bands(threads, own.rows, own.cols, ShiftCounts(), [&](RowBand band, ShiftCounts& sum) {
-                for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
-                    for (std::int32_t c = own.col; c < own.end_col(); ++c)
-                        counter.count(r, c, sum);
-            }));
-    }
-}
-
-namespace {
-
 // A move stands out if this many times more borders lie on walls than after an ordinary move, and no other
 // move comes close. Cadastres of the right place have a ratio of 2.5 and more, and other moves are half as
 // good; plots of another place have 1.3, and 0.8.
@@ -215,39 +193,6 @@ std::vector<Move> belonging_to(const Moves& moves, Move best) {
                     found.emplace_back(d, r);
     return found;
 }
-
-}  // namespace
-
-std::optional<ParcelMove> best_offset(const ShiftCounts& counts, const CellSize& cell) {
-    const Moves moves(counts, cell);
-    const Move best = best_of(moves);
-    const auto on_walls = static_cast<double>(moves.on_walls(best.first, best.second));
-    if (on_walls / 2 * std::sqrt(cell.area()) < least_on_walls_m ||
-        on_walls < least_ratio * static_cast<double>(moves.ordinary()))
-        return std::nullopt;
-    const std::vector<Move> belonging = belonging_to(moves, best);
-    bool stands_out = true;
-    moves.for_all([&](std::int32_t d, std::int32_t r) {
-        if (moves.more({d, r}) > rival * moves.more(best) &&
-            std::ranges::find(belonging, Move{d, r}) == belonging.end())
-            stands_out = false;
-    });
-    if (!stands_out)
-        return std::nullopt;
-    const auto in_metres = [&](Move move) {
-        return ParcelMove{move.second * moves.right().cells * cell.across,
-                          move.first * moves.down().cells * cell.down};
-    };
-    ParcelMove least = in_metres(best);
-    for (const Move& move : belonging)
-        if (const ParcelMove other = in_metres(move);
-            moves.more(move) >= as_good * moves.more(best) &&
-            std::hypot(other.right_m, other.down_m) < std::hypot(least.right_m, least.down_m))
-            least = other;
-    return least;
-}
-
-namespace {
 
 constexpr double bin_m = ParcelFit::reach_m / ParcelFit::bins;
 /// Half side, in cells, of the neighbourhood that determines the direction of a cut.
@@ -372,6 +317,53 @@ void FitOfRows::add_pair(std::int32_t r, std::int32_t c, bool below) {
 }
 
 }  // namespace
+
+void ShiftCounts::merge(const ShiftCounts& other) {
+    for (std::size_t i = 0; i < on_walls.size(); ++i)
+        on_walls[i] += other.on_walls[i];
+}
+
+void count_shifts(const Scene& scene, const Detection& detection, const Window& own, ShiftCounts& counts,
+                  Executor& threads) {
+    for (const bool below : {false, true}) {
+        const EdgeCounter counter(scene, detection, below, threads);
+        counts.merge(
+            reduce_row_bands(threads, own.rows, own.cols, ShiftCounts(), [&](RowBand band, ShiftCounts& sum) {
+                for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
+                    for (std::int32_t c = own.col; c < own.end_col(); ++c)
+                        counter.count(r, c, sum);
+            }));
+    }
+}
+
+std::optional<ParcelMove> best_offset(const ShiftCounts& counts, const CellSize& cell) {
+    const Moves moves(counts, cell);
+    const Move best = best_of(moves);
+    const auto on_walls = static_cast<double>(moves.on_walls(best.first, best.second));
+    if (on_walls / 2 * std::sqrt(cell.area()) < least_on_walls_m ||
+        on_walls < least_ratio * static_cast<double>(moves.ordinary()))
+        return std::nullopt;
+    const std::vector<Move> belonging = belonging_to(moves, best);
+    bool stands_out = true;
+    moves.for_all([&](std::int32_t d, std::int32_t r) {
+        if (moves.more({d, r}) > rival * moves.more(best) &&
+            std::ranges::find(belonging, Move{d, r}) == belonging.end())
+            stands_out = false;
+    });
+    if (!stands_out)
+        return std::nullopt;
+    const auto in_metres = [&](Move move) {
+        return ParcelMove{move.second * moves.right().cells * cell.across,
+                          move.first * moves.down().cells * cell.down};
+    };
+    ParcelMove least = in_metres(best);
+    for (const Move& move : belonging)
+        if (const ParcelMove other = in_metres(move);
+            moves.more(move) >= as_good * moves.more(best) &&
+            std::hypot(other.right_m, other.down_m) < std::hypot(least.right_m, least.down_m))
+            least = other;
+    return least;
+}
 
 void ParcelFit::merge(const ParcelFit& other) {
     cells += other.cells;

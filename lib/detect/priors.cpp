@@ -88,55 +88,6 @@ void replace_prior(double share, std::span<DetectedObject> objects) {
             object.confidence = probability_of(odds(object.confidence) * change);
 }
 
-}  // namespace
-
-bool is_ambiguous(const DetectedObject& object) {
-    return object.confidence > 0 && object.confidence < 1;
-}
-
-bool has_usual_appearance(const std::vector<DetectedObject>& objects) {
-    return likely_per_sure * above(beyond_doubt, objects) >= above(likely, objects);
-}
-
-bool lacks_certain_buildings(const std::vector<DetectedObject>& objects) {
-    return max_likely_per_sure_of_few * (above(surely, objects) - 1) < above(likely, objects);
-}
-
-double estimate_building_share(std::span<const double> ratios, double added) {
-    double share = usual_share;
-    for (int step = 0; step < most_steps; ++step) {
-        double sum = added * usual_share;
-        for (const double ratio : ratios)
-            sum += posterior(ratio, share);
-        const double next = sum / (added + static_cast<double>(ratios.size()));
-        if (std::abs(next - share) < small_step)
-            return next;
-        share = next;
-    }
-    return share;
-}
-
-PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects,
-                             std::span<DetectedObject> others) {
-    const std::vector<double> ratios = ratios_of(objects);
-    const bool usual_appearance = has_usual_appearance(objects);
-    if (has_very_thin_points(filled) || ratios.size() < fewest_candidates || !usual_appearance) {
-        const double share = lacks_certain_buildings(objects) ? max_share_of_few(ratios) : usual_share;
-        replace_prior(share, objects);
-        replace_prior(share, others);
-        return prior_around(share, objects, usual_appearance);
-    }
-    const double share = estimate_building_share(ratios);
-    if (share >= usual_share)
-        return prior_around(usual_share, objects, usual_appearance);
-    for (DetectedObject& object : objects)
-        if (is_ambiguous(object))
-            object.confidence = posterior(ratio_of(object), share);
-    return {share, share, usual_appearance};
-}
-
-namespace {
-
 // Radii up to 300 m are equally good in the places of docs/accuracy.md; units have a halo of that size.
 constexpr double neighbour_reach_m = 150;
 constexpr std::size_t no_reference = std::numeric_limits<std::size_t>::max();
@@ -233,6 +184,51 @@ void correct(const Strips& reference_objects, const Candidate& candidate, const 
 }
 
 }  // namespace
+
+bool is_ambiguous(const DetectedObject& object) {
+    return object.confidence > 0 && object.confidence < 1;
+}
+
+bool has_usual_appearance(const std::vector<DetectedObject>& objects) {
+    return likely_per_sure * above(beyond_doubt, objects) >= above(likely, objects);
+}
+
+bool lacks_certain_buildings(const std::vector<DetectedObject>& objects) {
+    return max_likely_per_sure_of_few * (above(surely, objects) - 1) < above(likely, objects);
+}
+
+double estimate_building_share(std::span<const double> ratios, double added) {
+    double share = usual_share;
+    for (int step = 0; step < most_steps; ++step) {
+        double sum = added * usual_share;
+        for (const double ratio : ratios)
+            sum += posterior(ratio, share);
+        const double next = sum / (added + static_cast<double>(ratios.size()));
+        if (std::abs(next - share) < small_step)
+            return next;
+        share = next;
+    }
+    return share;
+}
+
+PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects,
+                             std::span<DetectedObject> others) {
+    const std::vector<double> ratios = ratios_of(objects);
+    const bool usual_appearance = has_usual_appearance(objects);
+    if (has_very_thin_points(filled) || ratios.size() < fewest_candidates || !usual_appearance) {
+        const double share = lacks_certain_buildings(objects) ? max_share_of_few(ratios) : usual_share;
+        replace_prior(share, objects);
+        replace_prior(share, others);
+        return prior_around(share, objects, usual_appearance);
+    }
+    const double share = estimate_building_share(ratios);
+    if (share >= usual_share)
+        return prior_around(usual_share, objects, usual_appearance);
+    for (DetectedObject& object : objects)
+        if (is_ambiguous(object))
+            object.confidence = posterior(ratio_of(object), share);
+    return {share, share, usual_appearance};
+}
 
 void apply_spatial_prior(const Regions& regions, const CellSize& cell, const PriorShare& prior,
                          std::vector<DetectedObject>& objects, Executor& threads) {

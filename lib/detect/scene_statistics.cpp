@@ -84,6 +84,29 @@ void add_fit(const MetreGrid& surface, const MetreGrid& ground, const Window& ce
     fit.merge(reduce_row_bands(threads, cells.rows, cells.cols, GroundFit(fit.min_height()), add_band));
 }
 
+constexpr std::int64_t least_missing = 20;  // at least one in this many cells
+Mask known_cells(const MetreGrid& surface, const Window& own, Executor& threads) {
+    Mask known = Mask::unset(own.rows, own.cols, threads);
+    for_row_bands(threads, own.rows, own.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const float* row = surface.row(own.row + r).data() + own.col;
+            std::ranges::transform(row, row + own.cols, known.row(r).data(),
+                                   [](float z) { return static_cast<std::uint8_t>(z == z ? 1 : 0); });
+        }
+    });
+    return known;
+}
+
+/// True if the part of the grids has a cell with a valid surface and a value that counts. Stops at the first.
+template <typename T, typename Counts>
+bool any_known(const MetreGrid& surface, const Grid<T>& grid, const Window& cells, const Counts& counts) {
+    for (std::int32_t r = cells.row; r < cells.end_row(); ++r)
+        for (std::size_t i = grid.index(r, cells.col); i < grid.index(r, cells.end_col()); ++i)
+            if (!std::isnan(surface.values[i]) && counts(grid.values[i]))
+                return true;
+    return false;
+}
+
 }  // namespace
 
 void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first_row, const Window& cells,
@@ -105,23 +128,6 @@ void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first
                     add_row(cells.row + r, sum);
         }));
 }
-
-namespace {
-
-constexpr std::int64_t least_missing = 20;  // at least one in this many cells
-Mask known_cells(const MetreGrid& surface, const Window& own, Executor& threads) {
-    Mask known = Mask::unset(own.rows, own.cols, threads);
-    for_row_bands(threads, own.rows, own.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const float* row = surface.row(own.row + r).data() + own.col;
-            std::ranges::transform(row, row + own.cols, known.row(r).data(),
-                                   [](float z) { return static_cast<std::uint8_t>(z == z ? 1 : 0); });
-        }
-    });
-    return known;
-}
-
-}  // namespace
 
 void ValidIslands::merge(const ValidIslands& other) {
     cells += other.cells;
@@ -149,20 +155,6 @@ void add_islands(const MetreGrid& surface, const CellSize& cell, const Window& o
     }
     islands.merge(here);
 }
-
-namespace {
-
-/// True if the part of the grids has a cell with a valid surface and a value that counts. Stops at the first.
-template <typename T, typename Counts>
-bool any_known(const MetreGrid& surface, const Grid<T>& grid, const Window& cells, const Counts& counts) {
-    for (std::int32_t r = cells.row; r < cells.end_row(); ++r)
-        for (std::size_t i = grid.index(r, cells.col); i < grid.index(r, cells.end_col()); ++i)
-            if (!std::isnan(surface.values[i]) && counts(grid.values[i]))
-                return true;
-    return false;
-}
-
-}  // namespace
 
 void SceneStatistics::add_ground(const MetreGrid& surface, const MetreGrid& ground, const CellSize& cell,
                                  std::int32_t first_row, const Window& own, Executor& threads) {

@@ -62,31 +62,6 @@ D2B_MULTIVERSION void flag_row(const MetreGrid& surface, std::int32_t r, const S
         at(last - 1, last, last);
 }
 
-}  // namespace
-
-SmoothnessThresholds smoothness_thresholds(double side, const SurfaceQuality& quality) {
-    const double room =
-        noise_margin(quality.noise) + quality.margin_scale * sampling_margin(side, quality.filled);
-    // Metres, and metres per metre of cell size. Fitted on cities with cells of 0.5 to 5 m, see
-    // docs/accuracy.md.
-    const auto limit = [&](double metres, double of_side) {
-        return static_cast<float>(quality.threshold_scale * (metres + of_side * side) + room);
-    };
-    return {limit(0.06, 0.06), limit(0.10, 0.08), limit(0.13, 0.12)};
-}
-
-Grid<std::uint8_t> smoothness(const MetreGrid& surface, const SmoothnessThresholds& limits,
-                              Executor& threads) {
-    auto result = Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads);
-    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            flag_row(surface, r, limits, result.row(r));
-    });
-    return result;
-}
-
-namespace {
-
 constexpr double least_area_m2 = 12;
 constexpr std::int64_t fewest_cells = 6;
 
@@ -136,6 +111,27 @@ void smooth_links(const Mask& mask, const Grid<std::uint8_t>& flags, std::int32_
 }
 
 }  // namespace
+
+SmoothnessThresholds smoothness_thresholds(double side, const SurfaceQuality& quality) {
+    const double room =
+        noise_margin(quality.noise) + quality.margin_scale * sampling_margin(side, quality.filled);
+    // Metres, and metres per metre of cell size. Fitted on cities with cells of 0.5 to 5 m, see
+    // docs/accuracy.md.
+    const auto limit = [&](double metres, double of_side) {
+        return static_cast<float>(quality.threshold_scale * (metres + of_side * side) + room);
+    };
+    return {limit(0.06, 0.06), limit(0.10, 0.08), limit(0.13, 0.12)};
+}
+
+Grid<std::uint8_t> smoothness(const MetreGrid& surface, const SmoothnessThresholds& limits,
+                              Executor& threads) {
+    auto result = Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads);
+    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            flag_row(surface, r, limits, result.row(r));
+    });
+    return result;
+}
 
 Regions smooth_regions(const Scene& scene, const Mask& cells, const Grid<std::uint8_t>& flags,
                        Executor& threads) {

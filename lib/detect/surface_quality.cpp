@@ -81,6 +81,81 @@ bool rises_in_steps(const StepHistogram& counts, double step) {
            static_cast<double>(single) >= least_single * static_cast<double>(all);
 }
 
+constexpr std::size_t bend_bins = 2000;
+constexpr float bend_bin_m = 0.001F;
+constexpr std::int64_t fewest_bends = 1000;
+// Quantiles of the absolute second differences between which the mean is taken. Gardens, kerbs and cars on
+// open ground cause larger ones, and dominate on coarse cells.
+constexpr double lower_share = 0.1;
+constexpr double upper_share = 0.2;
+// Mean of these differences for normal noise with a standard deviation of 1. The second difference of noise
+// is sqrt(1 + 4 + 1) times as wide; with f the density of a normal distribution, and 0.12566 and 0.25335 the
+// bounds within which a tenth and a fifth of it lie, their mean is 2 (f(0.12566) - f(0.25335)) / (0.2 - 0.1).
+const double mean_of_unit_noise = 0.18925 * std::sqrt(6.0);
+
+using Bends = Histogram<bend_bins>;
+
+void add_row(std::span<const float> z, std::span<const std::uint8_t> high, Bends& bends) {
+    for (std::size_t c = 1; c + 1 < z.size(); ++c) {
+        const float bend = std::abs(z[c - 1] + z[c + 1] - 2 * z[c]);
+        if (high[c - 1] + high[c] + high[c + 1] != 0 || std::isnan(bend))
+            continue;
+        bends.add(bend < bend_bin_m * bend_bins ? static_cast<std::size_t>(bend / bend_bin_m) : bend_bins);
+    }
+}
+
+/// Returns the sum of the `many` smallest values in m. Values are assumed to be spread evenly within a bin.
+double sum_of_smallest(const Bends& bends, double many) {
+    double sum = 0;
+    for (std::size_t bin = 0; many > 0 && bin <= bend_bins; ++bin) {
+        const auto here = static_cast<double>(bends.counts[bin]);
+        const double taken = std::min(many, here);
+        sum += taken * (static_cast<double>(bin) + (taken > 0 ? taken / here / 2 : 0));
+        many -= taken;
+    }
+    return sum * static_cast<double>(bend_bin_m);
+}
+
+constexpr std::size_t difference_bins = 1000;  // number of bins of HeightDifferences
+constexpr float difference_bin_m = 0.005F;
+constexpr std::int64_t fewest_pairs = 300;
+// Converts pairs to cells. A filled cell is equal to one neighbour, or to more if the neighbour was filled as
+// well; there are two pairs per cell. Measured on simulated scans of 0.25 to 2 pulses per m^2, for which the
+// filled cells are known.
+constexpr double cells_a_pair = 1.6;
+
+struct RoughCells {
+    const MetreGrid& surface;
+    const Mask& elevated;
+    const Grid<std::uint8_t>& flags;
+
+    /// @param row receives the rough cells, with one more element at the end
+    void find(std::int32_t r, std::span<std::uint8_t> row) const {
+        const std::uint8_t* const high = elevated.row(r).data();
+        const std::uint8_t* const flag = flags.row(r).data();
+        std::uint8_t* const out = row.data();
+        constexpr int bit = std::countr_zero(std::uint8_t{smooth_enough});
+        for (std::size_t c = 0; c + 1 < row.size(); ++c)
+            out[c] = static_cast<std::uint8_t>(high[c] & ((flag[c] >> bit & 1) ^ 1));
+        row.back() = 0;
+    }
+    void add_band(RowBand band, HeightDifferences& differences) const {
+        const auto cols = static_cast<std::size_t>(surface.cols);
+        std::vector<std::uint8_t> here(cols + 1);
+        std::vector<std::uint8_t> below(cols + 1);
+        find(band.begin, here);
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const std::int32_t next = std::min(r + 1, surface.rows - 1);
+            if (next > r)
+                find(next, below);
+            else
+                std::fill(below.begin(), below.end(), std::uint8_t{0});
+            add_differences(surface.row(r), surface.row(next).data(), here, below, differences);
+            here.swap(below);
+        }
+    }
+};
+
 }  // namespace
 
 void StepHistogram::add(std::span<const float> elevations) {
@@ -179,45 +254,6 @@ double rounding_noise(double step) {
     return step / std::sqrt(12.0);
 }
 
-namespace {
-
-constexpr std::size_t bend_bins = 2000;
-constexpr float bend_bin_m = 0.001F;
-constexpr std::int64_t fewest_bends = 1000;
-// Quantiles of the absolute second differences between which the mean is taken. Gardens, kerbs and cars on
-// open ground cause larger ones, and dominate on coarse cells.
-constexpr double lower_share = 0.1;
-constexpr double upper_share = 0.2;
-// Mean of these differences for normal noise with a standard deviation of 1. The second difference of noise
-// is sqrt(1 + 4 + 1) times as wide; with f the density of a normal distribution, and 0.12566 and 0.25335 the
-// bounds within which a tenth and a fifth of it lie, their mean is 2 (f(0.12566) - f(0.25335)) / (0.2 - 0.1).
-const double mean_of_unit_noise = 0.18925 * std::sqrt(6.0);
-
-using Bends = Histogram<bend_bins>;
-
-void add_row(std::span<const float> z, std::span<const std::uint8_t> high, Bends& bends) {
-    for (std::size_t c = 1; c + 1 < z.size(); ++c) {
-        const float bend = std::abs(z[c - 1] + z[c + 1] - 2 * z[c]);
-        if (high[c - 1] + high[c] + high[c + 1] != 0 || std::isnan(bend))
-            continue;
-        bends.add(bend < bend_bin_m * bend_bins ? static_cast<std::size_t>(bend / bend_bin_m) : bend_bins);
-    }
-}
-
-/// Returns the sum of the `many` smallest values in m. Values are assumed to be spread evenly within a bin.
-double sum_of_smallest(const Bends& bends, double many) {
-    double sum = 0;
-    for (std::size_t bin = 0; many > 0 && bin <= bend_bins; ++bin) {
-        const auto here = static_cast<double>(bends.counts[bin]);
-        const double taken = std::min(many, here);
-        sum += taken * (static_cast<double>(bin) + (taken > 0 ? taken / here / 2 : 0));
-        many -= taken;
-    }
-    return sum * static_cast<double>(bend_bin_m);
-}
-
-}  // namespace
-
 double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads) {
     const auto add_band = [&](RowBand band, Bends& some) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
@@ -231,50 +267,6 @@ double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& t
     const double between = sum_of_smallest(sum, upper_share * all) - sum_of_smallest(sum, lower_share * all);
     return between / ((upper_share - lower_share) * all) / mean_of_unit_noise;
 }
-
-namespace {
-
-constexpr std::size_t difference_bins = 1000;  // number of bins of HeightDifferences
-constexpr float difference_bin_m = 0.005F;
-constexpr std::int64_t fewest_pairs = 300;
-// Converts pairs to cells. A filled cell is equal to one neighbour, or to more if the neighbour was filled as
-// well; there are two pairs per cell. Measured on simulated scans of 0.25 to 2 pulses per m^2, for which the
-// filled cells are known.
-constexpr double cells_a_pair = 1.6;
-
-struct RoughCells {
-    const MetreGrid& surface;
-    const Mask& elevated;
-    const Grid<std::uint8_t>& flags;
-
-    /// @param row receives the rough cells, with one more element at the end
-    void find(std::int32_t r, std::span<std::uint8_t> row) const {
-        const std::uint8_t* const high = elevated.row(r).data();
-        const std::uint8_t* const flag = flags.row(r).data();
-        std::uint8_t* const out = row.data();
-        constexpr int bit = std::countr_zero(std::uint8_t{smooth_enough});
-        for (std::size_t c = 0; c + 1 < row.size(); ++c)
-            out[c] = static_cast<std::uint8_t>(high[c] & ((flag[c] >> bit & 1) ^ 1));
-        row.back() = 0;
-    }
-    void add_band(RowBand band, HeightDifferences& differences) const {
-        const auto cols = static_cast<std::size_t>(surface.cols);
-        std::vector<std::uint8_t> here(cols + 1);
-        std::vector<std::uint8_t> below(cols + 1);
-        find(band.begin, here);
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const std::int32_t next = std::min(r + 1, surface.rows - 1);
-            if (next > r)
-                find(next, below);
-            else
-                std::fill(below.begin(), below.end(), std::uint8_t{0});
-            add_differences(surface.row(r), surface.row(next).data(), here, below, differences);
-            here.swap(below);
-        }
-    }
-};
-
-}  // namespace
 
 void add_difference(float difference, HeightDifferences& differences) {
     constexpr double half = 0.5;  // of a bin; rounds non-negative values without a function call

@@ -42,24 +42,6 @@ std::int64_t fall(const MetreGrid& surface, std::int32_t r, std::int32_t c, std:
     return std::llround(1000 * static_cast<double>(here - lowest));
 }
 
-}  // namespace
-
-double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& threads) {
-    const auto add_band = [&](RowBand band, Falls& falls) {
-        for (std::int32_t r = std::max(band.begin, 1); r < std::min(band.end, objects.rows - 1); ++r)
-            for (std::int32_t c = 1; c + 1 < objects.cols; ++c)
-                if (objects.at(r, c) != 0 && has_free_side(objects, r, c) && !std::isnan(surface.at(r, c))) {
-                    falls.within_near += fall(surface, r, c, near);
-                    falls.within_far += fall(surface, r, c, far);
-                }
-    };
-    const Falls all = reduce_row_bands(threads, objects.rows, objects.cols, Falls(), add_band);
-    return all.within_far > 0 ? static_cast<double>(all.within_near) / static_cast<double>(all.within_far)
-                              : 1;
-}
-
-namespace {
-
 constexpr std::int32_t square_cells = 1024;
 constexpr std::size_t most_samples = 4;
 
@@ -105,28 +87,6 @@ std::vector<Square> squares_of(const Mask& roofs) {
         }
     return squares;
 }
-
-}  // namespace
-
-std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs, Executor& threads) {
-    std::vector<Square> squares = squares_of(roofs);
-    std::stable_sort(squares.begin(), squares.end(),
-                     [](const Square& a, const Square& b) { return a.roofs > b.roofs; });
-    squares.resize(std::min(squares.size(), most_samples));
-    std::vector<RoofSample> samples(squares.size());
-    threads.for_each(squares.size(), [&](std::size_t i) {
-        const Square& square = squares[i];
-        samples[i] = {cut(scene.surface, square, threads),
-                      cut(scene.terrain, square, threads),
-                      scene.cell,
-                      cut(scene.allowed, square, threads),
-                      cut(scene.greenness, square, threads),
-                      cut(roofs, square, threads)};
-    });
-    return samples;
-}
-
-namespace {
 
 constexpr double surely_roof = 0.95;
 constexpr double likely_roof = 0.5;
@@ -190,6 +150,38 @@ std::int64_t gained_cells(const Trial& trial, const Mask& left) {
 }
 
 }  // namespace
+
+double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& threads) {
+    const auto add_band = [&](RowBand band, Falls& falls) {
+        for (std::int32_t r = std::max(band.begin, 1); r < std::min(band.end, objects.rows - 1); ++r)
+            for (std::int32_t c = 1; c + 1 < objects.cols; ++c)
+                if (objects.at(r, c) != 0 && has_free_side(objects, r, c) && !std::isnan(surface.at(r, c))) {
+                    falls.within_near += fall(surface, r, c, near);
+                    falls.within_far += fall(surface, r, c, far);
+                }
+    };
+    const Falls all = reduce_row_bands(threads, objects.rows, objects.cols, Falls(), add_band);
+    return all.within_far > 0 ? static_cast<double>(all.within_near) / static_cast<double>(all.within_far)
+                              : 1;
+}
+
+std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs, Executor& threads) {
+    std::vector<Square> squares = squares_of(roofs);
+    std::stable_sort(squares.begin(), squares.end(),
+                     [](const Square& a, const Square& b) { return a.roofs > b.roofs; });
+    squares.resize(std::min(squares.size(), most_samples));
+    std::vector<RoofSample> samples(squares.size());
+    threads.for_each(squares.size(), [&](std::size_t i) {
+        const Square& square = squares[i];
+        samples[i] = {cut(scene.surface, square, threads),
+                      cut(scene.terrain, square, threads),
+                      scene.cell,
+                      cut(scene.allowed, square, threads),
+                      cut(scene.greenness, square, threads),
+                      cut(roofs, square, threads)};
+    });
+    return samples;
+}
 
 std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectOptions& options,
                                                double min_area_m2, const SurfaceQuality& quality,

@@ -102,6 +102,120 @@ std::optional<WallLine> wall_at_end(const BoundaryLine& seam, bool is_last, cons
     return wall ? std::optional(WallLine{wall->inward, wall->inward}) : std::nullopt;
 }
 
+constexpr double straight = 1.3;         // RMS in cells
+constexpr std::size_t fewest_edges = 4;  // minimum per line at a corner
+constexpr double sharpest = 0.8;         // cosine of the angle between two walls
+constexpr int rounds_of_halving = 8;
+
+double distance_along(const BoundaryLine& line, const MetricPoint& place) {
+    return (place.x - line.middle.x) * line.along.x + (place.y - line.middle.y) * line.along.y;
+}
+
+double distance_from(const BoundaryLine& line, const MetricPoint& place) {
+    return std::abs((place.x - line.middle.x) * line.inward.x + (place.y - line.middle.y) * line.inward.y);
+}
+
+constexpr double sticks_out = 0.55;    // share of a part's border that is the object's own outline
+constexpr double surely_no_crown = 2;  // limit of roof_score()
+
+// Stronger evidence is required if the wall is only visible beyond one end of the seam.
+constexpr double sticks_out_past_an_end = 0.6;
+constexpr double no_crown_past_an_end = 1.25;
+constexpr double hangs_by_a_thread =
+    0.9;  // beyond this the part is a separate object, such as a house behind a hedge
+constexpr double largest_cell_m = 1.5;  // in larger cells a wall of three cells may be chance
+
+/// Cuts for a crown at a corner: one line for each of the two walls.
+std::vector<CutLine> corner_cuts(const CornerBoundary& corner, const Mask& objects, const CellSize& cell,
+                                 int eaves) {
+    const std::optional<WallLine> one = wall_away_from(corner.other.middle, corner.one, objects, cell, eaves);
+    const std::optional<WallLine> other =
+        wall_away_from(corner.one.middle, corner.other, objects, cell, eaves);
+    if (!one || !other)
+        return {};
+    return {{corner.one, *one}, {corner.other, *other}};
+}
+
+/// True if the walls of a corner enclose the roof, not the part, as they do in a courtyard.
+bool turns_around_roof(const CornerBoundary& corner) {
+    const double across = corner.other.middle.x - corner.one.middle.x;
+    const double down = corner.other.middle.y - corner.one.middle.y;
+    return corner.one.inward.x * across + corner.one.inward.y * down > 0;
+}
+
+/// Cut for a crown that hides the end of a wall: the line of the wall visible on its other side.
+std::vector<CutLine> cut_past_an_end(const SharedBoundary& part, const BoundaryLine& seam, double score,
+                                     const Mask& objects, const CellSize& cell, int eaves) {
+    const double free = part.free_share();
+    if (std::max(cell.across, cell.down) > largest_cell_m || free <= sticks_out_past_an_end ||
+        free >= hangs_by_a_thread || score >= no_crown_past_an_end)
+        return {};
+    const std::optional<WallLine> wall = wall_beyond_one_end(seam, objects, cell, eaves);
+    return wall ? std::vector<CutLine>{{seam, *wall}} : std::vector<CutLine>{};
+}
+
+constexpr double large_segment_m2 = 50;
+constexpr double eaves_m = 1;
+constexpr double least_crown_m2 = 4;
+
+/// Returns the cells of large smooth segments.
+Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& objects, Executor& threads) {
+    const std::int64_t least = cells_covering(large_segment_m2, scene.cell);
+    Mask roofs(objects.rows, objects.cols, 0, threads);
+    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (const RegionRun& run : segments.regions.row(r))
+                if (segments.pieces[run.label - 1].cells >= least)
+                    std::copy(objects.row(r).begin() + run.begin, objects.row(r).begin() + run.end,
+                              roofs.row(r).begin() + run.begin);
+    });
+    return roofs;
+}
+
+Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t min_cells, Executor& threads) {
+    Mask rest = Mask::unset(objects.rows, objects.cols, threads);
+    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            const std::span<const std::uint8_t> object = objects.row(r);
+            const std::span<const std::uint8_t> roof = roofs.row(r);
+            const std::span<std::uint8_t> out = rest.row(r);
+            for (std::size_t c = 0; c < out.size(); ++c)
+                out[c] = object[c] > roof[c] ? 1 : 0;
+        }
+    });
+    return connected_regions(rest, 1, min_cells, threads);
+}
+
+/// Clears the parts to be cut.
+std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::vector<CutLine>>& cuts,
+                            Mask& objects, Executor& threads) {
+    const auto is_cut = [&](Label label) { return !cuts[label - 1].empty(); };
+    paint(parts, is_cut, 0, objects, threads);
+    std::vector<CutCrown> crowns;
+    for_first_runs(parts, [&](std::int32_t r, const RegionRun& run) {
+        if (is_cut(run.label))
+            crowns.push_back({{r, run.begin}, parts.cells[run.label]});
+    });
+    return crowns;
+}
+
+/// Relabels the remaining cells. Each new object inherits the classification of the object it was part of.
+void relabel_remaining(const Mask& cells, std::int64_t min_cells, Candidates& judged, Executor& threads) {
+    Candidates left;
+    left.regions = connected_regions(cells, 1, 0, threads);
+    const std::vector<FirstCell> small = remove_small(left.regions, min_cells);
+    judged.rejected.small.insert(judged.rejected.small.end(), small.begin(), small.end());
+    for_first_runs(left.regions, [&](std::int32_t r, const RegionRun& run) {
+        const Label whole = run_at(judged.regions.row(r), run.begin)->label;
+        left.objects.push_back(judged.objects[whole - 1]);
+        left.objects.back().cells = left.regions.cells[run.label];
+        left.features.push_back(judged.features[whole - 1]);
+    });
+    judged.regions = std::move(left.regions);
+    judged.objects = std::move(left.objects);
+    judged.features = std::move(left.features);
+}
+
 }  // namespace
 
 std::optional<WallLine> wall_beyond(const BoundaryLine& seam, const Mask& objects, const CellSize& cell,
@@ -162,23 +276,6 @@ void clear_beyond_wall(const BoundaryLine& seam, const WallLine& wall, const Mas
                 objects.at(r, c) = 0;
         }
 }
-
-namespace {
-
-constexpr double straight = 1.3;         // RMS in cells
-constexpr std::size_t fewest_edges = 4;  // minimum per line at a corner
-constexpr double sharpest = 0.8;         // cosine of the angle between two walls
-constexpr int rounds_of_halving = 8;
-
-double distance_along(const BoundaryLine& line, const MetricPoint& place) {
-    return (place.x - line.middle.x) * line.along.x + (place.y - line.middle.y) * line.along.y;
-}
-
-double distance_from(const BoundaryLine& line, const MetricPoint& place) {
-    return std::abs((place.x - line.middle.x) * line.inward.x + (place.y - line.middle.y) * line.inward.y);
-}
-
-}  // namespace
 
 void SharedBoundary::add(std::int32_t row, std::int32_t col, int down, int across, const CellSize& cell) {
     edges_.push_back({{(col + 0.5 + 0.5 * across) * cell.across, (row + 0.5 + 0.5 * down) * cell.down},
@@ -295,49 +392,6 @@ std::vector<SharedBoundary> shared_boundaries(const ObjectRegions& parts, const 
     return seams;
 }
 
-namespace {
-
-constexpr double sticks_out = 0.55;    // share of a part's border that is the object's own outline
-constexpr double surely_no_crown = 2;  // limit of roof_score()
-
-// Stronger evidence is required if the wall is only visible beyond one end of the seam.
-constexpr double sticks_out_past_an_end = 0.6;
-constexpr double no_crown_past_an_end = 1.25;
-constexpr double hangs_by_a_thread =
-    0.9;  // beyond this the part is a separate object, such as a house behind a hedge
-constexpr double largest_cell_m = 1.5;  // in larger cells a wall of three cells may be chance
-
-/// Cuts for a crown at a corner: one line for each of the two walls.
-std::vector<CutLine> corner_cuts(const CornerBoundary& corner, const Mask& objects, const CellSize& cell,
-                                 int eaves) {
-    const std::optional<WallLine> one = wall_away_from(corner.other.middle, corner.one, objects, cell, eaves);
-    const std::optional<WallLine> other =
-        wall_away_from(corner.one.middle, corner.other, objects, cell, eaves);
-    if (!one || !other)
-        return {};
-    return {{corner.one, *one}, {corner.other, *other}};
-}
-
-/// True if the walls of a corner enclose the roof, not the part, as they do in a courtyard.
-bool turns_around_roof(const CornerBoundary& corner) {
-    const double across = corner.other.middle.x - corner.one.middle.x;
-    const double down = corner.other.middle.y - corner.one.middle.y;
-    return corner.one.inward.x * across + corner.one.inward.y * down > 0;
-}
-
-/// Cut for a crown that hides the end of a wall: the line of the wall visible on its other side.
-std::vector<CutLine> cut_past_an_end(const SharedBoundary& part, const BoundaryLine& seam, double score,
-                                     const Mask& objects, const CellSize& cell, int eaves) {
-    const double free = part.free_share();
-    if (std::max(cell.across, cell.down) > largest_cell_m || free <= sticks_out_past_an_end ||
-        free >= hangs_by_a_thread || score >= no_crown_past_an_end)
-        return {};
-    const std::optional<WallLine> wall = wall_beyond_one_end(seam, objects, cell, eaves);
-    return wall ? std::vector<CutLine>{{seam, *wall}} : std::vector<CutLine>{};
-}
-
-}  // namespace
-
 std::vector<CutLine> crown_cuts(const SharedBoundary& part, const ObjectFeatures& features,
                                 const Mask& objects, const CellSize& cell, int eaves) {
     const double score = roof_score(features);
@@ -355,72 +409,6 @@ std::vector<CutLine> crown_cuts(const SharedBoundary& part, const ObjectFeatures
         cuts = cut_past_an_end(part, *seam, score, objects, cell, eaves);
     return cuts;
 }
-
-namespace {
-
-constexpr double large_segment_m2 = 50;
-constexpr double eaves_m = 1;
-constexpr double least_crown_m2 = 4;
-
-/// Returns the cells of large smooth segments.
-Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& objects, Executor& threads) {
-    const std::int64_t least = cells_covering(large_segment_m2, scene.cell);
-    Mask roofs(objects.rows, objects.cols, 0, threads);
-    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (const RegionRun& run : segments.regions.row(r))
-                if (segments.pieces[run.label - 1].cells >= least)
-                    std::copy(objects.row(r).begin() + run.begin, objects.row(r).begin() + run.end,
-                              roofs.row(r).begin() + run.begin);
-    });
-    return roofs;
-}
-
-Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t min_cells, Executor& threads) {
-    Mask rest = Mask::unset(objects.rows, objects.cols, threads);
-    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const std::span<const std::uint8_t> object = objects.row(r);
-            const std::span<const std::uint8_t> roof = roofs.row(r);
-            const std::span<std::uint8_t> out = rest.row(r);
-            for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] = object[c] > roof[c] ? 1 : 0;
-        }
-    });
-    return connected_regions(rest, 1, min_cells, threads);
-}
-
-/// Clears the parts to be cut.
-std::vector<CutCrown> clear(const Regions& parts, const std::vector<std::vector<CutLine>>& cuts,
-                            Mask& objects, Executor& threads) {
-    const auto is_cut = [&](Label label) { return !cuts[label - 1].empty(); };
-    paint(parts, is_cut, 0, objects, threads);
-    std::vector<CutCrown> crowns;
-    for_first_runs(parts, [&](std::int32_t r, const RegionRun& run) {
-        if (is_cut(run.label))
-            crowns.push_back({{r, run.begin}, parts.cells[run.label]});
-    });
-    return crowns;
-}
-
-/// Relabels the remaining cells. Each new object inherits the classification of the object it was part of.
-void relabel_remaining(const Mask& cells, std::int64_t min_cells, Candidates& judged, Executor& threads) {
-    Candidates left;
-    left.regions = connected_regions(cells, 1, 0, threads);
-    const std::vector<FirstCell> small = remove_small(left.regions, min_cells);
-    judged.rejected.small.insert(judged.rejected.small.end(), small.begin(), small.end());
-    for_first_runs(left.regions, [&](std::int32_t r, const RegionRun& run) {
-        const Label whole = run_at(judged.regions.row(r), run.begin)->label;
-        left.objects.push_back(judged.objects[whole - 1]);
-        left.objects.back().cells = left.regions.cells[run.label];
-        left.features.push_back(judged.features[whole - 1]);
-    });
-    judged.regions = std::move(left.regions);
-    judged.objects = std::move(left.objects);
-    judged.features = std::move(left.features);
-}
-
-}  // namespace
 
 std::vector<CutCrown> remove_attached_crowns(const Scene& scene, const SmoothSegments& segments,
                                              const Grid<std::uint8_t>& flags, std::int64_t min_cells,

@@ -16,6 +16,50 @@ std::int32_t cells_around(double around, double step, std::int32_t length) {
         std::ceil(around / step), std::min<double>(fewest_around, length), static_cast<double>(length)));
 }
 
+constexpr std::int32_t slab_rows = 16;
+
+std::int32_t slabs_of(RowBand rows) {
+    return (rows.end - rows.begin - 1) / slab_rows + 1;
+}
+RowBand slab_of(RowBand rows, std::int32_t slab) {
+    const std::int32_t begin = rows.begin + slab * slab_rows;
+    return {begin, std::min(begin + slab_rows, rows.end)};
+}
+
+/// Core of a unit in the grid of its extent.
+struct Own {
+    std::int32_t row;
+    std::int32_t col;
+    std::int32_t end_row;
+    std::int32_t end_col;
+};
+
+using Lines = UnitEdges::Lines;
+
+Lines rows_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
+    Lines lines;
+    for (const std::int32_t side : {0, 1})
+        if (seam > 0 && seam < labels.rows) {
+            const auto row = labels.row(seam - 1 + side);
+            lines[static_cast<std::size_t>(side)].assign(row.begin() + own.col, row.begin() + own.end_col);
+        }
+    return lines;
+}
+
+Lines cols_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
+    Lines lines;
+    for (const std::int32_t side : {0, 1})
+        if (seam > 0 && seam < labels.cols)
+            for (std::int32_t row = own.row; row < own.end_row; ++row)
+                lines[static_cast<std::size_t>(side)].push_back(labels.at(row, seam - 1 + side));
+    return lines;
+}
+
+void compare(const Lines& first, const Lines& second, UnitMerger& merger) {
+    for (std::size_t side = 0; side < first.size(); ++side)
+        merger.compare(first[side], second[side]);
+}
+
 }  // namespace
 
 UnitGrid::UnitGrid(const Window& window, const CellSize& cell, double around, const UnitSize& size)
@@ -59,20 +103,6 @@ std::int32_t UnitGrid::Axis::most_seen() const {
         most = std::max(most, seen(part).length);
     return most;
 }
-
-namespace {
-
-constexpr std::int32_t slab_rows = 16;
-
-std::int32_t slabs_of(RowBand rows) {
-    return (rows.end - rows.begin - 1) / slab_rows + 1;
-}
-RowBand slab_of(RowBand rows, std::int32_t slab) {
-    const std::int32_t begin = rows.begin + slab * slab_rows;
-    return {begin, std::min(begin + slab_rows, rows.end)};
-}
-
-}  // namespace
 
 void LabelRows::append(const Unit& unit, const Grid<Label>& labels, Executor& threads, Label more) {
     const Window& own = unit.own;
@@ -242,44 +272,6 @@ void UnitMerger::name_wholes(Merged& merged) {
         if (number[label] != 0)
             merged.objects[number[label] - 1].object.whole = lowest[merged.wholes[label]];
 }
-
-namespace {
-
-/// Core of a unit in the grid of its extent.
-struct Own {
-    std::int32_t row;
-    std::int32_t col;
-    std::int32_t end_row;
-    std::int32_t end_col;
-};
-
-using Lines = UnitEdges::Lines;
-
-Lines rows_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
-    Lines lines;
-    for (const std::int32_t side : {0, 1})
-        if (seam > 0 && seam < labels.rows) {
-            const auto row = labels.row(seam - 1 + side);
-            lines[static_cast<std::size_t>(side)].assign(row.begin() + own.col, row.begin() + own.end_col);
-        }
-    return lines;
-}
-
-Lines cols_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
-    Lines lines;
-    for (const std::int32_t side : {0, 1})
-        if (seam > 0 && seam < labels.cols)
-            for (std::int32_t row = own.row; row < own.end_row; ++row)
-                lines[static_cast<std::size_t>(side)].push_back(labels.at(row, seam - 1 + side));
-    return lines;
-}
-
-void compare(const Lines& first, const Lines& second, UnitMerger& merger) {
-    for (std::size_t side = 0; side < first.size(); ++side)
-        merger.compare(first[side], second[side]);
-}
-
-}  // namespace
 
 void UnitEdges::add(Label more) {
     for (Lines* lines : {&above, &left, &below, &right})

@@ -13,50 +13,6 @@ namespace {
 /// Minimum number of pieces, because one or two may be a small cut-out of a surface.
 constexpr std::int64_t fewest_islands = 3;
 
-}  // namespace
-
-std::string missing_ground_warning(const detect::ValidIslands& islands, GroundMode mode,
-                                   const std::string& dem) {
-    if (mode != GroundMode::automatic || !islands.narrow_most() || islands.islands < fewest_islands ||
-        2 * islands.largest > islands.cells)
-        return {};
-    return "'" + dem + "' has elevations in " + std::to_string(islands.islands) +
-           " pieces as wide as buildings and NoData around them, so roofs are taken for the ground; give "
-           "-ground none if its values are heights above ground, or a terrain model with -ground if they are "
-           "elevations";
-}
-
-std::string empty_auxiliary_warning(const detect::AuxiliaryCoverage& known, const Options& options) {
-    if (!known.terrain)
-        return "the terrain '" + options.ground.terrain +
-               "' has no valid cell over the DEM; give one of the same place with -ground, or leave -ground "
-               "out to have the ground estimated";
-    if (!known.mask)
-        return "the mask '" + options.detect.mask +
-               "' has no cell over the DEM that is neither 0 nor NoData; give one with -mask that marks "
-               "where buildings may be";
-    return {};
-}
-
-std::string ndvi_warning(const detect::AuxiliaryCoverage& known, const Options& options) {
-    if (known.ndvi)
-        return {};
-    return "the NDVI '" + options.detect.ndvi +
-           "' has no valid cell over the DEM, so it shows no plants; give one of the same place with -ndvi";
-}
-
-std::string slope_warning(const detect::GroundSlope& slope, const std::string& dem) {
-    if (2 * slope.steep_cells <= slope.cells)
-        return {};
-    const double share = static_cast<double>(slope.steep_cells) / static_cast<double>(slope.cells);
-    return percent(share) + " of the ground of '" + dem + "' is steeper than " +
-           percent(detect::GroundSlope::steep) +
-           ", where buildings can hardly be told from the slope; give a terrain model with -ground, and "
-           "check the units of elevations and coordinates (-zunit)";
-}
-
-namespace {
-
 constexpr double fewest_bare = 0.05;
 constexpr double farthest_m = 2;
 constexpr double fewest_raised = 0.001;
@@ -75,36 +31,6 @@ std::string doubt_of_given(const detect::GroundFit& fit, const std::string& terr
     return "the terrain '" + terrain + "' lies " + rounded(std::abs(median)) + " m " +
            (median < 0 ? "above" : "below") + " the surface where nothing stands on it (median)" + see;
 }
-
-}  // namespace
-
-std::string ground_warning(const detect::GroundFit& fit, GroundMode mode, const std::string& terrain) {
-    const bool few = fit.bare_share() < fewest_bare;
-    if (fit.cells() == 0 || (!few && !(std::abs(fit.bare_median()) > farthest_m)))
-        return {};
-    if (mode == GroundMode::given)
-        return doubt_of_given(fit, terrain, few);
-    if (mode == GroundMode::none)
-        return "-ground none takes elevations as heights above the ground, and their median is " +
-               rounded(few ? fit.median() : fit.bare_median()) + " m" + (few ? "" : " where they are low") +
-               "; give a terrain model with -ground, or leave -ground out to have the ground estimated";
-    return within(fit) + "the ground that was estimated" +
-           (few ? "" : ", and these " + rounded(fit.bare_median()) + " m above it (median)") +
-           "; give a terrain model with -ground, or use a larger part of the raster";
-}
-
-std::string surface_warning(const detect::GroundFit& fit, const std::string& dem) {
-    const double usual = DetectOptions{}.min_height;
-    const double share = fit.share_above(usual);
-    if (fit.cells() == 0 || share >= fewest_raised)
-        return {};
-    return (share > 0 ? percent(share) : "none") + " of the cells of '" + dem + "' rise by more than " +
-           number_text(usual) +
-           " m above their surroundings, as in a terrain model (DTM), which has no buildings; give the "
-           "surface model (DSM)";
-}
-
-namespace {
 
 constexpr double least_length_m = 150;   // length of cuts next to walls: a street has less by chance
 constexpr double least_share = 1.0 / 3;  // share of all cuts: walls next to fewer of them are chance
@@ -135,44 +61,6 @@ std::string displaced_doubt(const ParcelMove& move, double usual, const DetectOp
            " m off the walls as a whole: they fit best if they are moved " + told(move) +
            " on the raster; compare them with the buildings, and move them if that is right";
 }
-
-}  // namespace
-
-std::string misplaced_warning(const ParcelReport& report, const CellSize& cell,
-                              const DetectOptions& options) {
-    if (report.inside_m2 == 0 && report.cut_length_m == 0)
-        return "no parcel of '" + options.split_by +
-               "' touches a building, so none was cut; give the parcels of the same place";
-    const double usual = std::max(usual_m, usual_cells * std::sqrt(cell.area()));
-    if (report.best_offset)
-        return displaced_doubt(*report.best_offset, usual, options);
-    if (report.near_wall_length_m < least_length_m ||
-        report.near_wall_length_m < least_share * report.cut_length_m || !(report.median_distance_m > usual))
-        return {};
-    return "cuts by '" + options.split_by + "' run " + rounded(report.median_distance_m) +
-           " m off walls (the median over " + rounded(report.near_wall_length_m) +
-           " m of cuts), and half a metre is usual: the parcels may be displaced as a whole; compare them "
-           "with the buildings, and move them if that is right";
-}
-
-std::string overlap_warning(const ParcelReport& report, const DetectOptions& options) {
-    if (report.overlap_m2 <= usual_overlap * report.inside_m2)
-        return {};
-    return percent(report.overlap_m2 / report.inside_m2) + " of the building area in parcels of '" +
-           options.split_by +
-           "' lies in more than one parcel and goes to the one with the lowest id; leave out the parcels "
-           "that do not apply";
-}
-
-std::string validity_warning(const ParcelReport& report, const DetectOptions& options) {
-    if (report.invalid_m2 == 0)
-        return {};
-    return "parcels of '" + options.split_by + "' that are invalid hold " + rounded(report.invalid_m2) +
-           " m2 of buildings, and the area that an odd number of their rings encloses is used; make them "
-           "valid, for example by ogr2ogr -makevalid";
-}
-
-namespace {
 
 /// @return "" unless -exclude leaves out more buildings than remain
 std::string exclusion_warning(const SearchSummary& search) {
@@ -342,6 +230,106 @@ constexpr std::array<SearchWarning, 11> search_warnings{{
 }};
 
 }  // namespace
+
+std::string missing_ground_warning(const detect::ValidIslands& islands, GroundMode mode,
+                                   const std::string& dem) {
+    if (mode != GroundMode::automatic || !islands.narrow_most() || islands.islands < fewest_islands ||
+        2 * islands.largest > islands.cells)
+        return {};
+    return "'" + dem + "' has elevations in " + std::to_string(islands.islands) +
+           " pieces as wide as buildings and NoData around them, so roofs are taken for the ground; give "
+           "-ground none if its values are heights above ground, or a terrain model with -ground if they are "
+           "elevations";
+}
+
+std::string empty_auxiliary_warning(const detect::AuxiliaryCoverage& known, const Options& options) {
+    if (!known.terrain)
+        return "the terrain '" + options.ground.terrain +
+               "' has no valid cell over the DEM; give one of the same place with -ground, or leave -ground "
+               "out to have the ground estimated";
+    if (!known.mask)
+        return "the mask '" + options.detect.mask +
+               "' has no cell over the DEM that is neither 0 nor NoData; give one with -mask that marks "
+               "where buildings may be";
+    return {};
+}
+
+std::string ndvi_warning(const detect::AuxiliaryCoverage& known, const Options& options) {
+    if (known.ndvi)
+        return {};
+    return "the NDVI '" + options.detect.ndvi +
+           "' has no valid cell over the DEM, so it shows no plants; give one of the same place with -ndvi";
+}
+
+std::string slope_warning(const detect::GroundSlope& slope, const std::string& dem) {
+    if (2 * slope.steep_cells <= slope.cells)
+        return {};
+    const double share = static_cast<double>(slope.steep_cells) / static_cast<double>(slope.cells);
+    return percent(share) + " of the ground of '" + dem + "' is steeper than " +
+           percent(detect::GroundSlope::steep) +
+           ", where buildings can hardly be told from the slope; give a terrain model with -ground, and "
+           "check the units of elevations and coordinates (-zunit)";
+}
+
+std::string ground_warning(const detect::GroundFit& fit, GroundMode mode, const std::string& terrain) {
+    const bool few = fit.bare_share() < fewest_bare;
+    if (fit.cells() == 0 || (!few && !(std::abs(fit.bare_median()) > farthest_m)))
+        return {};
+    if (mode == GroundMode::given)
+        return doubt_of_given(fit, terrain, few);
+    if (mode == GroundMode::none)
+        return "-ground none takes elevations as heights above the ground, and their median is " +
+               rounded(few ? fit.median() : fit.bare_median()) + " m" + (few ? "" : " where they are low") +
+               "; give a terrain model with -ground, or leave -ground out to have the ground estimated";
+    return within(fit) + "the ground that was estimated" +
+           (few ? "" : ", and these " + rounded(fit.bare_median()) + " m above it (median)") +
+           "; give a terrain model with -ground, or use a larger part of the raster";
+}
+
+std::string surface_warning(const detect::GroundFit& fit, const std::string& dem) {
+    const double usual = DetectOptions{}.min_height;
+    const double share = fit.share_above(usual);
+    if (fit.cells() == 0 || share >= fewest_raised)
+        return {};
+    return (share > 0 ? percent(share) : "none") + " of the cells of '" + dem + "' rise by more than " +
+           number_text(usual) +
+           " m above their surroundings, as in a terrain model (DTM), which has no buildings; give the "
+           "surface model (DSM)";
+}
+
+std::string misplaced_warning(const ParcelReport& report, const CellSize& cell,
+                              const DetectOptions& options) {
+    if (report.inside_m2 == 0 && report.cut_length_m == 0)
+        return "no parcel of '" + options.split_by +
+               "' touches a building, so none was cut; give the parcels of the same place";
+    const double usual = std::max(usual_m, usual_cells * std::sqrt(cell.area()));
+    if (report.best_offset)
+        return displaced_doubt(*report.best_offset, usual, options);
+    if (report.near_wall_length_m < least_length_m ||
+        report.near_wall_length_m < least_share * report.cut_length_m || !(report.median_distance_m > usual))
+        return {};
+    return "cuts by '" + options.split_by + "' run " + rounded(report.median_distance_m) +
+           " m off walls (the median over " + rounded(report.near_wall_length_m) +
+           " m of cuts), and half a metre is usual: the parcels may be displaced as a whole; compare them "
+           "with the buildings, and move them if that is right";
+}
+
+std::string overlap_warning(const ParcelReport& report, const DetectOptions& options) {
+    if (report.overlap_m2 <= usual_overlap * report.inside_m2)
+        return {};
+    return percent(report.overlap_m2 / report.inside_m2) + " of the building area in parcels of '" +
+           options.split_by +
+           "' lies in more than one parcel and goes to the one with the lowest id; leave out the parcels "
+           "that do not apply";
+}
+
+std::string validity_warning(const ParcelReport& report, const DetectOptions& options) {
+    if (report.invalid_m2 == 0)
+        return {};
+    return "parcels of '" + options.split_by + "' that are invalid hold " + rounded(report.invalid_m2) +
+           " m2 of buildings, and the area that an odd number of their rings encloses is used; make them "
+           "valid, for example by ogr2ogr -makevalid";
+}
 
 std::string explain_empty_search(const SearchSummary& search) {
     for (const auto& reason : empty_search_reasons)

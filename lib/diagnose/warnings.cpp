@@ -41,6 +41,36 @@ std::string short_text(double value) {
     return number_text(unit < 1 ? std::round(value / unit) / std::round(1 / unit) : std::round(value));
 }
 
+// Ann Arbor, which was resampled, has 1.9; the town of docs/accuracy.md as seen by a satellite has 4.4.
+constexpr double widest_step = 2.5;
+
+std::string sentence(double share, const std::string& whose, const std::string& state, double cell_size_m) {
+    constexpr double fine_cell_m = 1.25;
+    const std::string what = percent(share) + " of the length of the " + whose + "' outlines " + state;
+    if (cell_size_m > fine_cell_m)
+        return what + ", because walls cannot be seen in cells of " + rounded(cell_size_m) +
+               " m; use a finer raster, or a larger -regularize_tolerance";
+    return what +
+           ", because straight walls would have left the trace or met a neighbour; -write_rejected shows "
+           "these outlines, and a larger -regularize_tolerance may straighten more";
+}
+
+std::string millions(std::int64_t points) {
+    return number_text(std::round(static_cast<double>(points) / 1e6)) + " million points";
+}
+
+std::string what_is_seen(const SeenPoints& seen) {
+    constexpr double bytes_a_point = 20;  // surface, terrain, and scratch memory for computing them
+    constexpr double gib = 1 << 30;
+    return millions(seen.points) + " at a time, because each part of the raster has a margin of " +
+           rounded(seen.around) + " m" +
+           (seen.max_building_width
+                ? " (five times -max_building_width " + number_text(*seen.max_building_width) + ")"
+                : "") +
+           ", which takes some " + rounded(static_cast<double>(seen.points) * bytes_a_point / gib) +
+           " GiB of memory";
+}
+
 }  // namespace
 
 std::string picture_warning(const DemInfo& dem) {
@@ -78,13 +108,6 @@ std::string extent_warning(const std::string& dem, double width, double height) 
            " m, which is less than a building; give the right CRS with -a_srs, or a larger part of the "
            "raster";
 }
-
-namespace {
-
-// Ann Arbor, which was resampled, has 1.9; the town of docs/accuracy.md as seen by a satellite has 4.4.
-constexpr double widest_step = 2.5;
-
-}  // namespace
 
 std::string sparse_points_warning(const SamplingReport& report, double side) {
     if (!detect::has_thin_points(report.interpolated_fraction) || !report.points_per_cell)
@@ -138,21 +161,6 @@ std::string tolerance_warning(double tolerance, double cell) {
            " cells wide, which leaves little of a building; it is in units of the input's CRS";
 }
 
-namespace {
-
-std::string sentence(double share, const std::string& whose, const std::string& state, double cell_size_m) {
-    constexpr double fine_cell_m = 1.25;
-    const std::string what = percent(share) + " of the length of the " + whose + "' outlines " + state;
-    if (cell_size_m > fine_cell_m)
-        return what + ", because walls cannot be seen in cells of " + rounded(cell_size_m) +
-               " m; use a finer raster, or a larger -regularize_tolerance";
-    return what +
-           ", because straight walls would have left the trace or met a neighbour; -write_rejected shows "
-           "these outlines, and a larger -regularize_tolerance may straighten more";
-}
-
-}  // namespace
-
 std::string traced_warning(const OutlineLength& buildings, const OutlineLength& contours, bool walls,
                            double cell_size_m) {
     const std::string traced = "keeps the staircase of the cells";
@@ -179,26 +187,6 @@ std::string doubtful_roofs_warning(const RoofReport& roofs) {
            " of the area of roofs is doubtful, because faces are too narrow for the cells or no plane suits "
            "their points; use a finer raster, or leave -roofs out";
 }
-
-namespace {
-
-std::string millions(std::int64_t points) {
-    return number_text(std::round(static_cast<double>(points) / 1e6)) + " million points";
-}
-
-std::string what_is_seen(const SeenPoints& seen) {
-    constexpr double bytes_a_point = 20;  // surface, terrain, and scratch memory for computing them
-    constexpr double gib = 1 << 30;
-    return millions(seen.points) + " at a time, because each part of the raster has a margin of " +
-           rounded(seen.around) + " m" +
-           (seen.max_building_width
-                ? " (five times -max_building_width " + number_text(*seen.max_building_width) + ")"
-                : "") +
-           ", which takes some " + rounded(static_cast<double>(seen.points) * bytes_a_point / gib) +
-           " GiB of memory";
-}
-
-}  // namespace
 
 std::string unit_memory_notice(const SeenPoints& seen) {
     if (seen.points <= SeenPoints::usual)

@@ -31,17 +31,6 @@ constexpr std::array translations{
     Translation{FieldNames::osm, "ground", "ele"},
 };
 
-}  // namespace
-
-std::string_view field_name(FieldNames names, std::string_view own) {
-    for (const Translation& translation : translations)
-        if (translation.names == names && translation.own == own)
-            return translation.other;
-    return own;
-}
-
-namespace {
-
 using Unit = AttributeUnit;
 
 FieldValue number(double value) {
@@ -398,7 +387,77 @@ std::string markdown(std::span<const Attribute<Record>> attributes) {
     return text;
 }
 
+std::span<const Attribute<BuildingRecord>> all_building_attributes() {
+    static const auto all = [] {
+        const auto own = building_attributes(true, true);
+        std::vector<Attribute<BuildingRecord>> attributes(own.begin(), own.end());
+        attributes.insert(attributes.end(), fit_table.begin(), fit_table.end());
+        return attributes;
+    }();
+    return all;
+}
+
+constexpr std::array rejected_table{
+    Attribute<RejectedRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
+                              [](const RejectedRecord& r) -> FieldValue { return r.id; }},
+    Attribute<RejectedRecord>{
+        "reason", "Reason", FieldType::text, Unit::none,
+        "contour_short, contour_small, contour_on_dropped, building_not_tall: dropped; hole_short, "
+        "hole_small: filled; "
+        "outline_kept_traced, polygon_repaired, polygon_lost: written in another form, or not at all",
+        [](const RejectedRecord& r) -> FieldValue { return std::string(r.reason); }},
+    Attribute<RejectedRecord>{"building", "Building", FieldType::integer, Unit::none,
+                              "id of the building that has this traced outline",
+                              [](const RejectedRecord& r) { return id_or_null(r.building); }},
+    Attribute<RejectedRecord>{"contour", "Contour", FieldType::integer, Unit::none,
+                              "id of the contour that has this traced outline",
+                              [](const RejectedRecord& r) { return id_or_null(r.contour); }},
+    Attribute<RejectedRecord>{"level", "Level", FieldType::integer, Unit::none,
+                              "level of the contour, or of the contour with the hole",
+                              [](const RejectedRecord& r) -> FieldValue { return std::int64_t{r.level}; }},
+    Attribute<RejectedRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
+                              "area without holes, on the ellipsoid if the CRS has one",
+                              [](const RejectedRecord& r) -> FieldValue { return r.area_m2; }},
+    Attribute<RejectedRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
+                              "length of all rings, on the ellipsoid if the CRS has one",
+                              [](const RejectedRecord& r) -> FieldValue { return r.perimeter_m; }},
+};
+
+constexpr std::array problem_table{
+    Attribute<ProblemRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
+                             [](const ProblemRecord& r) -> FieldValue { return r.id; }},
+    Attribute<ProblemRecord>{
+        "kind", "Kind", FieldType::text, Unit::none,
+        "surface_corner_cut, surface_notch_filled, flow_touch: corners that touched, and their distance now, "
+        "in m; surface_lost: a building that is not in the surface, and its area in m2; flow_wall, flow_gap, "
+        "flow_neck: a wall, gap or part of a building that is shorter or narrower than -flow_ready, in m; "
+        "flow_angle: a corner that is too sharp, in degrees; flow_crossing: outlines that cross; flow_step: "
+        "adjacent roofs that differ by less than -min_wall, in m",
+        [](const ProblemRecord& r) -> FieldValue { return std::string(r.kind); }},
+    Attribute<ProblemRecord>{"building", "Building", FieldType::integer, Unit::none,
+                             "id of the building; the lowest if there are several",
+                             [](const ProblemRecord& r) { return id_or_null(r.building); }},
+    Attribute<ProblemRecord>{"other", "Other building", FieldType::integer, Unit::none,
+                             "id of the next building",
+                             [](const ProblemRecord& r) { return id_or_null(r.other); }},
+    Attribute<ProblemRecord>{"before", "Size before", FieldType::real, Unit::none,
+                             "size in the unit of its kind",
+                             [](const ProblemRecord& r) -> FieldValue { return r.before; }},
+    Attribute<ProblemRecord>{"after", "Size after", FieldType::real, Unit::none, "the same in the output",
+                             [](const ProblemRecord& r) -> FieldValue { return r.after; }},
+    Attribute<ProblemRecord>{
+        "state", "State", FieldType::text, Unit::none, "changed or left",
+        [](const ProblemRecord& r) -> FieldValue { return std::string(r.changed ? "changed" : "left"); }},
+};
+
 }  // namespace
+
+std::string_view field_name(FieldNames names, std::string_view own) {
+    for (const Translation& translation : translations)
+        if (translation.names == names && translation.own == own)
+            return translation.other;
+    return own;
+}
 
 std::span<const Attribute<BuildingRecord>> building_attributes(bool with_roof, bool with_parcel) {
     using Attributes = std::vector<Attribute<BuildingRecord>>;
@@ -486,20 +545,6 @@ template std::vector<FieldValue> field_values(std::span<const Attribute<Building
 template std::vector<FieldValue> field_values(std::span<const Attribute<ContourRecord>>,
                                               const ContourRecord&);
 
-namespace {
-
-std::span<const Attribute<BuildingRecord>> all_building_attributes() {
-    static const auto all = [] {
-        const auto own = building_attributes(true, true);
-        std::vector<Attribute<BuildingRecord>> attributes(own.begin(), own.end());
-        attributes.insert(attributes.end(), fit_table.begin(), fit_table.end());
-        return attributes;
-    }();
-    return all;
-}
-
-}  // namespace
-
 std::string schema_markdown() {
     return "## buildings\n\n" + markdown(all_building_attributes()) + "\n## contours\n\n" +
            markdown(contour_attributes()) + "\n## roofs\n\n" + markdown(roof_face_attributes()) +
@@ -507,74 +552,9 @@ std::string schema_markdown() {
            markdown(problem_attributes());
 }
 
-namespace {
-
-using Unit = AttributeUnit;
-
-constexpr std::array rejected_table{
-    Attribute<RejectedRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
-                              [](const RejectedRecord& r) -> FieldValue { return r.id; }},
-    Attribute<RejectedRecord>{
-        "reason", "Reason", FieldType::text, Unit::none,
-        "contour_short, contour_small, contour_on_dropped, building_not_tall: dropped; hole_short, "
-        "hole_small: filled; "
-        "outline_kept_traced, polygon_repaired, polygon_lost: written in another form, or not at all",
-        [](const RejectedRecord& r) -> FieldValue { return std::string(r.reason); }},
-    Attribute<RejectedRecord>{"building", "Building", FieldType::integer, Unit::none,
-                              "id of the building that has this traced outline",
-                              [](const RejectedRecord& r) { return id_or_null(r.building); }},
-    Attribute<RejectedRecord>{"contour", "Contour", FieldType::integer, Unit::none,
-                              "id of the contour that has this traced outline",
-                              [](const RejectedRecord& r) { return id_or_null(r.contour); }},
-    Attribute<RejectedRecord>{"level", "Level", FieldType::integer, Unit::none,
-                              "level of the contour, or of the contour with the hole",
-                              [](const RejectedRecord& r) -> FieldValue { return std::int64_t{r.level}; }},
-    Attribute<RejectedRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
-                              "area without holes, on the ellipsoid if the CRS has one",
-                              [](const RejectedRecord& r) -> FieldValue { return r.area_m2; }},
-    Attribute<RejectedRecord>{"perim_m", "Perimeter", FieldType::real, Unit::metre,
-                              "length of all rings, on the ellipsoid if the CRS has one",
-                              [](const RejectedRecord& r) -> FieldValue { return r.perimeter_m; }},
-};
-
-}  // namespace
-
 std::span<const Attribute<RejectedRecord>> rejected_attributes() {
     return rejected_table;
 }
-
-namespace {
-
-using Unit = AttributeUnit;
-
-constexpr std::array problem_table{
-    Attribute<ProblemRecord>{"id", "Number", FieldType::integer, Unit::none, "number in this layer, from 1",
-                             [](const ProblemRecord& r) -> FieldValue { return r.id; }},
-    Attribute<ProblemRecord>{
-        "kind", "Kind", FieldType::text, Unit::none,
-        "surface_corner_cut, surface_notch_filled, flow_touch: corners that touched, and their distance now, "
-        "in m; surface_lost: a building that is not in the surface, and its area in m2; flow_wall, flow_gap, "
-        "flow_neck: a wall, gap or part of a building that is shorter or narrower than -flow_ready, in m; "
-        "flow_angle: a corner that is too sharp, in degrees; flow_crossing: outlines that cross; flow_step: "
-        "adjacent roofs that differ by less than -min_wall, in m",
-        [](const ProblemRecord& r) -> FieldValue { return std::string(r.kind); }},
-    Attribute<ProblemRecord>{"building", "Building", FieldType::integer, Unit::none,
-                             "id of the building; the lowest if there are several",
-                             [](const ProblemRecord& r) { return id_or_null(r.building); }},
-    Attribute<ProblemRecord>{"other", "Other building", FieldType::integer, Unit::none,
-                             "id of the next building",
-                             [](const ProblemRecord& r) { return id_or_null(r.other); }},
-    Attribute<ProblemRecord>{"before", "Size before", FieldType::real, Unit::none,
-                             "size in the unit of its kind",
-                             [](const ProblemRecord& r) -> FieldValue { return r.before; }},
-    Attribute<ProblemRecord>{"after", "Size after", FieldType::real, Unit::none, "the same in the output",
-                             [](const ProblemRecord& r) -> FieldValue { return r.after; }},
-    Attribute<ProblemRecord>{
-        "state", "State", FieldType::text, Unit::none, "changed or left",
-        [](const ProblemRecord& r) -> FieldValue { return std::string(r.changed ? "changed" : "left"); }},
-};
-
-}  // namespace
 
 std::span<const Attribute<ProblemRecord>> problem_attributes() {
     return problem_table;

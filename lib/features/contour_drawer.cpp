@@ -46,6 +46,55 @@ std::vector<WorldPolygon> repaired(const std::vector<WorldPolygon>& parts, Geos&
     }
 }
 
+Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& parts) {
+    Geodesy::Measure sum;
+    for (const WorldPolygon& part : parts) {
+        const Geodesy::Measure one = geodesy.polygon(part);
+        sum.area_m2 += one.area_m2;
+        sum.perimeter_m += one.perimeter_m;
+    }
+    return sum;
+}
+
+/// Gives the vertices of a repaired polygon the elevations of the nearest ones as drawn.
+void take_elevations(const WorldPolygon& drawn, WorldPolygon& repaired) {
+    std::vector<Position> vertices = drawn.exterior;
+    for (const WorldRing& ring : drawn.interiors)
+        vertices.insert(vertices.end(), ring.begin(), ring.end());
+    const auto take = [&](const WorldRing& ring) {
+        for (const Position& p : ring) {
+            const auto nearest = std::ranges::min_element(
+                vertices, {}, [&](const Position& q) { return std::hypot(q.x - p.x, q.y - p.y); });
+            repaired.elevations.push_back(
+                drawn.elevations[static_cast<std::size_t>(nearest - vertices.begin())]);
+        }
+    };
+    take(repaired.exterior);
+    for (const WorldRing& ring : repaired.interiors)
+        take(ring);
+}
+
+/// True if the stack error is measured on the drawn outlines. Not for the thesis preset: its outlines are
+/// drawn as traced, so the traced sums suffice, and reading the raster a second time may be expensive.
+bool measures_drawn(const RunPlan& plan) {
+    return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings &&
+           !plan.asked.write.has_footprints();
+}
+
+outline::OutlineRules outline_rules(const RunSetup& setup) {
+    const OutlineOptions& asked = setup.plan.asked.outline;
+    return {setup.plan.walls,
+            setup.plan.wall_tolerance(setup.cell_m()),
+            RunPlan::wall_price(setup.cell_m()),
+            asked.wall_inset,
+            asked.simplify,
+            setup.target.kind() != Crs::Kind::none};
+}
+
+double x_stretch_of(const RunSetup& setup) {
+    return x_stretch(setup.georeference, setup.crs, setup.dem.window);
+}
+
 }  // namespace
 
 ValidParts draw_valid(const DrawParts& drawn, const DrawParts& traced, Geos& geos, OutlineStatus& status,
@@ -69,20 +118,6 @@ ValidParts draw_valid(const DrawParts& drawn, const DrawParts& traced, Geos& geo
         tally.count(Reason::polygon_lost);
     return result;
 }
-
-namespace {
-
-Geodesy::Measure measure(Geodesy& geodesy, const std::vector<WorldPolygon>& parts) {
-    Geodesy::Measure sum;
-    for (const WorldPolygon& part : parts) {
-        const Geodesy::Measure one = geodesy.polygon(part);
-        sum.area_m2 += one.area_m2;
-        sum.perimeter_m += one.perimeter_m;
-    }
-    return sum;
-}
-
-}  // namespace
 
 std::int64_t vertices_of(const std::vector<WorldPolygon>& parts) {
     std::size_t sum = 0;
@@ -264,28 +299,6 @@ Geodesy::Measure PolygonMaker::measured(const FeaturePolygon& made, const Parts&
     return measure(geodesy_, draw_valid(as_drawn, as_drawn, geos_, status, uncounted).parts);
 }
 
-namespace {
-
-/// Gives the vertices of a repaired polygon the elevations of the nearest ones as drawn.
-void take_elevations(const WorldPolygon& drawn, WorldPolygon& repaired) {
-    std::vector<Position> vertices = drawn.exterior;
-    for (const WorldRing& ring : drawn.interiors)
-        vertices.insert(vertices.end(), ring.begin(), ring.end());
-    const auto take = [&](const WorldRing& ring) {
-        for (const Position& p : ring) {
-            const auto nearest = std::ranges::min_element(
-                vertices, {}, [&](const Position& q) { return std::hypot(q.x - p.x, q.y - p.y); });
-            repaired.elevations.push_back(
-                drawn.elevations[static_cast<std::size_t>(nearest - vertices.begin())]);
-        }
-    };
-    take(repaired.exterior);
-    for (const WorldRing& ring : repaired.interiors)
-        take(ring);
-}
-
-}  // namespace
-
 FeaturePolygon PolygonMaker::roof_face(const roofs::RoofFace& face) {
     const StageClock clock(tally_, Stage::roofs);
     const Georeference& georeference = terms_.setup.georeference;
@@ -350,31 +363,6 @@ double PolygonMaker::azimuth(const Position& at, const Position& step) {
     const double azimuth = std::atan2(image.x, image.y) * degrees;
     return azimuth < 0 ? azimuth + 360 : azimuth;
 }
-
-namespace {
-
-/// True if the stack error is measured on the drawn outlines. Not for the thesis preset: its outlines are
-/// drawn as traced, so the traced sums suffice, and reading the raster a second time may be expensive.
-bool measures_drawn(const RunPlan& plan) {
-    return plan.detects_buildings() && plan.trace == TraceMode::cells && plan.layers != Layers::buildings &&
-           !plan.asked.write.has_footprints();
-}
-
-outline::OutlineRules outline_rules(const RunSetup& setup) {
-    const OutlineOptions& asked = setup.plan.asked.outline;
-    return {setup.plan.walls,
-            setup.plan.wall_tolerance(setup.cell_m()),
-            RunPlan::wall_price(setup.cell_m()),
-            asked.wall_inset,
-            asked.simplify,
-            setup.target.kind() != Crs::Kind::none};
-}
-
-double x_stretch_of(const RunSetup& setup) {
-    return x_stretch(setup.georeference, setup.crs, setup.dem.window);
-}
-
-}  // namespace
 
 outline::OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
                                                      const RunSetup& setup, Context& context) {

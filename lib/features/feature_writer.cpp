@@ -20,6 +20,45 @@ std::string outcome(const FeaturePolygon& made) {
                                                   : "it is written as it was traced";
 }
 
+constexpr std::int64_t max_splits_named = 10;
+
+std::string_view name_of(Reason reason) {
+    return reason_names[static_cast<std::size_t>(reason)];
+}
+
+std::optional<Reason> reason_of(const FeaturePolygon& made) {
+    if (made.status == OutlineStatus::kept_traced)
+        return Reason::outline_kept_traced;
+    if (made.status == OutlineStatus::repaired)
+        return made.parts.empty() ? Reason::polygon_lost : Reason::polygon_repaired;
+    return {};
+}
+
+/// Splits the perimeter by shares, which are known only for the polygon as a whole.
+void add_length(const FeaturePolygon& made, OutlineLength& sum) {
+    const double length = made.measure.perimeter_m;
+    const double traced = made.status == OutlineStatus::traced ? length : made.kept_traced * length;
+    const double simplified = std::min(made.simplified * length, length - traced);
+    sum.fitted += length - traced - simplified;
+    sum.simplified += simplified;
+    sum.traced += traced;
+}
+
+template <typename Record>
+void take_measures(const FeaturePolygon& made, Record& record) {
+    record.area_m2 = made.measure.area_m2;
+    record.perimeter_m = made.measure.perimeter_m;
+    record.status = made.status;
+}
+
+/// Counts buildings that an option could improve, for the advice after the run.
+void count_advisable(const BuildingRecord& record, RunReport& report) {
+    constexpr double certain = 0.9;
+    const auto& heights = record.heights_m;
+    report.uncertain += record.confidence < certain ? 1 : 0;
+    report.uneven += has_several_roofs(heights[0], heights[p90_share]) ? 1 : 0;
+}
+
 }  // namespace
 
 void InvalidWarnings::note(const std::string& kind, std::int64_t id, const FeaturePolygon& made) {
@@ -35,12 +74,6 @@ void InvalidWarnings::finish() {
                       " more features would not have been valid polygons; -write_rejected writes them all, "
                       "with the reason.");
 }
-
-namespace {
-
-constexpr std::int64_t max_splits_named = 10;
-
-}  // namespace
 
 void ProjectionSplitWarnings::note(const std::string& kind, std::int64_t id, const FeaturePolygon& made) {
     if (!made.split_by_projection || ++count_ > max_splits_named)
@@ -61,22 +94,6 @@ void ProjectionSplitWarnings::finish(const std::string& target, Context& context
         text += " and " + std::to_string(count_ - max_splits_named) + " more";
     context.warn(text + "; choose a -t_srs that suits the area.");
 }
-
-namespace {
-
-std::string_view name_of(Reason reason) {
-    return reason_names[static_cast<std::size_t>(reason)];
-}
-
-std::optional<Reason> reason_of(const FeaturePolygon& made) {
-    if (made.status == OutlineStatus::kept_traced)
-        return Reason::outline_kept_traced;
-    if (made.status == OutlineStatus::repaired)
-        return made.parts.empty() ? Reason::polygon_lost : Reason::polygon_repaired;
-    return {};
-}
-
-}  // namespace
 
 void RejectedLayer::note(std::size_t contour, LayerRole role, std::int64_t id, const FeaturePolygon& made) {
     const auto reason = reason_of(made);
@@ -130,27 +147,6 @@ void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, 
                               0, drawn.record});
         });
 }
-
-namespace {
-
-/// Splits the perimeter by shares, which are known only for the polygon as a whole.
-void add_length(const FeaturePolygon& made, OutlineLength& sum) {
-    const double length = made.measure.perimeter_m;
-    const double traced = made.status == OutlineStatus::traced ? length : made.kept_traced * length;
-    const double simplified = std::min(made.simplified * length, length - traced);
-    sum.fitted += length - traced - simplified;
-    sum.simplified += simplified;
-    sum.traced += traced;
-}
-
-template <typename Record>
-void take_measures(const FeaturePolygon& made, Record& record) {
-    record.area_m2 = made.measure.area_m2;
-    record.perimeter_m = made.measure.perimeter_m;
-    record.status = made.status;
-}
-
-}  // namespace
 
 FeatureWriter::FeatureWriter(const FeatureInput& input, const RecordBuilder& records, FeatureSink& sink,
                              Context& context)
@@ -249,18 +245,6 @@ void FeatureWriter::measure_building(DrawnContour& drawn) {
     if (input_.parcels != nullptr)
         record.parcel = input_.parcels->name(record.parcel_number);
 }
-
-namespace {
-
-/// Counts buildings that an option could improve, for the advice after the run.
-void count_advisable(const BuildingRecord& record, RunReport& report) {
-    constexpr double certain = 0.9;
-    const auto& heights = record.heights_m;
-    report.uncertain += record.confidence < certain ? 1 : 0;
-    report.uneven += has_several_roofs(heights[0], heights[p90_share]) ? 1 : 0;
-}
-
-}  // namespace
 
 void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
     FeaturePolygon& made = *drawn.building;

@@ -66,6 +66,53 @@ double longest_edge(const Georeference& georeference) {
         {cells * std::sqrt(georeference.cell_area()), std::hypot(row.x, row.y), std::hypot(col.x, col.y)});
 }
 
+double cross(const Position& origin, const Position& a, const Position& b) {
+    return (a.x - origin.x) * (b.y - origin.y) - (b.x - origin.x) * (a.y - origin.y);
+}
+
+double twice_area(const WorldRing& ring) {
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        sum += cross(ring[0], ring[i], ring[i + 1]);
+    return sum;
+}
+
+double longest_side(const WorldRing& frame) {
+    double longest = 0;
+    for (std::size_t i = 1; i < frame.size(); ++i)
+        longest = std::max(longest, std::hypot(frame[i].x - frame[i - 1].x, frame[i].y - frame[i - 1].y));
+    return longest;
+}
+
+/// True if the projection turns the frame inside out, as around the antipode of an azimuthal projection: the
+/// orientation of small steps at a corner then differs from that of the whole frame.
+bool is_inside_out(const WorldRing& frame, const WorldRing& image, RingTransform& transform) {
+    constexpr double step = 1e-5;  // small enough for curves to look straight
+    constexpr double flattest = 1e-6;
+    const auto towards = [&](const Position& to) {
+        return Position{frame[0].x + (to.x - frame[0].x) * step, frame[0].y + (to.y - frame[0].y) * step};
+    };
+    const std::array<Position, 3> steps{frame[0], towards(frame[1]), towards(frame[3])};
+    std::array<Position, 3> images = steps;
+    if (!transform.apply_to_positions(images))
+        return false;
+    const double turn = cross(images[0], images[1], images[2]);
+    const double sides = std::hypot(images[1].x - images[0].x, images[1].y - images[0].y) *
+                         std::hypot(images[2].x - images[0].x, images[2].y - images[0].y);
+    const bool kept = (twice_area(frame) > 0) == (twice_area(image) > 0);
+    const bool kept_here = (cross(steps[0], steps[1], steps[2]) > 0) == (turn > 0);
+    return std::abs(turn) > flattest * sides && kept != kept_here;
+}
+
+/// Returns metres; nullopt if a part of the frame is outside of the projection's domain.
+std::optional<double> length_on_ground(const WorldRing& frame, const Crs& crs) {
+    try {
+        return Geodesy(crs).ring(frame).perimeter_m;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 std::optional<RingTransform> output_transform(const Crs& crs, const Crs& target,
@@ -186,57 +233,6 @@ void RingTransform::subdivide(const End& from, const End& to, int halvings, Worl
         subdivide(middle, to, halvings - 1, pieces);
     }
 }
-
-namespace {
-
-double cross(const Position& origin, const Position& a, const Position& b) {
-    return (a.x - origin.x) * (b.y - origin.y) - (b.x - origin.x) * (a.y - origin.y);
-}
-
-double twice_area(const WorldRing& ring) {
-    double sum = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum += cross(ring[0], ring[i], ring[i + 1]);
-    return sum;
-}
-
-double longest_side(const WorldRing& frame) {
-    double longest = 0;
-    for (std::size_t i = 1; i < frame.size(); ++i)
-        longest = std::max(longest, std::hypot(frame[i].x - frame[i - 1].x, frame[i].y - frame[i - 1].y));
-    return longest;
-}
-
-/// True if the projection turns the frame inside out, as around the antipode of an azimuthal projection: the
-/// orientation of small steps at a corner then differs from that of the whole frame.
-bool is_inside_out(const WorldRing& frame, const WorldRing& image, RingTransform& transform) {
-    constexpr double step = 1e-5;  // small enough for curves to look straight
-    constexpr double flattest = 1e-6;
-    const auto towards = [&](const Position& to) {
-        return Position{frame[0].x + (to.x - frame[0].x) * step, frame[0].y + (to.y - frame[0].y) * step};
-    };
-    const std::array<Position, 3> steps{frame[0], towards(frame[1]), towards(frame[3])};
-    std::array<Position, 3> images = steps;
-    if (!transform.apply_to_positions(images))
-        return false;
-    const double turn = cross(images[0], images[1], images[2]);
-    const double sides = std::hypot(images[1].x - images[0].x, images[1].y - images[0].y) *
-                         std::hypot(images[2].x - images[0].x, images[2].y - images[0].y);
-    const bool kept = (twice_area(frame) > 0) == (twice_area(image) > 0);
-    const bool kept_here = (cross(steps[0], steps[1], steps[2]) > 0) == (turn > 0);
-    return std::abs(turn) > flattest * sides && kept != kept_here;
-}
-
-/// Returns metres; nullopt if a part of the frame is outside of the projection's domain.
-std::optional<double> length_on_ground(const WorldRing& frame, const Crs& crs) {
-    try {
-        return Geodesy(crs).ring(frame).perimeter_m;
-    } catch (const InputError&) {
-        return std::nullopt;
-    }
-}
-
-}  // namespace
 
 LatticeBox lattice_frame(const Window& window, TraceMode mode) {
     const std::int32_t less = mode == TraceMode::points ? 1 : 0;

@@ -32,6 +32,24 @@ std::vector<FieldSpec> given_fields(const Options& options, const std::string& v
     return fields;
 }
 
+std::string thresholds_of(const RunReport& report) {
+    std::string text;
+    for (const LevelReport& level : report.levels)
+        if (level.level > 0 && std::isfinite(level.threshold))
+            text += (text.empty() ? "" : " ") + number_text(level.threshold);
+    return text;
+}
+
+/// Returns the decided values of the options that shape the result, by the names in their rows.
+std::map<std::string, std::string> decisions(const RunPlan& plan) {
+    const Request resolved{plan.resolved(), {}};
+    std::map<std::string, std::string> items;
+    for (const OptionRow& row : option_table())
+        if (!row.item.empty() && has_effect(row, resolved))
+            items.emplace("D2B_" + row.item, row.show(resolved));
+    return items;
+}
+
 }  // namespace
 
 LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std::string& vertical_unit,
@@ -91,28 +109,6 @@ LayerSpecs layer_specs(const RunPlan& plan, const std::string& source, const std
     }
     return specs;
 }
-
-namespace {
-
-std::string thresholds_of(const RunReport& report) {
-    std::string text;
-    for (const LevelReport& level : report.levels)
-        if (level.level > 0 && std::isfinite(level.threshold))
-            text += (text.empty() ? "" : " ") + number_text(level.threshold);
-    return text;
-}
-
-/// Returns the decided values of the options that shape the result, by the names in their rows.
-std::map<std::string, std::string> decisions(const RunPlan& plan) {
-    const Request resolved{plan.resolved(), {}};
-    std::map<std::string, std::string> items;
-    for (const OptionRow& row : option_table())
-        if (!row.item.empty() && has_effect(row, resolved))
-            items.emplace("D2B_" + row.item, row.show(resolved));
-    return items;
-}
-
-}  // namespace
 
 Provenance make_provenance(const RunSetup& setup, const RunReport& report) {
     const RunPlan& plan = setup.plan;

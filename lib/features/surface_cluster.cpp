@@ -256,44 +256,6 @@ DrawnCluster ClusterDrawer::draw(std::span<const std::uint32_t> contours) {
     return std::move(drawn_);
 }
 
-}  // namespace
-
-std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof, const FinePolygon& placed,
-                        const SurfaceLattice& lattice) {
-    constexpr double most = 0.01;
-    double elevation = flat_roof(record, roof, lattice);
-    const double stretch = record.area_m2 / plan_area_m2(placed, lattice.frame());
-    if (roof == SurfaceRoof::mean && std::abs(stretch - 1) < most)
-        elevation = record.ground + (elevation - record.ground) * stretch;
-    return lattice.height(elevation);
-}
-
-bool preserve_volumes(const std::vector<double>& area, surface::SurfaceCluster& cluster) {
-    constexpr double least = 0.0003;  // below the resolution of heights (millimetres)
-    constexpr double most = 0.01;     // above this, the shape itself has changed
-    bool differs = false;
-    for (surface::PartitionContour& contour : cluster.contours) {
-        const auto building = static_cast<std::size_t>(contour.building);
-        const double drawn = plan_steps(contour.outline);
-        if (area[building] <= 0 || drawn <= 0)
-            continue;
-        const double stretch = drawn / area[building];
-        if (std::abs(stretch - 1) < least || std::abs(stretch - 1) > most)
-            continue;
-        const std::int64_t base = cluster.buildings[building].base;
-        contour.top = base + std::llround(static_cast<double>(contour.top - base) * stretch);
-        differs = true;
-    }
-    return differs;
-}
-
-DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
-                          std::optional<RingTransform>& transform, const std::set<std::int64_t>& stacked) {
-    return ClusterDrawer(input, transform, stacked).draw(contours);
-}
-
-namespace {
-
 Int128 twice_area(const FineRing& ring) {
     Int128 sum = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
@@ -385,14 +347,6 @@ void TierMerger::drop_merged() {
     drawn_.levels = std::move(levels);
 }
 
-}  // namespace
-
-void merge_equal_tiers(DrawnCluster& drawn) {
-    TierMerger(drawn).merge();
-}
-
-namespace {
-
 /// Negates rows because they increase southwards. The ring keeps its orientation as seen from above.
 std::vector<SurfacePoint> roof_ring(const FineRing& ring, std::int64_t top) {
     std::vector<SurfacePoint> corners;
@@ -410,6 +364,44 @@ SurfaceTier tier_of(const surface::PartitionContour& contour, std::int32_t level
 }
 
 }  // namespace
+
+std::int64_t block_roof(const BuildingRecord& record, SurfaceRoof roof, const FinePolygon& placed,
+                        const SurfaceLattice& lattice) {
+    constexpr double most = 0.01;
+    double elevation = flat_roof(record, roof, lattice);
+    const double stretch = record.area_m2 / plan_area_m2(placed, lattice.frame());
+    if (roof == SurfaceRoof::mean && std::abs(stretch - 1) < most)
+        elevation = record.ground + (elevation - record.ground) * stretch;
+    return lattice.height(elevation);
+}
+
+bool preserve_volumes(const std::vector<double>& area, surface::SurfaceCluster& cluster) {
+    constexpr double least = 0.0003;  // below the resolution of heights (millimetres)
+    constexpr double most = 0.01;     // above this, the shape itself has changed
+    bool differs = false;
+    for (surface::PartitionContour& contour : cluster.contours) {
+        const auto building = static_cast<std::size_t>(contour.building);
+        const double drawn = plan_steps(contour.outline);
+        if (area[building] <= 0 || drawn <= 0)
+            continue;
+        const double stretch = drawn / area[building];
+        if (std::abs(stretch - 1) < least || std::abs(stretch - 1) > most)
+            continue;
+        const std::int64_t base = cluster.buildings[building].base;
+        contour.top = base + std::llround(static_cast<double>(contour.top - base) * stretch);
+        differs = true;
+    }
+    return differs;
+}
+
+DrawnCluster draw_cluster(const SurfaceInput& input, std::span<const std::uint32_t> contours,
+                          std::optional<RingTransform>& transform, const std::set<std::int64_t>& stacked) {
+    return ClusterDrawer(input, transform, stacked).draw(contours);
+}
+
+void merge_equal_tiers(DrawnCluster& drawn) {
+    TierMerger(drawn).merge();
+}
 
 std::vector<SurfacePart> building_tiers(const DrawnCluster& drawn, SurfaceRoof roof,
                                         const SurfaceLattice& lattice) {

@@ -125,28 +125,6 @@ void Strange::warn_of_set_aside(std::int64_t cells) const {
                   "data, leave out -snodata.");
 }
 
-}  // namespace
-
-void report_suspicious_values(const SuspiciousValues& suspicious, std::int64_t valid,
-                              const UndeclaredNodata& undeclared, const DemInfo& info,
-                              const ReadOptions& options, Context& context) {
-    RunReport& report = context.report;
-    report.count(Reason::elevation_outside_range, suspicious.outside.cells());
-    report.count(Reason::elevation_undeclared_nodata, suspicious.undeclared.cells());
-    report.count(Reason::elevation_spike, suspicious.spikes.cells());
-    report.count(Reason::roof_spike, suspicious.spires);
-    const Strange of(info, options, context);
-    const std::int64_t within = valid + suspicious.spikes.cells();
-    of.refuse_most(suspicious.outside, within);
-    of.warn_of_outside(suspicious.outside);
-    of.warn_of_set_aside(suspicious.overridden_nodata);
-    of.warn_of_spikes(suspicious.spikes);
-    of.warn_of_undeclared(suspicious, undeclared);
-    of.warn_of_shared(suspicious, within, undeclared.named);
-}
-
-namespace {
-
 constexpr double highest_m = 1000;     // the highest building of the world has 828 m
 constexpr double negligible_m = 1e-6;  // rounding error of a mean
 
@@ -169,6 +147,24 @@ std::string who(std::int64_t buildings, std::int64_t id, const char* one, const 
 }
 
 }  // namespace
+
+void report_suspicious_values(const SuspiciousValues& suspicious, std::int64_t valid,
+                              const UndeclaredNodata& undeclared, const DemInfo& info,
+                              const ReadOptions& options, Context& context) {
+    RunReport& report = context.report;
+    report.count(Reason::elevation_outside_range, suspicious.outside.cells());
+    report.count(Reason::elevation_undeclared_nodata, suspicious.undeclared.cells());
+    report.count(Reason::elevation_spike, suspicious.spikes.cells());
+    report.count(Reason::roof_spike, suspicious.spires);
+    const Strange of(info, options, context);
+    const std::int64_t within = valid + suspicious.spikes.cells();
+    of.refuse_most(suspicious.outside, within);
+    of.warn_of_outside(suspicious.outside);
+    of.warn_of_set_aside(suspicious.overridden_nodata);
+    of.warn_of_spikes(suspicious.spikes);
+    of.warn_of_undeclared(suspicious, undeclared);
+    of.warn_of_shared(suspicious, within, undeclared.named);
+}
 
 void ImplausibleHeights::Extreme::add(std::int64_t building, double metres, double extreme, bool farther) {
     if (buildings++ == 0 || farther) {

@@ -63,6 +63,28 @@ Registrations& registrations() {
     return all;
 }
 
+double area_of(const GeosConverter& geos, const GeometryPtr& geometry) {
+    double area = 0;
+    if (GEOSArea_r(geos.context(), geometry.get(), &area) == 0)
+        geos.fail("to measure a polygon");
+    return area;
+}
+
+/// Area of the slivers between borders whose corners were rounded to doubles.
+double area_of_rounding(const std::vector<WorldPolygon>& polygons) {
+    constexpr double steps = 4 * std::numeric_limits<double>::epsilon();
+    double length = 0;
+    double largest = 0;
+    for (const WorldPolygon& polygon : polygons)
+        for (std::size_t i = 0; i < polygon.exterior.size(); ++i) {
+            const Position& p = polygon.exterior[i];
+            const Position& q = polygon.exterior[(i + 1) % polygon.exterior.size()];
+            length += std::hypot(q.x - p.x, q.y - p.y);
+            largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+        }
+    return steps * largest * length;
+}
+
 }  // namespace
 
 GeosInterrupt::GeosInterrupt() {
@@ -89,32 +111,6 @@ GeosInterrupt::Watch::Watch(const StopToken& stop) {
 GeosInterrupt::Watch::~Watch() {
     current_stop = nullptr;
 }
-
-namespace {
-
-double area_of(const GeosConverter& geos, const GeometryPtr& geometry) {
-    double area = 0;
-    if (GEOSArea_r(geos.context(), geometry.get(), &area) == 0)
-        geos.fail("to measure a polygon");
-    return area;
-}
-
-/// Area of the slivers between borders whose corners were rounded to doubles.
-double area_of_rounding(const std::vector<WorldPolygon>& polygons) {
-    constexpr double steps = 4 * std::numeric_limits<double>::epsilon();
-    double length = 0;
-    double largest = 0;
-    for (const WorldPolygon& polygon : polygons)
-        for (std::size_t i = 0; i < polygon.exterior.size(); ++i) {
-            const Position& p = polygon.exterior[i];
-            const Position& q = polygon.exterior[(i + 1) % polygon.exterior.size()];
-            length += std::hypot(q.x - p.x, q.y - p.y);
-            largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-        }
-    return steps * largest * length;
-}
-
-}  // namespace
 
 struct Geos::Impl {
     GeosConverter polygons;

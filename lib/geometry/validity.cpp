@@ -27,6 +27,61 @@ bool covers(const Box& outer, const Box& inner) {
            outer.high >= inner.high;
 }
 
+struct FreeText {
+    GEOSContextHandle_t context;
+    void operator()(char* text) const { GEOSFree_r(context, text); }
+};
+
+/// Reason why GEOS cannot create a ring, or nullptr.
+const char* wrong_points(const WorldRing& ring) {
+    if (ring.empty())
+        return "a ring has no points";
+    for (const Position& p : ring)
+        if (!std::isfinite(p.x) || !std::isfinite(p.y))
+            return "a coordinate is not a finite number";
+    return nullptr;
+}
+
+const char* wrong_points(const WorldPolygon& polygon) {
+    if (const char* wrong = wrong_points(polygon.exterior))
+        return wrong;
+    for (const WorldRing& ring : polygon.interiors)
+        if (const char* wrong = wrong_points(ring))
+            return wrong;
+    return nullptr;
+}
+
+/// Result of GEOS for finite polygons.
+std::string plain_invalidity(const GeosConverter& geos, std::span<const WorldPolygon> polygons) {
+    GeometryPtr geometry;
+    try {
+        geometry = polygons.size() == 1 ? geos.polygon(polygons.front()) : geos.multi_polygon(polygons);
+    } catch (const GeometryError& error) {
+        return error.what();
+    }
+    const char valid = GEOSisValid_r(geos.context(), geometry.get());
+    geos.stop().check();
+    if (valid == 1)
+        return {};
+    const std::unique_ptr<char, FreeText> reason(GEOSisValidReason_r(geos.context(), geometry.get()),
+                                                 FreeText{geos.context()});
+    geos.stop().check();
+    return reason ? reason.get() : "invalid";
+}
+
+std::string invalidity_inside_out(const GeosConverter& geos, const WorldPolygon& polygon) {
+    std::string reason = plain_invalidity(geos, inside_out(polygon));
+    constexpr std::string_view nested = "Nested shells";
+    if (reason.starts_with(nested))
+        return "Hole lies outside shell or in another hole" + reason.substr(nested.size());
+    if (!reason.empty())
+        return reason;
+    if (const std::optional<Position> parted = disconnected_at(polygon))
+        return "Interior is disconnected[" + std::to_string(parted->x) + " " + std::to_string(parted->y) +
+               "]";
+    return {};
+}
+
 }  // namespace
 
 bool needs_inside_out_check(const WorldPolygon& polygon) {
@@ -96,65 +151,6 @@ std::vector<WorldPolygon> without_empty_holes(std::span<const WorldPolygon> poly
     }
     return result;
 }
-
-namespace {
-
-struct FreeText {
-    GEOSContextHandle_t context;
-    void operator()(char* text) const { GEOSFree_r(context, text); }
-};
-
-/// Reason why GEOS cannot create a ring, or nullptr.
-const char* wrong_points(const WorldRing& ring) {
-    if (ring.empty())
-        return "a ring has no points";
-    for (const Position& p : ring)
-        if (!std::isfinite(p.x) || !std::isfinite(p.y))
-            return "a coordinate is not a finite number";
-    return nullptr;
-}
-
-const char* wrong_points(const WorldPolygon& polygon) {
-    if (const char* wrong = wrong_points(polygon.exterior))
-        return wrong;
-    for (const WorldRing& ring : polygon.interiors)
-        if (const char* wrong = wrong_points(ring))
-            return wrong;
-    return nullptr;
-}
-
-/// Result of GEOS for finite polygons.
-std::string plain_invalidity(const GeosConverter& geos, std::span<const WorldPolygon> polygons) {
-    GeometryPtr geometry;
-    try {
-        geometry = polygons.size() == 1 ? geos.polygon(polygons.front()) : geos.multi_polygon(polygons);
-    } catch (const GeometryError& error) {
-        return error.what();
-    }
-    const char valid = GEOSisValid_r(geos.context(), geometry.get());
-    geos.stop().check();
-    if (valid == 1)
-        return {};
-    const std::unique_ptr<char, FreeText> reason(GEOSisValidReason_r(geos.context(), geometry.get()),
-                                                 FreeText{geos.context()});
-    geos.stop().check();
-    return reason ? reason.get() : "invalid";
-}
-
-std::string invalidity_inside_out(const GeosConverter& geos, const WorldPolygon& polygon) {
-    std::string reason = plain_invalidity(geos, inside_out(polygon));
-    constexpr std::string_view nested = "Nested shells";
-    if (reason.starts_with(nested))
-        return "Hole lies outside shell or in another hole" + reason.substr(nested.size());
-    if (!reason.empty())
-        return reason;
-    if (const std::optional<Position> parted = disconnected_at(polygon))
-        return "Interior is disconnected[" + std::to_string(parted->x) + " " + std::to_string(parted->y) +
-               "]";
-    return {};
-}
-
-}  // namespace
 
 std::string invalidity(const GeosConverter& geos, std::span<const WorldPolygon> polygons) {
     for (const WorldPolygon& polygon : polygons)

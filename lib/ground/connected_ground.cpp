@@ -100,20 +100,6 @@ class RegionGrowing {
     Mask mask_;
 };
 
-}  // namespace
-
-Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& limits, double slope,
-                                    int steps, Executor& threads) {
-    RegionGrowing region(blocks, limits, slope, threads);
-    if (steps > 0)
-        region.first_step(threads);
-    for (int k = 1; k < steps && !region.over(); ++k)
-        region.step();
-    return region.take();
-}
-
-namespace {
-
 /// Border of a component of blocks, counted by sides of blocks, and its plane.
 struct BorderSides {
     std::int64_t within = 0;  ///< sides within the raster
@@ -164,36 +150,6 @@ std::vector<BorderSides> border_sides(const AlignedGrid& blocks, const Mask& ins
             }
     return borders;
 }
-
-}  // namespace
-
-void remove_enclosed_by_walls(const AlignedGrid& blocks, const MetreGrid& limits, const Rules& rules,
-                              double largest, Mask& ground, Executor& threads) {
-    const MetreGrid& grid = blocks.grid;
-    Mask inside(grid.rows, grid.cols);
-    for (std::size_t i = 0; i < ground.size(); ++i) {
-        const float z = grid.values[i];
-        inside.values[i] = ground.values[i] != 0 && z != no_value && z > limits.values[i] ? 1 : 0;
-    }
-    const Regions components = connected_regions(inside, 1, 0, threads);
-    const std::vector<CellBox> boxes = bounding_boxes(components);
-    const std::vector<BorderSides> borders =
-        border_sides(blocks, inside, components, static_cast<float>(rules.wall_rise));
-    const auto is_level = [&](Label label) {
-        return static_cast<double>(components.cells[label]) * blocks.cell.area() >= rules.level_area &&
-               borders[label].plane.tilt() < rules.level_slope;
-    };
-    const auto is_enclosed = [&](Label label) {
-        const BorderSides& border = borders[label];
-        return std::max(boxes[label].rows() * blocks.cell.down, boxes[label].cols() * blocks.cell.across) <=
-                   largest &&
-               (border.walled_share() > rules.wall_share ||
-                (is_level(label) && border.walled_share_within() > rules.level_share));
-    };
-    paint(components, is_enclosed, 0, ground, threads);
-}
-
-namespace {
 
 enum VisitState : std::uint8_t {
     unvisited,
@@ -319,6 +275,42 @@ class Plateaus {
 };
 
 }  // namespace
+
+Grid<std::uint8_t> connected_ground(const AlignedGrid& blocks, const MetreGrid& limits, double slope,
+                                    int steps, Executor& threads) {
+    RegionGrowing region(blocks, limits, slope, threads);
+    if (steps > 0)
+        region.first_step(threads);
+    for (int k = 1; k < steps && !region.over(); ++k)
+        region.step();
+    return region.take();
+}
+
+void remove_enclosed_by_walls(const AlignedGrid& blocks, const MetreGrid& limits, const Rules& rules,
+                              double largest, Mask& ground, Executor& threads) {
+    const MetreGrid& grid = blocks.grid;
+    Mask inside(grid.rows, grid.cols);
+    for (std::size_t i = 0; i < ground.size(); ++i) {
+        const float z = grid.values[i];
+        inside.values[i] = ground.values[i] != 0 && z != no_value && z > limits.values[i] ? 1 : 0;
+    }
+    const Regions components = connected_regions(inside, 1, 0, threads);
+    const std::vector<CellBox> boxes = bounding_boxes(components);
+    const std::vector<BorderSides> borders =
+        border_sides(blocks, inside, components, static_cast<float>(rules.wall_rise));
+    const auto is_level = [&](Label label) {
+        return static_cast<double>(components.cells[label]) * blocks.cell.area() >= rules.level_area &&
+               borders[label].plane.tilt() < rules.level_slope;
+    };
+    const auto is_enclosed = [&](Label label) {
+        const BorderSides& border = borders[label];
+        return std::max(boxes[label].rows() * blocks.cell.down, boxes[label].cols() * blocks.cell.across) <=
+                   largest &&
+               (border.walled_share() > rules.wall_share ||
+                (is_level(label) && border.walled_share_within() > rules.level_share));
+    };
+    paint(components, is_enclosed, 0, ground, threads);
+}
 
 Mask enclosed_plateaus(const AlignedGrid& blocks, const MetreGrid& limits, const Mask& ground,
                        const Rules& rules, double largest) {

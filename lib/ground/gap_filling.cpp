@@ -128,6 +128,23 @@ void fill_level(AlignedGrid& fine, const Gaps& gaps, const AlignedGrid& coarse, 
     });
 }
 
+/// Interpolates between the centres of blocks of two cells: for each pair of blocks, the cells at one and
+/// three quarters of the distance.
+D2B_MULTIVERSION void interpolate_between_centres(std::span<const float> blocks, float* cells) {
+    for (std::size_t k = 0; k + 1 < blocks.size(); ++k) {
+        const float near = blocks[k];
+        const float step = blocks[k + 1] - near;
+        cells[2 * k] = near + 0.25F * step;
+        cells[2 * k + 1] = near + 0.75F * step;
+    }
+}
+
+D2B_MULTIVERSION void fill_gaps_from(std::span<const std::uint8_t> gap, std::span<const float> by,
+                                     std::span<float> cells) {
+    for (std::size_t j = 0; j < cells.size(); ++j)
+        cells[j] = select(gap[j], by[j], cells[j]);
+}
+
 }  // namespace
 
 InterpolationWeights::InterpolationWeights(std::int32_t first, std::int32_t cells, std::int32_t coarse_first,
@@ -156,27 +173,6 @@ void fill_gaps(AlignedGrid& surface, int relaxations, Pyramid& pyramid, Executor
     for (std::size_t k = levels; k-- > 0;)
         fill_level(level(k), pyramid.gaps[k], level(k + 1), relaxations, threads);
 }
-
-namespace {
-
-/// Interpolates between the centres of blocks of two cells: for each pair of blocks, the cells at one and
-/// three quarters of the distance.
-D2B_MULTIVERSION void interpolate_between_centres(std::span<const float> blocks, float* cells) {
-    for (std::size_t k = 0; k + 1 < blocks.size(); ++k) {
-        const float near = blocks[k];
-        const float step = blocks[k + 1] - near;
-        cells[2 * k] = near + 0.25F * step;
-        cells[2 * k + 1] = near + 0.75F * step;
-    }
-}
-
-D2B_MULTIVERSION void fill_gaps_from(std::span<const std::uint8_t> gap, std::span<const float> by,
-                                     std::span<float> cells) {
-    for (std::size_t j = 0; j < cells.size(); ++j)
-        cells[j] = select(gap[j], by[j], cells[j]);
-}
-
-}  // namespace
 
 CoarserLevel::CoarserLevel(const AlignedGrid& fine, const AlignedGrid& coarse)
     : coarse_(coarse.grid),

@@ -73,53 +73,6 @@ void replace_where(Executor& threads, MetreGrid& grid, const Is& is, float value
     });
 }
 
-}  // namespace
-
-WorkingSurface::WorkingSurface(MetreGrid& surface, const AlignedGrid& shape, const GridOrigin& place,
-                               BlockSize factor, Executor& threads)
-    : surface_(surface), place_(place), factor_(factor), threads_(threads) {
-    if (!is_cell(factor)) {
-        lowest_ = block_minima(shape, surface, factor, threads);
-        return;
-    }
-    lowest_ = shape;
-    lowest_.grid = std::move(surface);
-    const auto has_none = [](float z) { return !(z < no_value); };  // also true for NaN
-    replace_where(threads, lowest_.grid, has_none, no_value);
-}
-
-void WorkingSurface::remove(const std::vector<LowOutlier>& low_outliers) {
-    removed_.reserve(low_outliers.size());
-    for (const LowOutlier& outlier : low_outliers)
-        removed_.push_back(std::exchange(lowest_.grid.at(outlier.row, outlier.col), lowest_above(outlier)));
-}
-
-void WorkingSurface::restore(const std::vector<LowOutlier>& low_outliers) {
-    if (!is_cell(factor_))
-        return;
-    for (std::size_t i = 0; i < removed_.size(); ++i)
-        lowest_.grid.at(low_outliers[i].row, low_outliers[i].col) = removed_[i];
-    surface_ = std::move(lowest_.grid);
-    const auto has_none = [](float z) { return z == no_value; };
-    replace_where(threads_, surface_, has_none, std::numeric_limits<float>::quiet_NaN());
-}
-
-/// Returns the lowest point of a cell that is not an outlier, or `no_value`.
-float WorkingSurface::lowest_above(const LowOutlier& outlier) const {
-    if (is_cell(factor_))
-        return no_value;
-    const std::int32_t row = factor_.down * (lowest_.first_row + outlier.row) - place_.row;
-    const std::int32_t col = factor_.across * (lowest_.first_col + outlier.col) - place_.col;
-    float lowest = no_value;
-    for (std::int32_t i = std::max(row, 0); i < std::min(row + factor_.down, surface_.rows); ++i)
-        for (std::int32_t j = std::max(col, 0); j < std::min(col + factor_.across, surface_.cols); ++j)
-            if (const float z = surface_.at(i, j); z >= outlier.limit && z < lowest)
-                lowest = z;
-    return lowest;
-}
-
-namespace {
-
 /// Returns the low outliers in a row of the working grid.
 std::span<const LowOutlier> low_outliers_in(std::span<const LowOutlier> low_outliers, std::int32_t row) {
     const auto first = std::partition_point(low_outliers.begin(), low_outliers.end(),
@@ -245,38 +198,6 @@ void refine_band(const MetreGrid& surface, RowBand band, const Refinement& refin
     }
 }
 
-}  // namespace
-
-Terrain refine(const MetreGrid& surface, const GridOrigin& place, AlignedGrid working,
-               const std::vector<LowOutlier>& low_outliers, BlockSize factor, const Rules& rules,
-               Executor& threads) {
-    const OutlierMarker marker{low_outliers, working.first_row, working.first_col, factor, place};
-    const InterpolationWeights across(place.col, surface.cols, working.first_col, working.grid.cols,
-                                      factor.across);
-    Terrain terrain{{}, Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads)};
-    if (factor.down != 1 || factor.across != 1) {
-        terrain.elevation = MetreGrid::unset(surface.rows, surface.cols, threads);
-        for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
-            refine_band(surface, band, Refinement(band, place, working, factor, rules, across), marker,
-                        terrain);
-        });
-        return terrain;
-    }
-    terrain.elevation = std::move(working.grid);
-    // Copies two rows around each band: it needs the next row, whose slope depends on the one after.
-    for_bands_with_halo(threads, terrain.elevation, 2, [&](HaloBand<float>& copy) {
-        AlignedGrid around = without_values(working);
-        around.first_row += copy.first;
-        around.grid = std::move(copy.rows);
-        refine_band(surface, copy.band, Refinement(copy.band, place, around, factor, rules, across), marker,
-                    terrain);
-        copy.rows = std::move(around.grid);
-    });
-    return terrain;
-}
-
-namespace {
-
 AlignedGrid shape_at(const MetreGrid& surface, const CellSize& cell, const GridOrigin& place) {
     AlignedGrid shape;
     shape.first_row = place.row;
@@ -311,6 +232,77 @@ double fill_halo(double distance, double cell, int relaxations) {
 }
 
 }  // namespace
+
+WorkingSurface::WorkingSurface(MetreGrid& surface, const AlignedGrid& shape, const GridOrigin& place,
+                               BlockSize factor, Executor& threads)
+    : surface_(surface), place_(place), factor_(factor), threads_(threads) {
+    if (!is_cell(factor)) {
+        lowest_ = block_minima(shape, surface, factor, threads);
+        return;
+    }
+    lowest_ = shape;
+    lowest_.grid = std::move(surface);
+    const auto has_none = [](float z) { return !(z < no_value); };  // also true for NaN
+    replace_where(threads, lowest_.grid, has_none, no_value);
+}
+
+void WorkingSurface::remove(const std::vector<LowOutlier>& low_outliers) {
+    removed_.reserve(low_outliers.size());
+    for (const LowOutlier& outlier : low_outliers)
+        removed_.push_back(std::exchange(lowest_.grid.at(outlier.row, outlier.col), lowest_above(outlier)));
+}
+
+void WorkingSurface::restore(const std::vector<LowOutlier>& low_outliers) {
+    if (!is_cell(factor_))
+        return;
+    for (std::size_t i = 0; i < removed_.size(); ++i)
+        lowest_.grid.at(low_outliers[i].row, low_outliers[i].col) = removed_[i];
+    surface_ = std::move(lowest_.grid);
+    const auto has_none = [](float z) { return z == no_value; };
+    replace_where(threads_, surface_, has_none, std::numeric_limits<float>::quiet_NaN());
+}
+
+/// Returns the lowest point of a cell that is not an outlier, or `no_value`.
+float WorkingSurface::lowest_above(const LowOutlier& outlier) const {
+    if (is_cell(factor_))
+        return no_value;
+    const std::int32_t row = factor_.down * (lowest_.first_row + outlier.row) - place_.row;
+    const std::int32_t col = factor_.across * (lowest_.first_col + outlier.col) - place_.col;
+    float lowest = no_value;
+    for (std::int32_t i = std::max(row, 0); i < std::min(row + factor_.down, surface_.rows); ++i)
+        for (std::int32_t j = std::max(col, 0); j < std::min(col + factor_.across, surface_.cols); ++j)
+            if (const float z = surface_.at(i, j); z >= outlier.limit && z < lowest)
+                lowest = z;
+    return lowest;
+}
+
+Terrain refine(const MetreGrid& surface, const GridOrigin& place, AlignedGrid working,
+               const std::vector<LowOutlier>& low_outliers, BlockSize factor, const Rules& rules,
+               Executor& threads) {
+    const OutlierMarker marker{low_outliers, working.first_row, working.first_col, factor, place};
+    const InterpolationWeights across(place.col, surface.cols, working.first_col, working.grid.cols,
+                                      factor.across);
+    Terrain terrain{{}, Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads)};
+    if (factor.down != 1 || factor.across != 1) {
+        terrain.elevation = MetreGrid::unset(surface.rows, surface.cols, threads);
+        for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
+            refine_band(surface, band, Refinement(band, place, working, factor, rules, across), marker,
+                        terrain);
+        });
+        return terrain;
+    }
+    terrain.elevation = std::move(working.grid);
+    // Copies two rows around each band: it needs the next row, whose slope depends on the one after.
+    for_bands_with_halo(threads, terrain.elevation, 2, [&](HaloBand<float>& copy) {
+        AlignedGrid around = without_values(working);
+        around.first_row += copy.first;
+        around.grid = std::move(copy.rows);
+        refine_band(surface, copy.band, Refinement(copy.band, place, around, factor, rules, across), marker,
+                    terrain);
+        copy.rows = std::move(around.grid);
+    });
+    return terrain;
+}
 
 Terrain estimate(MetreGrid& surface, const CellSize& cell, double width, const Context& context,
                  const GridOrigin& place, const Rules& rules) {

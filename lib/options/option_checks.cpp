@@ -174,18 +174,6 @@ constexpr std::array needs{
         "split_width", "split_by", "it is the width of parts that parcels cut off", {"corrections"}},
 };
 
-}  // namespace
-
-std::span<const OptionRule> option_rules() {
-    return rules;
-}
-
-std::span<const OptionDependency> option_dependencies() {
-    return needs;
-}
-
-namespace {
-
 /// Returns the Damerau-Levenshtein distance (optimal string alignment).
 std::size_t edit_distance(std::string_view one, std::string_view other) {
     std::vector<std::vector<std::size_t>> cost(one.size() + 1, std::vector<std::size_t>(other.size() + 1));
@@ -353,6 +341,14 @@ void check_sweep(const Request& request) {
 }
 
 }  // namespace
+
+std::span<const OptionRule> option_rules() {
+    return rules;
+}
+
+std::span<const OptionDependency> option_dependencies() {
+    return needs;
+}
 
 void check_options(const Request& request) {
     check_run(request);

@@ -55,14 +55,6 @@ std::string without_addresses(const std::string& text) {
     return result + text.substr(done);
 }
 
-}  // namespace
-
-std::string redacted_destination(const std::string& destination) {
-    return without_addresses(without_words(destination));
-}
-
-namespace {
-
 bool is_plain(char letter) {
     constexpr std::string_view plain = "_-+=./:,@%";
     return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
@@ -167,6 +159,10 @@ std::string source_words(const ReadOptions& options, bool with_folders) {
 }
 
 }  // namespace
+
+std::string redacted_destination(const std::string& destination) {
+    return without_addresses(without_words(destination));
+}
 
 std::string source_text(const std::string& name, const ReadOptions& options) {
     return names_several(options) && name != options.source ? source_words(options, true) : name;

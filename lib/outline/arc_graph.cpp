@@ -54,6 +54,82 @@ void sort_unique(std::vector<LatticePoint>& points) {
     points.erase(std::unique(points.begin(), points.end()), points.end());
 }
 
+constexpr std::uint32_t sign_bit = 0x80000000U;
+
+/// Key that sorts like the pair (first, second).
+std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(first) ^ sign_bit) << 32 |
+           (static_cast<std::uint32_t>(second) ^ sign_bit);
+}
+
+class ArcCutter {
+  public:
+    using Vertex = NodedRings::Vertex;
+
+    ArcCutter(const NodedRings& net, std::vector<Arc>& arcs)
+        : net_(net), arcs_(arcs), known_(4 * net.size(), nowhere) {}
+
+    std::vector<ArcUse> cut(std::span<const Vertex> ring) {
+        const auto junction =
+            std::find_if(ring.begin(), ring.end(), [&](Vertex v) { return net_.junction(v); });
+        const auto start = static_cast<std::size_t>(
+            (junction != ring.end() ? junction : std::min_element(ring.begin(), ring.end())) - ring.begin());
+        std::vector<ArcUse> uses;
+        arc_.assign(1, ring[start]);
+        for (std::size_t i = 1; i <= ring.size(); ++i) {
+            const std::size_t at = start + i;
+            arc_.push_back(ring[at < ring.size() ? at : at - ring.size()]);
+            if (i == ring.size() || net_.junction(arc_.back())) {
+                uses.push_back(use());
+                arc_.assign(1, arc_.back());
+            }
+        }
+        return uses;
+    }
+
+  private:
+    static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
+
+    /// Returns the current arc. Arcs are identified by their first edge in the direction with the smaller
+    /// one.
+    ArcUse use() {
+        const std::pair forwards(arc_.front(), arc_[1]);
+        const std::pair backwards(arc_.back(), arc_[arc_.size() - 2]);
+        const bool reversed = backwards < forwards;
+        const auto [from, to] = reversed ? backwards : forwards;
+        std::uint32_t& known =
+            known_[4 * std::size_t{from} + static_cast<std::size_t>(net_.direction(from, to))];
+        if (known == nowhere) {
+            known = static_cast<std::uint32_t>(arcs_.size());
+            Arc& arc = arcs_.emplace_back();
+            arc.reserve(arc_.size());
+            for (const Vertex v : arc_)
+                arc.push_back(net_.point(v));
+            if (reversed)
+                std::reverse(arc.begin(), arc.end());
+        }
+        return {known, reversed};
+    }
+
+    const NodedRings& net_;
+    std::vector<Arc>& arcs_;
+    std::vector<std::uint32_t> known_;  // arc per vertex and direction
+    std::vector<Vertex> arc_;
+};
+
+LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& arcs) {
+    LatticeRing ring;
+    for (const ArcUse& use : uses) {
+        const Arc& arc = arcs[use.arc];
+        // Omit the last point of each arc, because it is the first of the next arc.
+        if (use.reversed)
+            ring.insert(ring.end(), arc.rbegin(), arc.rend() - 1);
+        else
+            ring.insert(ring.end(), arc.begin(), arc.end() - 1);
+    }
+    return ring;
+}
+
 }  // namespace
 
 LatticePolygon traced_polygon(const contours::Contour& contour) {
@@ -122,18 +198,6 @@ LatticePolygon CornerIndex::noded(const LatticePolygon& polygon) const {
         result.interiors.push_back(noded(ring));
     return result;
 }
-
-namespace {
-
-constexpr std::uint32_t sign_bit = 0x80000000U;
-
-/// Key that sorts like the pair (first, second).
-std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(first) ^ sign_bit) << 32 |
-           (static_cast<std::uint32_t>(second) ^ sign_bit);
-}
-
-}  // namespace
 
 NodedRings::NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop) {
     std::vector<LatticePoint> corners;
@@ -230,78 +294,6 @@ void NodedRings::append_edge(Vertex from, Vertex to) {
         directions_[v] |= behind;
     }
 }
-
-namespace {
-
-class ArcCutter {
-  public:
-    using Vertex = NodedRings::Vertex;
-
-    ArcCutter(const NodedRings& net, std::vector<Arc>& arcs)
-        : net_(net), arcs_(arcs), known_(4 * net.size(), nowhere) {}
-
-    std::vector<ArcUse> cut(std::span<const Vertex> ring) {
-        const auto junction =
-            std::find_if(ring.begin(), ring.end(), [&](Vertex v) { return net_.junction(v); });
-        const auto start = static_cast<std::size_t>(
-            (junction != ring.end() ? junction : std::min_element(ring.begin(), ring.end())) - ring.begin());
-        std::vector<ArcUse> uses;
-        arc_.assign(1, ring[start]);
-        for (std::size_t i = 1; i <= ring.size(); ++i) {
-            const std::size_t at = start + i;
-            arc_.push_back(ring[at < ring.size() ? at : at - ring.size()]);
-            if (i == ring.size() || net_.junction(arc_.back())) {
-                uses.push_back(use());
-                arc_.assign(1, arc_.back());
-            }
-        }
-        return uses;
-    }
-
-  private:
-    static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
-
-    /// Returns the current arc. Arcs are identified by their first edge in the direction with the smaller
-    /// one.
-    ArcUse use() {
-        const std::pair forwards(arc_.front(), arc_[1]);
-        const std::pair backwards(arc_.back(), arc_[arc_.size() - 2]);
-        const bool reversed = backwards < forwards;
-        const auto [from, to] = reversed ? backwards : forwards;
-        std::uint32_t& known =
-            known_[4 * std::size_t{from} + static_cast<std::size_t>(net_.direction(from, to))];
-        if (known == nowhere) {
-            known = static_cast<std::uint32_t>(arcs_.size());
-            Arc& arc = arcs_.emplace_back();
-            arc.reserve(arc_.size());
-            for (const Vertex v : arc_)
-                arc.push_back(net_.point(v));
-            if (reversed)
-                std::reverse(arc.begin(), arc.end());
-        }
-        return {known, reversed};
-    }
-
-    const NodedRings& net_;
-    std::vector<Arc>& arcs_;
-    std::vector<std::uint32_t> known_;  // arc per vertex and direction
-    std::vector<Vertex> arc_;
-};
-
-LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& arcs) {
-    LatticeRing ring;
-    for (const ArcUse& use : uses) {
-        const Arc& arc = arcs[use.arc];
-        // Omit the last point of each arc, because it is the first of the next arc.
-        if (use.reversed)
-            ring.insert(ring.end(), arc.rbegin(), arc.rend() - 1);
-        else
-            ring.insert(ring.end(), arc.begin(), arc.end() - 1);
-    }
-    return ring;
-}
-
-}  // namespace
 
 ArcGraph build_arc_graph(std::span<const contours::Contour* const> contours, const StopToken& stop) {
     const NodedRings net(contours, stop);

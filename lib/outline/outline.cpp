@@ -126,6 +126,35 @@ double directed_distance(const FinePolygon& from, const FinePolygon& to, const C
     return most;
 }
 
+CellShape cell_shape(const Georeference& georeference, double x_stretch) {
+    const Position col = georeference.step(0, 1);
+    const Position row = georeference.step(1, 0);
+    const CellShape shape{{col.x * x_stretch, col.y}, {row.x * x_stretch, row.y}};
+    const double scale = 1 / std::sqrt(std::abs(cross(shape.col, shape.row)));
+    return {scale * shape.col, scale * shape.row};
+}
+
+WallOptions wall_options(const OutlineRules& rules, const Georeference& georeference, double x_stretch) {
+    const CellShape shape = cell_shape(georeference, x_stretch);
+    // In cells far from square, a distance spans many rows, all of which would be neighbours.
+    constexpr double always = 1.5;
+    constexpr double most_rows = 100;
+    const double tolerance =
+        std::min(rules.wall_tolerance, std::max(always, most_rows / shape.longer_side()));
+    return {rules.walls, wall_distance(tolerance), shape, rules.wall_inset, rules.wall_price};
+}
+
+OutlineQuality quality_of(const WallQuality& quality) {
+    // Closest mode used by more than 5 % of the length.
+    constexpr double little = 0.05;
+    OutlineStatus status = OutlineStatus::regularized;
+    if (quality.simplified_share + quality.traced_share > little)
+        status = OutlineStatus::simplified;
+    if (quality.traced_share > little)
+        status = OutlineStatus::kept_traced;
+    return {status, quality.simplified_share, quality.traced_share, quality.deviation, quality.area_change};
+}
+
 }  // namespace
 
 void ReplacedOutlines::put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality) {
@@ -151,28 +180,6 @@ double ReplacedOutlines::max_distance_cells(const FinePolygon& before, const Fin
                                             const CellShape& shape) {
     return std::max(directed_distance(before, after, shape), directed_distance(after, before, shape));
 }
-
-namespace {
-
-CellShape cell_shape(const Georeference& georeference, double x_stretch) {
-    const Position col = georeference.step(0, 1);
-    const Position row = georeference.step(1, 0);
-    const CellShape shape{{col.x * x_stretch, col.y}, {row.x * x_stretch, row.y}};
-    const double scale = 1 / std::sqrt(std::abs(cross(shape.col, shape.row)));
-    return {scale * shape.col, scale * shape.row};
-}
-
-WallOptions wall_options(const OutlineRules& rules, const Georeference& georeference, double x_stretch) {
-    const CellShape shape = cell_shape(georeference, x_stretch);
-    // In cells far from square, a distance spans many rows, all of which would be neighbours.
-    constexpr double always = 1.5;
-    constexpr double most_rows = 100;
-    const double tolerance =
-        std::min(rules.wall_tolerance, std::max(always, most_rows / shape.longer_side()));
-    return {rules.walls, wall_distance(tolerance), shape, rules.wall_inset, rules.wall_price};
-}
-
-}  // namespace
 
 double wall_distance(double tolerance) {
     constexpr double half_step = 0.5;
@@ -222,21 +229,6 @@ struct Outliner::Impl {
         changed->put(place, outline, quality);
     }
 };
-
-namespace {
-
-OutlineQuality quality_of(const WallQuality& quality) {
-    // Closest mode used by more than 5 % of the length.
-    constexpr double little = 0.05;
-    OutlineStatus status = OutlineStatus::regularized;
-    if (quality.simplified_share + quality.traced_share > little)
-        status = OutlineStatus::simplified;
-    if (quality.traced_share > little)
-        status = OutlineStatus::kept_traced;
-    return {status, quality.simplified_share, quality.traced_share, quality.deviation, quality.area_change};
-}
-
-}  // namespace
 
 Outliner::Outliner(const contours::ContourList& contours, OutlineMethod method, const OutlineRules& rules,
                    const Georeference& georeference, double x_stretch, Context& context)

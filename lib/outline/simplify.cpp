@@ -53,33 +53,6 @@ bool inside(LatticePoint p, LatticePoint a, LatticePoint b, LatticePoint c) {
     return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
 }
 
-}  // namespace
-
-void VertexGrid::remove(LatticePoint point) {
-    auto& points = buckets_[bucket(point.row >> shift, point.col >> shift)];
-    const auto found = std::find(points.begin(), points.end(), point);
-    *found = points.back();
-    points.pop_back();
-}
-
-bool VertexGrid::any_in_triangle(LatticePoint a, LatticePoint b, LatticePoint c) const {
-    const LatticePoint low{std::min({a.row, b.row, c.row}), std::min({a.col, b.col, c.col})};
-    const LatticePoint high{std::max({a.row, b.row, c.row}), std::max({a.col, b.col, c.col})};
-    for (std::int32_t row = low.row >> shift; row <= high.row >> shift; ++row)
-        for (std::int32_t col = low.col >> shift; col <= high.col >> shift; ++col) {
-            const auto found = buckets_.find(bucket(row, col));
-            if (found == buckets_.end())
-                continue;
-            for (const LatticePoint p : found->second)
-                if (p != a && p != b && p != c && p.row >= low.row && p.col >= low.col && p.col <= high.col &&
-                    p.row <= high.row && inside(p, a, b, c))
-                    return true;
-        }
-    return false;
-}
-
-namespace {
-
 /// Simplifies all arcs together.
 class ArcSimplifier {
   public:
@@ -226,6 +199,29 @@ Arc ArcSimplifier::result(std::size_t arc) const {
 }
 
 }  // namespace
+
+void VertexGrid::remove(LatticePoint point) {
+    auto& points = buckets_[bucket(point.row >> shift, point.col >> shift)];
+    const auto found = std::find(points.begin(), points.end(), point);
+    *found = points.back();
+    points.pop_back();
+}
+
+bool VertexGrid::any_in_triangle(LatticePoint a, LatticePoint b, LatticePoint c) const {
+    const LatticePoint low{std::min({a.row, b.row, c.row}), std::min({a.col, b.col, c.col})};
+    const LatticePoint high{std::max({a.row, b.row, c.row}), std::max({a.col, b.col, c.col})};
+    for (std::int32_t row = low.row >> shift; row <= high.row >> shift; ++row)
+        for (std::int32_t col = low.col >> shift; col <= high.col >> shift; ++col) {
+            const auto found = buckets_.find(bucket(row, col));
+            if (found == buckets_.end())
+                continue;
+            for (const LatticePoint p : found->second)
+                if (p != a && p != b && p != c && p.row >= low.row && p.col >= low.col && p.col <= high.col &&
+                    p.row <= high.row && inside(p, a, b, c))
+                    return true;
+        }
+    return false;
+}
 
 void simplify(std::vector<Arc>& arcs, double tolerance, const Georeference& georeference,
               const StopToken& stop) {

@@ -33,40 +33,6 @@ MetreGrid read_surface(ElevationReader& reader, const Window& seen, double metre
     return surface;
 }
 
-}  // namespace
-
-UnitSurface::UnitSurface(ElevationReader& reader, const Window& seen, double metres, Executor& threads)
-    : reader_(reader) {
-    if (metres == 1)
-        elevations_ = reader.lend(seen);
-    is_borrowed_ = elevations_.size() > 0;
-    if (!is_borrowed_)
-        elevations_ = read_surface(reader, seen, metres, threads);
-}
-
-UnitSurface::~UnitSurface() {
-    if (!is_borrowed_)
-        return;
-    for (const MaskedCell& taken : masked_cells_)
-        elevations_.values[taken.cell] = taken.elevation;
-    reader_.take_back(std::move(elevations_));
-}
-
-void UnitSurface::mask_flagged(const Grid<std::uint8_t>& flags, std::uint8_t flag, Executor& threads) {
-    constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-    std::mutex mutex;
-    for_cells(threads, flags, [&](std::size_t begin, std::size_t end) {
-        std::vector<MaskedCell> here;
-        for (std::size_t i = begin; i < end; ++i)
-            if ((flags.values[i] & flag) != 0)
-                here.push_back({i, std::exchange(elevations_.values[i], unknown)});
-        const std::lock_guard lock(mutex);
-        masked_cells_.insert(masked_cells_.end(), here.begin(), here.end());
-    });
-}
-
-namespace {
-
 constexpr std::int32_t rows_per_write = 256;
 
 /// Writes value(i) for each of the unit's own cells, i being the index in a grid of the unit's extent.
@@ -105,21 +71,6 @@ class Heights {
     const detect::Detection& detection_;
     float least_;
 };
-
-}  // namespace
-
-void write_scene_rasters(const Sinks& sinks, const detect::Scene& scene, const detect::Detection& detection,
-                         double min_height, const detect::Unit& unit) {
-    const Heights heights(scene, detection, min_height);
-    if (sinks.ground != nullptr)
-        write_values(*sinks.ground, unit, [&](std::size_t i) { return scene.terrain.values[i]; });
-    if (sinks.height != nullptr)
-        write_values(*sinks.height, unit, [&](std::size_t i) { return heights.height(i); });
-    if (sinks.canopy != nullptr)
-        write_values(*sinks.canopy, unit, [&](std::size_t i) { return heights.canopy(i); });
-}
-
-namespace {
 
 Executor& threads_of(const UnitSearch& search) {
     return *search.context.threads;
@@ -242,7 +193,87 @@ void see_given(const GivenFootprints& given, const SearchedUnit& searched, Found
     covered.count(searched.detection.labels, own, found.objects);
 }
 
+void store_merged(FoundBuildings& found, detect::UnitMerger::Merged&& merged, double metres) {
+    found.buildings = merged.buildings;
+    for (const detect::SeenObject& seen : merged.objects)
+        found.add(seen.ground / metres, seen.object);
+    found.labels.renumber(std::move(merged.number));
+}
+
+/// Accumulates the results of units, which arrive row by row.
+class UnitCollector {
+  public:
+    UnitCollector(const UnitSearch& search, std::int32_t unit_cols, FoundBuildings& found)
+        : search_(search), found_(found), seams_(unit_cols) {}
+
+    /// @param col column of the unit in its row
+    void add(const detect::Unit& unit, std::int32_t col, FoundInUnit&& here) {
+        const StageClock clock(search_.context.report, Stage::detect);
+        Executor& threads = *search_.context.threads;
+        found_.scene.merge(here.scene);
+        found_.effective.insert(here.effective.begin(), here.effective.end());
+        const Label more = merger_.add(here.objects);
+        detect::UnitEdges edges = detect::edges_of(unit, here.labels);
+        edges.add(more);
+        seams_.add(col, std::move(edges), merger_);
+        found_.labels.append(unit, here.labels, threads, more);
+    }
+    void finish(const detect::UnitGrid& units) {
+        store_merged(
+            found_,
+            merge_found_units(merger_, search_.plan, units, search_.frame.cell, search_.context.report),
+            search_.frame.metres);
+    }
+
+  private:
+    const UnitSearch& search_;
+    FoundBuildings& found_;
+    detect::UnitMerger merger_;
+    detect::UnitSeams seams_;
+};
+
 }  // namespace
+
+UnitSurface::UnitSurface(ElevationReader& reader, const Window& seen, double metres, Executor& threads)
+    : reader_(reader) {
+    if (metres == 1)
+        elevations_ = reader.lend(seen);
+    is_borrowed_ = elevations_.size() > 0;
+    if (!is_borrowed_)
+        elevations_ = read_surface(reader, seen, metres, threads);
+}
+
+UnitSurface::~UnitSurface() {
+    if (!is_borrowed_)
+        return;
+    for (const MaskedCell& taken : masked_cells_)
+        elevations_.values[taken.cell] = taken.elevation;
+    reader_.take_back(std::move(elevations_));
+}
+
+void UnitSurface::mask_flagged(const Grid<std::uint8_t>& flags, std::uint8_t flag, Executor& threads) {
+    constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+    std::mutex mutex;
+    for_cells(threads, flags, [&](std::size_t begin, std::size_t end) {
+        std::vector<MaskedCell> here;
+        for (std::size_t i = begin; i < end; ++i)
+            if ((flags.values[i] & flag) != 0)
+                here.push_back({i, std::exchange(elevations_.values[i], unknown)});
+        const std::lock_guard lock(mutex);
+        masked_cells_.insert(masked_cells_.end(), here.begin(), here.end());
+    });
+}
+
+void write_scene_rasters(const Sinks& sinks, const detect::Scene& scene, const detect::Detection& detection,
+                         double min_height, const detect::Unit& unit) {
+    const Heights heights(scene, detection, min_height);
+    if (sinks.ground != nullptr)
+        write_values(*sinks.ground, unit, [&](std::size_t i) { return scene.terrain.values[i]; });
+    if (sinks.height != nullptr)
+        write_values(*sinks.height, unit, [&](std::size_t i) { return heights.height(i); });
+    if (sinks.canopy != nullptr)
+        write_values(*sinks.canopy, unit, [&](std::size_t i) { return heights.canopy(i); });
+}
 
 FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit) {
     const Options& options = search.plan.asked;
@@ -305,49 +336,6 @@ FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit) {
     found.labels = std::move(detection.labels);
     return found;
 }
-
-namespace {
-
-void store_merged(FoundBuildings& found, detect::UnitMerger::Merged&& merged, double metres) {
-    found.buildings = merged.buildings;
-    for (const detect::SeenObject& seen : merged.objects)
-        found.add(seen.ground / metres, seen.object);
-    found.labels.renumber(std::move(merged.number));
-}
-
-/// Accumulates the results of units, which arrive row by row.
-class UnitCollector {
-  public:
-    UnitCollector(const UnitSearch& search, std::int32_t unit_cols, FoundBuildings& found)
-        : search_(search), found_(found), seams_(unit_cols) {}
-
-    /// @param col column of the unit in its row
-    void add(const detect::Unit& unit, std::int32_t col, FoundInUnit&& here) {
-        const StageClock clock(search_.context.report, Stage::detect);
-        Executor& threads = *search_.context.threads;
-        found_.scene.merge(here.scene);
-        found_.effective.insert(here.effective.begin(), here.effective.end());
-        const Label more = merger_.add(here.objects);
-        detect::UnitEdges edges = detect::edges_of(unit, here.labels);
-        edges.add(more);
-        seams_.add(col, std::move(edges), merger_);
-        found_.labels.append(unit, here.labels, threads, more);
-    }
-    void finish(const detect::UnitGrid& units) {
-        store_merged(
-            found_,
-            merge_found_units(merger_, search_.plan, units, search_.frame.cell, search_.context.report),
-            search_.frame.metres);
-    }
-
-  private:
-    const UnitSearch& search_;
-    FoundBuildings& found_;
-    detect::UnitMerger merger_;
-    detect::UnitSeams seams_;
-};
-
-}  // namespace
 
 detect::UnitGrid unit_grid(const RunPlan& plan, const Window& window, const CellSize& cell,
                            const detect::UnitSize& size) {

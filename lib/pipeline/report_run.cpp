@@ -53,6 +53,28 @@ void move_warnings(From* from, std::vector<std::string>& all) {
         std::ranges::move(from->take_warnings(), std::back_inserter(all));
 }
 
+/// Names the first few corrections.
+class NamedCorrections {
+  public:
+    void add(const Correction& correction) {
+        constexpr std::int64_t most_named = 5;
+        if (++count_ <= most_named)
+            names_ += (names_.empty() ? "" : ", ") + correction.name + " ('" +
+                      std::string(correction_names[static_cast<std::size_t>(correction.kind)]) + "')";
+        else if (count_ == most_named + 1)
+            names_ += " and others";
+    }
+    [[nodiscard]] std::int64_t count() const { return count_; }
+    [[nodiscard]] std::string text() const {
+        return std::to_string(count_) + (count_ == 1 ? " correction" : " corrections");
+    }
+    [[nodiscard]] const std::string& names() const { return names_; }
+
+  private:
+    std::int64_t count_ = 0;
+    std::string names_;
+};
+
 }  // namespace
 
 std::vector<std::string> take_warnings(const Sources& sources) {
@@ -110,32 +132,6 @@ void warn_of_result(const features::RunSetup& setup, const contours::LevelPlan& 
          terrain != nullptr ? terrain->share_outside() : 0, buildings},
         buildings > 0, context);
 }
-
-namespace {
-
-/// Names the first few corrections.
-class NamedCorrections {
-  public:
-    void add(const Correction& correction) {
-        constexpr std::int64_t most_named = 5;
-        if (++count_ <= most_named)
-            names_ += (names_.empty() ? "" : ", ") + correction.name + " ('" +
-                      std::string(correction_names[static_cast<std::size_t>(correction.kind)]) + "')";
-        else if (count_ == most_named + 1)
-            names_ += " and others";
-    }
-    [[nodiscard]] std::int64_t count() const { return count_; }
-    [[nodiscard]] std::string text() const {
-        return std::to_string(count_) + (count_ == 1 ? " correction" : " corrections");
-    }
-    [[nodiscard]] const std::string& names() const { return names_; }
-
-  private:
-    std::int64_t count_ = 0;
-    std::string names_;
-};
-
-}  // namespace
 
 void report_corrections(const CorrectionSource* source, const std::set<std::size_t>& effective,
                         const std::string& dataset, Context& context) {

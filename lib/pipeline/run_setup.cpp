@@ -111,6 +111,18 @@ void warn_of_scale(const features::RunSetup& setup, Context& context) {
                                 context);
 }
 
+/// True if a sink writes meshes, whose readers use single precision.
+bool has_shells(const Sinks& sinks) {
+    return std::ranges::any_of(sinks.surfaces,
+                               [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::shell; });
+}
+
+/// True if all surface sinks take tiers.
+bool is_page(const Sinks& sinks) {
+    return std::ranges::all_of(sinks.surfaces,
+                               [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::tiers; });
+}
+
 }  // namespace
 
 features::RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureSink& sink, Context& context,
@@ -139,22 +151,6 @@ features::RunSetup set_up_run(const Options& asked, const DemInfo& dem, FeatureS
     warn_of_scale(setup, context);
     return setup;
 }
-
-namespace {
-
-/// True if a sink writes meshes, whose readers use single precision.
-bool has_shells(const Sinks& sinks) {
-    return std::ranges::any_of(sinks.surfaces,
-                               [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::shell; });
-}
-
-/// True if all surface sinks take tiers.
-bool is_page(const Sinks& sinks) {
-    return std::ranges::all_of(sinks.surfaces,
-                               [](const SurfaceSink* sink) { return sink->form() == SurfaceForm::tiers; });
-}
-
-}  // namespace
 
 bool has_tiers(const Sinks& sinks) {
     return std::ranges::any_of(sinks.surfaces,

@@ -26,33 +26,6 @@ void add_statistics(ElevationReader& reader, const FoundBuildings& found,
         });
 }
 
-}  // namespace
-
-Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Window& window,
-                 const features::RunSetup& setup, const FixedPoint& fixed, const contours::LevelPlan& global,
-                 Context& context) {
-    const RunPlan& decided = setup.plan;
-    const double metres = context.report.units.vertical_metres;
-    const contours::RegionOptions regions = contours::region_options(decided.detail, setup.cell, metres);
-    Tiers tiers;
-    contours::BuildingStatistics statistics(found.count(), fixed,
-                                            decided.levels == LevelSource::natural ? metres : 0);
-    if (decided.detail > 0)
-        tiers.clean.emplace(contours::clean_tiers(
-            reader, found.labels, found.count(), regions, window,
-            [&](Label label, const contours::BuildingCells& cells) {
-                statistics.add(contours::constant_runs(cells, label));
-            },
-            context));
-    else
-        add_statistics(reader, found, statistics, context);
-    tiers.plan = contours::plan_building_levels(statistics, found.ground, global, decided.asked.levels,
-                                                decided.levels, metres, regions.price);
-    return tiers;
-}
-
-namespace {
-
 struct BandTracing {
     const contours::TraceFrame& frame;
     const Tiers& tiers;
@@ -150,6 +123,29 @@ contours::ContourArchive contour_store(const contours::TraceFrame& frame, const 
 }
 
 }  // namespace
+
+Tiers plan_tiers(ElevationReader& reader, const FoundBuildings& found, const Window& window,
+                 const features::RunSetup& setup, const FixedPoint& fixed, const contours::LevelPlan& global,
+                 Context& context) {
+    const RunPlan& decided = setup.plan;
+    const double metres = context.report.units.vertical_metres;
+    const contours::RegionOptions regions = contours::region_options(decided.detail, setup.cell, metres);
+    Tiers tiers;
+    contours::BuildingStatistics statistics(found.count(), fixed,
+                                            decided.levels == LevelSource::natural ? metres : 0);
+    if (decided.detail > 0)
+        tiers.clean.emplace(contours::clean_tiers(
+            reader, found.labels, found.count(), regions, window,
+            [&](Label label, const contours::BuildingCells& cells) {
+                statistics.add(contours::constant_runs(cells, label));
+            },
+            context));
+    else
+        add_statistics(reader, found, statistics, context);
+    tiers.plan = contours::plan_building_levels(statistics, found.ground, global, decided.asked.levels,
+                                                decided.levels, metres, regions.price);
+    return tiers;
+}
 
 std::unique_ptr<contours::StoredContours> trace_contours(ElevationReader& reader,
                                                          const contours::TraceFrame& frame,

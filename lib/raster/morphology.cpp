@@ -15,28 +15,6 @@ namespace {
 // Tolerance, because 1.5 m have to be exactly three cells of 0.5 m.
 constexpr double hair = 1 + 1e-9;
 
-}  // namespace
-
-bool disk_fits(double radius_m, const CellSize& cell) {
-    return radius_m * hair >= std::max(cell.across, cell.down);
-}
-
-Element disk_element(double radius_m, const CellSize& cell) {
-    const double radius = radius_m * hair;
-    if (!disk_fits(radius_m, cell))
-        return {{0, 0, 1}, {1, 0, 1}};
-    const auto rows = static_cast<std::int32_t>(radius / cell.down);
-    Element element;
-    for (std::int32_t r = -rows; r <= rows; ++r) {
-        const double y = r * cell.down;
-        const auto half = static_cast<std::int32_t>(std::sqrt(radius * radius - y * y) / cell.across);
-        element.push_back({r, -half, half});
-    }
-    return element;
-}
-
-namespace {
-
 Element reflected(const Element& element) {
     Element result;
     for (const ElementRow& row : element)
@@ -161,44 +139,6 @@ D2B_MULTIVERSION void grow_copy(HaloBand<std::uint8_t>& copy, const Mask& within
     }
 }
 
-}  // namespace
-
-Mask erode(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads) {
-    Mask result = complement_of_erosion(mask, disk_element(radius_m, cell), threads);
-    for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
-        for (std::size_t i = result.index(band.begin, 0); i < result.index(band.end, 0); ++i)
-            result.values[i] ^= 1;
-    });
-    return result;
-}
-
-Mask open_mask(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads) {
-    const Element element = disk_element(radius_m, cell);
-    // A dilation is the complement of an erosion of the complement.
-    return complement_of_erosion(complement_of_erosion(mask, element, threads), reflected(element), threads);
-}
-
-Mask dilate_within(Mask mask, const Mask& within, int steps, Executor& threads) {
-    for_bands_with_halo(threads, mask, steps, [&](HaloBand<std::uint8_t>& copy) {
-        grow_copy(copy, within, steps);
-        copy.write_band(mask);
-    });
-    return mask;
-}
-
-void fill_small_holes(Mask& mask, std::int64_t fewer_than, Executor& threads) {
-    const Regions holes = connected_regions(mask, 0, 0, threads);
-    const std::vector<CellBox> boxes = bounding_boxes(holes);
-    const auto is_small = [&](Label label) {
-        const CellBox& box = boxes[label];
-        return holes.cells[label] < fewer_than && box.first_row > 0 && box.end_row < mask.rows &&
-               box.first_col > 0 && box.end_col < mask.cols;
-    };
-    paint(holes, is_small, 1, mask, threads);
-}
-
-namespace {
-
 /// Thresholds in per cent: a cell joins if buildings cover more than `gain` of its neighbourhood, and a
 /// building cell stays if they cover more than `keep`.
 struct MajorityThresholds {
@@ -296,6 +236,58 @@ Mask majority_filter(const Mask& now, const Mask& voters, const Mask& within, do
 }
 
 }  // namespace
+
+bool disk_fits(double radius_m, const CellSize& cell) {
+    return radius_m * hair >= std::max(cell.across, cell.down);
+}
+
+Element disk_element(double radius_m, const CellSize& cell) {
+    const double radius = radius_m * hair;
+    if (!disk_fits(radius_m, cell))
+        return {{0, 0, 1}, {1, 0, 1}};
+    const auto rows = static_cast<std::int32_t>(radius / cell.down);
+    Element element;
+    for (std::int32_t r = -rows; r <= rows; ++r) {
+        const double y = r * cell.down;
+        const auto half = static_cast<std::int32_t>(std::sqrt(radius * radius - y * y) / cell.across);
+        element.push_back({r, -half, half});
+    }
+    return element;
+}
+
+Mask erode(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads) {
+    Mask result = complement_of_erosion(mask, disk_element(radius_m, cell), threads);
+    for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
+        for (std::size_t i = result.index(band.begin, 0); i < result.index(band.end, 0); ++i)
+            result.values[i] ^= 1;
+    });
+    return result;
+}
+
+Mask open_mask(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads) {
+    const Element element = disk_element(radius_m, cell);
+    // A dilation is the complement of an erosion of the complement.
+    return complement_of_erosion(complement_of_erosion(mask, element, threads), reflected(element), threads);
+}
+
+Mask dilate_within(Mask mask, const Mask& within, int steps, Executor& threads) {
+    for_bands_with_halo(threads, mask, steps, [&](HaloBand<std::uint8_t>& copy) {
+        grow_copy(copy, within, steps);
+        copy.write_band(mask);
+    });
+    return mask;
+}
+
+void fill_small_holes(Mask& mask, std::int64_t fewer_than, Executor& threads) {
+    const Regions holes = connected_regions(mask, 0, 0, threads);
+    const std::vector<CellBox> boxes = bounding_boxes(holes);
+    const auto is_small = [&](Label label) {
+        const CellBox& box = boxes[label];
+        return holes.cells[label] < fewer_than && box.first_row > 0 && box.end_row < mask.rows &&
+               box.first_col > 0 && box.end_col < mask.cols;
+    };
+    paint(holes, is_small, 1, mask, threads);
+}
 
 Mask grow_by_majority(Mask seeds, const Mask& elevated, const CellSize& cell, Executor& threads) {
     for (int i = 0; i < growth_rounds; ++i)

@@ -149,6 +149,53 @@ Regions regions_of(std::int32_t rows, std::int32_t cols, const LinksOfRow& links
     return regions;
 }
 
+constexpr std::uint64_t every_byte = 0x0101010101010101U;
+
+/// Returns the first cell from `c` on that belongs to a region, or the end of the row. Tests eight cells at a
+/// time, because most rows are mostly empty.
+std::int32_t next_in(std::span<const std::uint8_t> links, std::int32_t c) {
+    const auto end = static_cast<std::int32_t>(links.size());
+    for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
+        std::memcpy(&eight, links.data() + c, sizeof eight);
+        if (eight != 0)
+            break;
+    }
+    while (c < end && links[static_cast<std::size_t>(c)] == 0)
+        ++c;
+    return c;
+}
+
+/// Returns the first cell from `c` on at which the run may end or a new run above it may begin. Cells up to
+/// `joined_end` were joined to the row above already.
+std::int32_t skip_linked(std::span<const std::uint8_t> links, std::int32_t c, std::int32_t joined_end) {
+    const auto end = static_cast<std::int32_t>(links.size());
+    for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
+        std::memcpy(&eight, links.data() + c, sizeof eight);
+        const bool left = (~eight & every_byte * link_left) == 0;
+        const bool up = (eight & every_byte * link_up) != 0;
+        if (!left || (up && c + 8 > joined_end))
+            break;
+    }
+    return c;
+}
+
+/// Finds the overlaps of two sets of runs in a row.
+void add_row(std::span<const RegionRun> one, std::span<const RegionRun> other,
+             std::vector<RegionOverlap>& found) {
+    std::size_t i = 0;
+    std::size_t j = 0;
+    while (i < one.size() && j < other.size()) {
+        const std::int32_t common =
+            std::min(one[i].end, other[j].end) - std::max(one[i].begin, other[j].begin);
+        if (common > 0)
+            found.push_back({one[i].label, other[j].label, common});
+        if (one[i].end < other[j].end)
+            ++i;
+        else
+            ++j;
+    }
+}
+
 }  // namespace
 
 Regions linked_regions(std::int32_t rows, std::int32_t cols, const LinksOfRow& links_of,
@@ -235,40 +282,6 @@ Grid<Label> label_grid(const Regions& regions, std::span<const Label> number, Ex
     });
     return result;
 }
-
-namespace {
-
-constexpr std::uint64_t every_byte = 0x0101010101010101U;
-
-/// Returns the first cell from `c` on that belongs to a region, or the end of the row. Tests eight cells at a
-/// time, because most rows are mostly empty.
-std::int32_t next_in(std::span<const std::uint8_t> links, std::int32_t c) {
-    const auto end = static_cast<std::int32_t>(links.size());
-    for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
-        std::memcpy(&eight, links.data() + c, sizeof eight);
-        if (eight != 0)
-            break;
-    }
-    while (c < end && links[static_cast<std::size_t>(c)] == 0)
-        ++c;
-    return c;
-}
-
-/// Returns the first cell from `c` on at which the run may end or a new run above it may begin. Cells up to
-/// `joined_end` were joined to the row above already.
-std::int32_t skip_linked(std::span<const std::uint8_t> links, std::int32_t c, std::int32_t joined_end) {
-    const auto end = static_cast<std::int32_t>(links.size());
-    for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
-        std::memcpy(&eight, links.data() + c, sizeof eight);
-        const bool left = (~eight & every_byte * link_left) == 0;
-        const bool up = (eight & every_byte * link_up) != 0;
-        if (!left || (up && c + 8 > joined_end))
-            break;
-    }
-    return c;
-}
-
-}  // namespace
 
 RegionBuilder::RegionBuilder(std::int32_t cols) {
     regions_.cols = cols;
@@ -369,27 +382,6 @@ void relabel(Regions& regions, std::span<const Label> number) {
     regions.row_begin.back() = kept;
     regions.runs.resize(kept);
 }
-
-namespace {
-
-/// Finds the overlaps of two sets of runs in a row.
-void add_row(std::span<const RegionRun> one, std::span<const RegionRun> other,
-             std::vector<RegionOverlap>& found) {
-    std::size_t i = 0;
-    std::size_t j = 0;
-    while (i < one.size() && j < other.size()) {
-        const std::int32_t common =
-            std::min(one[i].end, other[j].end) - std::max(one[i].begin, other[j].begin);
-        if (common > 0)
-            found.push_back({one[i].label, other[j].label, common});
-        if (one[i].end < other[j].end)
-            ++i;
-        else
-            ++j;
-    }
-}
-
-}  // namespace
 
 std::vector<RegionOverlap> region_overlaps(const Regions& one, const Regions& other) {
     std::vector<RegionOverlap> found;

@@ -61,6 +61,87 @@ void add_polygon(const std::vector<WorldRing>& rings, RingProjector& projector, 
     }
 }
 
+/// Converts between pixel coordinates and a plane in metres, in which a buffer is as wide on all sides.
+class PixelPlane {
+  public:
+    explicit PixelPlane(const DemInfo& info) {
+        const AffineTransform& g = info.transform;
+        const CellSize cell = cell_steps(info.window, Georeference(g, TraceMode::cells), Crs(info.crs_wkt));
+        const double cosine = std::sqrt(std::max(0.0, 1 - cell.sine * cell.sine));
+        across_ = cell.across;
+        skew_ = std::copysign(cell.down * cosine, g[1] * g[2] + g[4] * g[5]);
+        down_ = cell.down * cell.sine;
+    }
+    [[nodiscard]] Position metres(const Position& p) const {
+        return {p.x * across_ + p.y * skew_, p.y * down_};
+    }
+    [[nodiscard]] Position pixels(const Position& p) const {
+        const double row = p.y / down_;
+        return {(p.x - row * skew_) / across_, row};
+    }
+
+  private:
+    double across_ = 1;
+    double skew_ = 0;
+    double down_ = 1;
+};
+
+GeometryOwner in_metres(const PixelPolygon& polygon, const PixelPlane& plane) {
+    GeometryOwner geometry(OGR_G_CreateGeometry(wkbPolygon));
+    for (const WorldRing& ring : polygon) {
+        GeometryOwner line(OGR_G_CreateGeometry(wkbLinearRing));
+        for (const Position& pixel : ring) {
+            const Position p = plane.metres(pixel);
+            OGR_G_AddPoint_2D(line.get(), p.x, p.y);
+        }
+        OGR_G_CloseRings(line.get());
+        OGR_G_AddGeometryDirectly(geometry.get(), line.release());
+    }
+    return geometry;
+}
+
+constexpr std::int64_t max_strip_cells = std::int64_t{1} << 24;
+
+/// Pixel coordinates of the first cell of a strip.
+struct Corner {
+    double col = 0;
+    double row = 0;
+};
+
+/// GDALTransformerFunc from pixel coordinates of the DEM to those of a strip. Needed because GDAL's own
+/// transformers treat an identity as a missing georeference.
+int shift(void* argument, int to_source, int count, double* x, double* y, double*, int* success) {
+    const auto* corner = static_cast<const Corner*>(argument);
+    const double sign = to_source != 0 ? 1.0 : -1.0;
+    for (int i = 0; i < count; ++i) {
+        x[i] += sign * corner->col;
+        y[i] += sign * corner->row;
+        success[i] = TRUE;
+    }
+    return TRUE;
+}
+
+/// Limits of clipping, because GDAL counts cells in 32 bits. Geometry farther away than any side is long
+/// makes no difference.
+ClipBox countable(const Window& w) {
+    constexpr double room = 1e8;
+    return {w.col - room, w.row - room, w.col + w.cols + room, w.row + w.rows + room};
+}
+
+GeometryOwner to_geometry(const PixelPolygon& polygon, const Window& window) {
+    GeometryOwner geometry(OGR_G_CreateGeometry(wkbPolygon));
+    for (const WorldRing& whole : polygon) {
+        const WorldRing ring = clipped(whole, countable(window));
+        GeometryOwner line(OGR_G_CreateGeometry(wkbLinearRing));
+        OGR_G_SetPointCount(line.get(), static_cast<int>(ring.size()));
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            OGR_G_SetPoint_2D(line.get(), static_cast<int>(i), ring[i].x, ring[i].y);
+        OGR_G_CloseRings(line.get());
+        OGR_G_AddGeometryDirectly(geometry.get(), line.release());
+    }
+    return geometry;
+}
+
 }  // namespace
 
 ClipBox box_of(const PixelPolygon& polygon) {
@@ -124,49 +205,6 @@ std::vector<PixelPolygon> read_cutline(const PolygonSource& source, const DemInf
     return polygons;
 }
 
-namespace {
-
-/// Converts between pixel coordinates and a plane in metres, in which a buffer is as wide on all sides.
-class PixelPlane {
-  public:
-    explicit PixelPlane(const DemInfo& info) {
-        const AffineTransform& g = info.transform;
-        const CellSize cell = cell_steps(info.window, Georeference(g, TraceMode::cells), Crs(info.crs_wkt));
-        const double cosine = std::sqrt(std::max(0.0, 1 - cell.sine * cell.sine));
-        across_ = cell.across;
-        skew_ = std::copysign(cell.down * cosine, g[1] * g[2] + g[4] * g[5]);
-        down_ = cell.down * cell.sine;
-    }
-    [[nodiscard]] Position metres(const Position& p) const {
-        return {p.x * across_ + p.y * skew_, p.y * down_};
-    }
-    [[nodiscard]] Position pixels(const Position& p) const {
-        const double row = p.y / down_;
-        return {(p.x - row * skew_) / across_, row};
-    }
-
-  private:
-    double across_ = 1;
-    double skew_ = 0;
-    double down_ = 1;
-};
-
-GeometryOwner in_metres(const PixelPolygon& polygon, const PixelPlane& plane) {
-    GeometryOwner geometry(OGR_G_CreateGeometry(wkbPolygon));
-    for (const WorldRing& ring : polygon) {
-        GeometryOwner line(OGR_G_CreateGeometry(wkbLinearRing));
-        for (const Position& pixel : ring) {
-            const Position p = plane.metres(pixel);
-            OGR_G_AddPoint_2D(line.get(), p.x, p.y);
-        }
-        OGR_G_CloseRings(line.get());
-        OGR_G_AddGeometryDirectly(geometry.get(), line.release());
-    }
-    return geometry;
-}
-
-}  // namespace
-
 std::vector<PixelPolygon> buffered(const std::vector<PixelPolygon>& polygons, double metres,
                                    const DemInfo& info, const std::string& name) {
     constexpr int segments_per_quadrant = 8;
@@ -190,52 +228,6 @@ std::vector<PixelPolygon> buffered(const std::vector<PixelPolygon>& polygons, do
     }
     return all;
 }
-
-namespace {
-
-constexpr std::int64_t max_strip_cells = std::int64_t{1} << 24;
-
-/// Pixel coordinates of the first cell of a strip.
-struct Corner {
-    double col = 0;
-    double row = 0;
-};
-
-/// GDALTransformerFunc from pixel coordinates of the DEM to those of a strip. Needed because GDAL's own
-/// transformers treat an identity as a missing georeference.
-int shift(void* argument, int to_source, int count, double* x, double* y, double*, int* success) {
-    const auto* corner = static_cast<const Corner*>(argument);
-    const double sign = to_source != 0 ? 1.0 : -1.0;
-    for (int i = 0; i < count; ++i) {
-        x[i] += sign * corner->col;
-        y[i] += sign * corner->row;
-        success[i] = TRUE;
-    }
-    return TRUE;
-}
-
-/// Limits of clipping, because GDAL counts cells in 32 bits. Geometry farther away than any side is long
-/// makes no difference.
-ClipBox countable(const Window& w) {
-    constexpr double room = 1e8;
-    return {w.col - room, w.row - room, w.col + w.cols + room, w.row + w.rows + room};
-}
-
-GeometryOwner to_geometry(const PixelPolygon& polygon, const Window& window) {
-    GeometryOwner geometry(OGR_G_CreateGeometry(wkbPolygon));
-    for (const WorldRing& whole : polygon) {
-        const WorldRing ring = clipped(whole, countable(window));
-        GeometryOwner line(OGR_G_CreateGeometry(wkbLinearRing));
-        OGR_G_SetPointCount(line.get(), static_cast<int>(ring.size()));
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            OGR_G_SetPoint_2D(line.get(), static_cast<int>(i), ring[i].x, ring[i].y);
-        OGR_G_CloseRings(line.get());
-        OGR_G_AddGeometryDirectly(geometry.get(), line.release());
-    }
-    return geometry;
-}
-
-}  // namespace
 
 CutlineMask::CutlineMask(const std::vector<PixelPolygon>& polygons, const Window& window) : window_(window) {
     for (const PixelPolygon& polygon : polygons)

@@ -32,35 +32,6 @@ void silence_libtiff() {
         set(nullptr);
 }
 
-}  // namespace
-
-void register_formats() {
-    if (GDALGetDriverCount() > 0)
-        return;
-    if (const std::filesystem::path& data = system::data_beside_program(); !data.empty()) {
-        CPLPushFinderLocation((data / "gdal").string().c_str());
-        const std::string proj = (data / "proj").string();
-        const std::array<const char*, 2> folders{proj.c_str(), nullptr};
-        OSRSetPROJSearchPaths(folders.data());
-    }
-    GDALAllRegister();
-}
-
-void start_gdal() {
-    // Messages of GDAL's worker threads, or outside of our own scopes, go to the handler of the process. This
-    // one drops everything except debug messages, which appear only if CPL_DEBUG asks for them.
-    CPLSetErrorHandler(CPLQuietErrorHandler);
-    register_formats();
-    silence_libtiff();
-    // Limits the cache, because rasters are read once from top to bottom and GDAL would keep a twentieth of
-    // the machine's memory.
-    constexpr GIntBig cache_bytes = GIntBig{128} << 20;
-    if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr)
-        GDALSetCacheMax64(cache_bytes);
-}
-
-namespace {
-
 /// Splits KEY=VALUE, because GDAL 3.6 takes it for the key and the next argument for its value.
 void split_config(std::vector<std::string>& arguments) {
     for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
@@ -92,6 +63,31 @@ Arguments list_of(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
+
+void register_formats() {
+    if (GDALGetDriverCount() > 0)
+        return;
+    if (const std::filesystem::path& data = system::data_beside_program(); !data.empty()) {
+        CPLPushFinderLocation((data / "gdal").string().c_str());
+        const std::string proj = (data / "proj").string();
+        const std::array<const char*, 2> folders{proj.c_str(), nullptr};
+        OSRSetPROJSearchPaths(folders.data());
+    }
+    GDALAllRegister();
+}
+
+void start_gdal() {
+    // Messages of GDAL's worker threads, or outside of our own scopes, go to the handler of the process. This
+    // one drops everything except debug messages, which appear only if CPL_DEBUG asks for them.
+    CPLSetErrorHandler(CPLQuietErrorHandler);
+    register_formats();
+    silence_libtiff();
+    // Limits the cache, because rasters are read once from top to bottom and GDAL would keep a twentieth of
+    // the machine's memory.
+    constexpr GIntBig cache_bytes = GIntBig{128} << 20;
+    if (CPLGetConfigOption("GDAL_CACHEMAX", nullptr) == nullptr)
+        GDALSetCacheMax64(cache_bytes);
+}
 
 std::optional<std::vector<std::string>> apply_gdal_switches(std::vector<std::string> arguments) {
     const auto end = std::ranges::find(arguments, "--");

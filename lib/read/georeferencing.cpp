@@ -24,43 +24,6 @@ bool invertible(const AffineTransform& g) {
     return std::abs(determinant) > 1e-12 * std::hypot(g[1], g[4]) * std::hypot(g[2], g[5]);
 }
 
-}  // namespace
-
-void set_transform(const std::optional<AffineTransform>& transform, const std::string& advice, DemInfo& info,
-                   Warnings& warnings) {
-    info.georeferenced = transform.has_value();
-    info.transform = transform.value_or(DemInfo{}.transform);
-    if (!transform)
-        warnings.add("'" + info.name +
-                     "' has no georeferencing; coordinates are columns and, upwards, rows.");
-    else if (!invertible(*transform))
-        throw InputError("The transform of '" + info.name + "' (" + numbers_text(*transform, ", ") +
-                         ") gives its cells no area; " + advice + ".");
-}
-
-void read_transform(GDALDatasetH dataset, DemInfo& info, Warnings& warnings) {
-    AffineTransform transform{};
-    if (GDALGetGeoTransform(dataset, transform.data()) == CE_None)
-        return set_transform(transform, "correct it, for example with gdal_edit.py -a_ullr", info, warnings);
-    // Rejects rasters that GDAL can locate only cell by cell, because outlines need a grid.
-    const auto has = [&](const char* domain) {
-        const CSLConstList items = GDALGetMetadata(dataset, domain);
-        return items != nullptr && items[0] != nullptr;
-    };
-    if (has("RPC"))
-        throw InputError("'" + info.name + "' is placed by rational polynomials (RPCs) only; " +
-                         "turn it into a regular grid with gdalwarp -rpc first.");
-    if (has("GEOLOCATION"))
-        throw InputError("'" + info.name + "' is placed by geolocation arrays only; " +
-                         "turn it into a regular grid with gdalwarp -geoloc first.");
-    if (GDALGetGCPCount(dataset) > 0)
-        throw InputError("'" + info.name + "' is placed by ground control points only; " +
-                         "turn it into a regular grid with gdalwarp first.");
-    set_transform(std::nullopt, "", info, warnings);
-}
-
-namespace {
-
 std::string wkt_from_user(const std::string& text) {
     if (const std::string code = guess_epsg_code(text); !code.empty())
         throw OptionError("-a_srs " + text + " is not a coordinate reference system; write -a_srs " + code +
@@ -87,55 +50,6 @@ bool is_placeholder(OGRSpatialReferenceH crs) {
            (EQUAL(name, "Undefined geographic SRS") || EQUAL(name, "Undefined Cartesian SRS") ||
             EQUAL(name, "Undefined SRS"));
 }
-
-}  // namespace
-
-std::string wkt_of(OGRSpatialReferenceH crs) {
-    if (crs == nullptr || OGRSpatialReference::FromHandle(crs)->IsEmpty() != FALSE || is_placeholder(crs))
-        return {};
-    constexpr std::array<const char*, 3> options{"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
-    char* text = nullptr;
-    const OGRErr status = OSRExportToWktEx(crs, &text, options.data());
-    const std::unique_ptr<char, GdalRelease<void*, VSIFree>> owner(text);
-    // Repairs names, because those in GeoTIFF keys or a .prj may be in any encoding.
-    return status == OGRERR_NONE && text != nullptr ? utf8_text(text) : "";
-}
-
-void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Warnings& warnings) {
-    info.crs_wkt = user_crs.empty() ? own_wkt : wkt_from_user(user_crs);
-    const Crs crs(info.crs_wkt);
-    require_plane(crs, user_crs.empty() ? "" : "-a_srs " + one_line(user_crs), info.name);
-    if (!info.georeferenced && user_crs.empty() && crs.kind() == Crs::Kind::geographic) {
-        info.crs_wkt.clear();
-        warnings.add("'" + info.name +
-                     "' has a coordinate reference system in degrees, but its coordinates are columns and " +
-                     "rows; it is ignored.");
-        return;
-    }
-    if (info.crs_wkt.empty())
-        warnings.add("'" + info.name +
-                     "' has no coordinate reference system; lengths are taken as plain units; " +
-                     "give it with -a_srs.");
-}
-
-void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Warnings& warnings) {
-    set_crs(user_crs.empty() ? wkt_of(GDALGetSpatialRef(dataset)) : "", user_crs, info, warnings);
-}
-
-CrsOwner horizontal_crs(const std::string& wkt) {
-    if (wkt.empty())
-        return nullptr;
-    CrsOwner crs(OSRNewSpatialReference(wkt.c_str()));
-    if (!crs)
-        return crs;
-    OSRSetAxisMappingStrategy(crs.get(), OAMS_TRADITIONAL_GIS_ORDER);
-    if (OSRIsCompound(crs.get()) != FALSE)
-        OSRStripVertical(crs.get());
-    OSRDemoteTo2D(crs.get(), nullptr);
-    return crs;
-}
-
-namespace {
 
 /// Axis of a grid: the centre of cell i is at origin + (i + 0.5) * step.
 struct Axis {
@@ -242,6 +156,84 @@ Window from_box(const std::array<double, 4>& box, const DemInfo& info) {
 }
 
 }  // namespace
+
+void set_transform(const std::optional<AffineTransform>& transform, const std::string& advice, DemInfo& info,
+                   Warnings& warnings) {
+    info.georeferenced = transform.has_value();
+    info.transform = transform.value_or(DemInfo{}.transform);
+    if (!transform)
+        warnings.add("'" + info.name +
+                     "' has no georeferencing; coordinates are columns and, upwards, rows.");
+    else if (!invertible(*transform))
+        throw InputError("The transform of '" + info.name + "' (" + numbers_text(*transform, ", ") +
+                         ") gives its cells no area; " + advice + ".");
+}
+
+void read_transform(GDALDatasetH dataset, DemInfo& info, Warnings& warnings) {
+    AffineTransform transform{};
+    if (GDALGetGeoTransform(dataset, transform.data()) == CE_None)
+        return set_transform(transform, "correct it, for example with gdal_edit.py -a_ullr", info, warnings);
+    // Rejects rasters that GDAL can locate only cell by cell, because outlines need a grid.
+    const auto has = [&](const char* domain) {
+        const CSLConstList items = GDALGetMetadata(dataset, domain);
+        return items != nullptr && items[0] != nullptr;
+    };
+    if (has("RPC"))
+        throw InputError("'" + info.name + "' is placed by rational polynomials (RPCs) only; " +
+                         "turn it into a regular grid with gdalwarp -rpc first.");
+    if (has("GEOLOCATION"))
+        throw InputError("'" + info.name + "' is placed by geolocation arrays only; " +
+                         "turn it into a regular grid with gdalwarp -geoloc first.");
+    if (GDALGetGCPCount(dataset) > 0)
+        throw InputError("'" + info.name + "' is placed by ground control points only; " +
+                         "turn it into a regular grid with gdalwarp first.");
+    set_transform(std::nullopt, "", info, warnings);
+}
+
+std::string wkt_of(OGRSpatialReferenceH crs) {
+    if (crs == nullptr || OGRSpatialReference::FromHandle(crs)->IsEmpty() != FALSE || is_placeholder(crs))
+        return {};
+    constexpr std::array<const char*, 3> options{"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+    char* text = nullptr;
+    const OGRErr status = OSRExportToWktEx(crs, &text, options.data());
+    const std::unique_ptr<char, GdalRelease<void*, VSIFree>> owner(text);
+    // Repairs names, because those in GeoTIFF keys or a .prj may be in any encoding.
+    return status == OGRERR_NONE && text != nullptr ? utf8_text(text) : "";
+}
+
+void set_crs(const std::string& own_wkt, const std::string& user_crs, DemInfo& info, Warnings& warnings) {
+    info.crs_wkt = user_crs.empty() ? own_wkt : wkt_from_user(user_crs);
+    const Crs crs(info.crs_wkt);
+    require_plane(crs, user_crs.empty() ? "" : "-a_srs " + one_line(user_crs), info.name);
+    if (!info.georeferenced && user_crs.empty() && crs.kind() == Crs::Kind::geographic) {
+        info.crs_wkt.clear();
+        warnings.add("'" + info.name +
+                     "' has a coordinate reference system in degrees, but its coordinates are columns and " +
+                     "rows; it is ignored.");
+        return;
+    }
+    if (info.crs_wkt.empty())
+        warnings.add("'" + info.name +
+                     "' has no coordinate reference system; lengths are taken as plain units; " +
+                     "give it with -a_srs.");
+}
+
+void read_crs(GDALDatasetH dataset, const std::string& user_crs, DemInfo& info, Warnings& warnings) {
+    set_crs(user_crs.empty() ? wkt_of(GDALGetSpatialRef(dataset)) : "", user_crs, info, warnings);
+}
+
+CrsOwner horizontal_crs(const std::string& wkt) {
+    if (wkt.empty())
+        return nullptr;
+    CrsOwner crs(OSRNewSpatialReference(wkt.c_str()));
+    if (!crs)
+        return crs;
+    OSRSetAxisMappingStrategy(crs.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    if (OSRIsCompound(crs.get()) != FALSE)
+        OSRStripVertical(crs.get());
+    OSRDemoteTo2D(crs.get(), nullptr);
+    return crs;
+}
 
 Window choose_window(const ReadOptions& options, const DemInfo& info) {
     const int given = static_cast<int>(options.source_window.has_value()) +

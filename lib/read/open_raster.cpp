@@ -145,28 +145,6 @@ void check_block(const OpenRaster& raster, const Header& header, std::uint64_t b
                          "; it is damaged or truncated, so copy it again.");
 }
 
-}  // namespace
-
-void validate_header(const OpenRaster& raster, const std::string& name) {
-    const Header header = header_of(raster);
-    if (header.cols > longest_side || header.rows > longest_side)
-        throw InputError(
-            "'" + name + "' has " + std::to_string(header.cols) + " columns and " +
-            std::to_string(header.rows) + " rows; more than " + std::to_string(longest_side) +
-            " of either are not supported, so cut it into parts, for example with gdal_translate -srcwin.");
-    const std::optional<std::uint64_t> bytes = length_of_file(raster.dataset.get());
-    if (!bytes)
-        return;
-    if (header.driver == "ENVI")
-        check_envi(raster, header, *bytes, name);
-    else if (header.driver == "AAIGrid")
-        check_text(raster, header, *bytes, name);
-    else if (header.driver == "GTiff")
-        check_block(raster, header, *bytes, name);
-}
-
-namespace {
-
 constexpr int listed_subdatasets = 3;
 
 void check_options(const ReadOptions& options) {
@@ -232,6 +210,24 @@ void check_kind(GDALRasterBandH band, const ReadOptions& options, Warnings& warn
 }
 
 }  // namespace
+
+void validate_header(const OpenRaster& raster, const std::string& name) {
+    const Header header = header_of(raster);
+    if (header.cols > longest_side || header.rows > longest_side)
+        throw InputError(
+            "'" + name + "' has " + std::to_string(header.cols) + " columns and " +
+            std::to_string(header.rows) + " rows; more than " + std::to_string(longest_side) +
+            " of either are not supported, so cut it into parts, for example with gdal_translate -srcwin.");
+    const std::optional<std::uint64_t> bytes = length_of_file(raster.dataset.get());
+    if (!bytes)
+        return;
+    if (header.driver == "ENVI")
+        check_envi(raster, header, *bytes, name);
+    else if (header.driver == "AAIGrid")
+        check_text(raster, header, *bytes, name);
+    else if (header.driver == "GTiff")
+        check_block(raster, header, *bytes, name);
+}
 
 OpenRaster open_raster(const ReadOptions& options, const std::string& path, Warnings& warnings) {
     check_options(options);

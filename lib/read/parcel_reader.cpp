@@ -59,18 +59,6 @@ void Burner::draw(const WorldRing& line) {
         });
 }
 
-}  // namespace
-
-void burn(const PixelParcel& parcel, const Window& part, std::span<ParcelCell> cells) {
-    Burner burner(part, cells);
-    for (const std::vector<WorldRing>& rings : parcel.polygons)
-        burner.fill(rings, parcel);
-    for (const WorldRing& line : parcel.lines)
-        burner.draw(line);
-}
-
-namespace {
-
 constexpr double margin_cells = 4;
 constexpr double margin_share = 0.05;  // of a part, because straight edges become curves in another CRS
 
@@ -267,6 +255,14 @@ std::string_view ParcelReader::name(std::int64_t parcel) {
 }
 
 }  // namespace
+
+void burn(const PixelParcel& parcel, const Window& part, std::span<ParcelCell> cells) {
+    Burner burner(part, cells);
+    for (const std::vector<WorldRing>& rings : parcel.polygons)
+        burner.fill(rings, parcel);
+    for (const WorldRing& line : parcel.lines)
+        burner.draw(line);
+}
 
 std::unique_ptr<ParcelSource> open_parcels(const ParcelChoice& choice, const DemInfo& grid,
                                            const Callbacks& callbacks) {

@@ -56,37 +56,6 @@ std::optional<double> height_of(OGRFeatureH feature, int field) {
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-}  // namespace
-
-std::vector<std::string> layer_names(const std::string& dataset, Warnings& warnings) {
-    const NetworkGuard gate(dataset);
-    return geometry_layers(open_polygons(dataset, warnings).get());
-}
-
-PolygonLayer read_polygon_layer(const LayerChoice& choice, Warnings& warnings) {
-    const NetworkGuard gate(choice.dataset);
-    const DatasetOwner dataset = open_polygons(choice.dataset, warnings);
-    const OGRLayerH layer = pick_layer(dataset.get(), choice);
-    const int height = pick_height(layer, choice);
-    PolygonLayer result{choice.dataset, OGR_L_GetName(layer), wkt_of(OGR_L_GetSpatialRef(layer)), {}, {}};
-    if (height >= 0)
-        result.height_field = OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(OGR_L_GetLayerDefn(layer), height));
-    std::size_t others = 0;
-    for_each_geometry(layer, "The layer '" + result.name + "' of '" + choice.dataset + "'", warnings,
-                      [&](OGRFeatureH feature, OGRGeometryH geometry) {
-                          PolygonFeature found = polygon_feature_of(geometry);
-                          found.height = height_of(feature, height);
-                          if (found.polygons.empty())
-                              ++others;
-                          else
-                              result.features.push_back(std::move(found));
-                      });
-    warn_of_others(others, result.dataset, result.name, warnings);
-    return result;
-}
-
-namespace {
-
 struct CellMask {
     std::int32_t rows = 0;
     std::int32_t cols = 0;
@@ -145,6 +114,33 @@ void place(WorldRing& ring, const AffineTransform& g) {
 }
 
 }  // namespace
+
+std::vector<std::string> layer_names(const std::string& dataset, Warnings& warnings) {
+    const NetworkGuard gate(dataset);
+    return geometry_layers(open_polygons(dataset, warnings).get());
+}
+
+PolygonLayer read_polygon_layer(const LayerChoice& choice, Warnings& warnings) {
+    const NetworkGuard gate(choice.dataset);
+    const DatasetOwner dataset = open_polygons(choice.dataset, warnings);
+    const OGRLayerH layer = pick_layer(dataset.get(), choice);
+    const int height = pick_height(layer, choice);
+    PolygonLayer result{choice.dataset, OGR_L_GetName(layer), wkt_of(OGR_L_GetSpatialRef(layer)), {}, {}};
+    if (height >= 0)
+        result.height_field = OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(OGR_L_GetLayerDefn(layer), height));
+    std::size_t others = 0;
+    for_each_geometry(layer, "The layer '" + result.name + "' of '" + choice.dataset + "'", warnings,
+                      [&](OGRFeatureH feature, OGRGeometryH geometry) {
+                          PolygonFeature found = polygon_feature_of(geometry);
+                          found.height = height_of(feature, height);
+                          if (found.polygons.empty())
+                              ++others;
+                          else
+                              result.features.push_back(std::move(found));
+                      });
+    warn_of_others(others, result.dataset, result.name, warnings);
+    return result;
+}
 
 ValidCells valid_cells(const std::string& path, Warnings& warnings) {
     ReadOptions options;

@@ -46,6 +46,48 @@ WorldRing cut(const WorldRing& ring, const Side& side) {
     return kept;
 }
 
+constexpr double max_deviation = 0.02;  // cells
+constexpr double long_edge = 16;  // cells; longer edges are halved at least twice, because an S-shaped one
+                                  // may pass through the midpoint of the chord
+constexpr int deepest = 12;       // at most 4096 parts per edge
+
+constexpr double margin = 4;  // in sizes of the window
+
+/// Returns a lattice of points over the window, because its rim alone would miss a pole inside.
+std::vector<Position> lattice_of(const DemInfo& info) {
+    constexpr int n = 16;
+    const AffineTransform& g = info.transform;
+    std::vector<Position> places;
+    for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= n; ++k) {
+            const double row = info.window.row + static_cast<double>(info.window.rows) * i / n;
+            const double col = info.window.col + static_cast<double>(info.window.cols) * k / n;
+            places.push_back({g[0] + col * g[1] + row * g[2], g[3] + col * g[4] + row * g[5]});
+        }
+    return places;
+}
+
+/// Returns the smallest range that contains all longitudes: the circle without its widest gap. It may end
+/// beyond half a turn.
+std::pair<double, double> range_of_longitudes(std::vector<double> longitudes, double turn) {
+    for (double& longitude : longitudes)
+        longitude = std::remainder(longitude, turn);
+    std::ranges::sort(longitudes);
+    std::pair<double, double> range{longitudes.front(), longitudes.back()};
+    double widest = longitudes.front() + turn - longitudes.back();
+    for (std::size_t i = 1; i < longitudes.size(); ++i)
+        if (longitudes[i] - longitudes[i - 1] > widest) {
+            widest = longitudes[i] - longitudes[i - 1];
+            range = {longitudes[i], longitudes[i - 1] + turn};
+        }
+    return range;
+}
+
+/// Returns a full circle of longitude in units of the CRS, or 0 for projected ones.
+double full_circle_of(OGRSpatialReferenceH crs) {
+    return OSRIsGeographic(crs) != FALSE ? 2 * std::numbers::pi / OSRGetAngularUnits(crs, nullptr) : 0;
+}
+
 }  // namespace
 
 bool ClipBox::holds(std::span<const Position> ring) const {
@@ -70,15 +112,6 @@ WorldRing clipped(const WorldRing& ring, const ClipBox& box) {
         kept.push_back(Position(kept.front()));
     return kept;
 }
-
-namespace {
-
-constexpr double max_deviation = 0.02;  // cells
-constexpr double long_edge = 16;  // cells; longer edges are halved at least twice, because an S-shaped one
-                                  // may pass through the midpoint of the chord
-constexpr int deepest = 12;       // at most 4096 parts per edge
-
-}  // namespace
 
 RingProjector::RingProjector(OGRCoordinateTransformationH transform, const AffineTransform& grid,
                              std::string name)
@@ -129,47 +162,6 @@ WorldRing RingProjector::project(const WorldRing& ring) {
     }
     return result;
 }
-
-namespace {
-
-constexpr double margin = 4;  // in sizes of the window
-
-/// Returns a lattice of points over the window, because its rim alone would miss a pole inside.
-std::vector<Position> lattice_of(const DemInfo& info) {
-    constexpr int n = 16;
-    const AffineTransform& g = info.transform;
-    std::vector<Position> places;
-    for (int i = 0; i <= n; ++i)
-        for (int k = 0; k <= n; ++k) {
-            const double row = info.window.row + static_cast<double>(info.window.rows) * i / n;
-            const double col = info.window.col + static_cast<double>(info.window.cols) * k / n;
-            places.push_back({g[0] + col * g[1] + row * g[2], g[3] + col * g[4] + row * g[5]});
-        }
-    return places;
-}
-
-/// Returns the smallest range that contains all longitudes: the circle without its widest gap. It may end
-/// beyond half a turn.
-std::pair<double, double> range_of_longitudes(std::vector<double> longitudes, double turn) {
-    for (double& longitude : longitudes)
-        longitude = std::remainder(longitude, turn);
-    std::ranges::sort(longitudes);
-    std::pair<double, double> range{longitudes.front(), longitudes.back()};
-    double widest = longitudes.front() + turn - longitudes.back();
-    for (std::size_t i = 1; i < longitudes.size(); ++i)
-        if (longitudes[i] - longitudes[i - 1] > widest) {
-            widest = longitudes[i] - longitudes[i - 1];
-            range = {longitudes[i], longitudes[i - 1] + turn};
-        }
-    return range;
-}
-
-/// Returns a full circle of longitude in units of the CRS, or 0 for projected ones.
-double full_circle_of(OGRSpatialReferenceH crs) {
-    return OSRIsGeographic(crs) != FALSE ? 2 * std::numbers::pi / OSRGetAngularUnits(crs, nullptr) : 0;
-}
-
-}  // namespace
 
 SearchExtents search_extents(OGRSpatialReferenceH polygons, OGRSpatialReferenceH dem, const DemInfo& info) {
     const GdalMessages quiet;

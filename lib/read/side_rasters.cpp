@@ -148,109 +148,6 @@ std::string percent_text(double share) {
     return "About " + std::to_string(static_cast<int>(std::lround(share * 100))) + " %";
 }
 
-}  // namespace
-
-AlignedRaster::AlignedRaster(const std::string& role, const AuxiliaryRaster& raster, const DemInfo& grid,
-                             Resampling resampling, Warnings& warnings)
-    : warnings_(warnings),
-      name_(role + " '" + raster.path + "'"),
-      dem_("'" + grid.name + "'"),
-      standard_input_(raster.array == nullptr ? copy_standard_input(raster.path) : nullptr),
-      file_(raster.array != nullptr
-                ? array_raster(*raster.array, grid)
-                : open_first_band(raster.path, standard_input_ ? standard_input_->path() : raster.path,
-                                  warnings)),
-      raster_(describe(file_, raster.path, warnings)),
-      info_(on_grid(grid, raster_)),
-      reader_(file_.band, {}, raster_, warnings) {
-    if (raster_.georeferenced != grid.georeferenced) {
-        const std::string is = "The " + name_ + " has " + (raster_.georeferenced ? "a" : "no");
-        throw InputError(is + " georeference and " + dem_ + " has " +
-                         (raster_.georeferenced ? "none" : "one") +
-                         "; give both of them one, for example with gdal_edit.py -a_ullr.");
-    }
-    place(grid, resampling);
-}
-
-void AlignedRaster::place(const DemInfo& grid, Resampling resampling) {
-    GridTransform transform(name_, raster_, grid);
-    const Coverage found = coverage(transform, raster_, info_);
-    if (!found.meets)
-        throw_no_overlap();
-    covered_ = found.share;
-    if (raster_.crs_wkt.empty() && !info_.crs_wkt.empty())
-        warnings_.add("The " + name_ + " has no coordinate reference system; its coordinates are taken as " +
-                      "those of " + dem_ + ".");
-    if (!raster_.crs_wkt.empty() && info_.crs_wkt.empty())
-        warnings_.add("The " + name_ + " has a coordinate reference system and " + dem_ +
-                      " has none; coordinates of both are taken as the same.");
-    offset_ = whole_cell_offset(transform, info_);
-    used_ = covering_cells(transform, info_.window, raster_);
-    if (!offset_)
-        warper_ = std::make_unique<ValueWarper>(reader_, raster_, info_, std::move(transform), resampling,
-                                                warnings_);
-}
-
-UndeclaredNodata AlignedRaster::exclude_undeclared(double step, const ElevationLimits& limits) {
-    if (used_.points() == 0)
-        return {};
-    const ReadValues read = [&](const Window& part, std::span<double> values) {
-        reader_.read_part(part, values, warnings_);
-        for (double& value : values)
-            value = limits.hold(value) ? value : std::numeric_limits<double>::quiet_NaN();
-    };
-    UndeclaredNodata found = find_undeclared_nodata(used_, read_border(used_, read), {step, 0}, read);
-    reader_.exclude(found.values());
-    return found;
-}
-
-void AlignedRaster::throw_no_overlap() const {
-    std::string advice =
-        "; give one of the same area, or correct a coordinate reference system that is wrong.";
-    if (raster_.crs_wkt.empty() && !info_.crs_wkt.empty())
-        advice =
-            " in the coordinates of the latter, and it has no coordinate reference system; give it its own " +
-            std::string("with gdal_edit.py -a_srs.");
-    if (!raster_.crs_wkt.empty() && info_.crs_wkt.empty())
-        advice =
-            " in the coordinates of the former, and the DEM has no coordinate reference system; give it " +
-            std::string("with -a_srs.");
-    throw InputError("The " + name_ + " has no cell in the part of " + dem_ + " that is used" + advice);
-}
-
-void AlignedRaster::warn_about_gaps(const std::string& consequence) const {
-    if (covered_ < 1)
-        warnings_.add(percent_text(1 - covered_) + " of " + dem_ + " lies outside of the " + name_ + "; " +
-                      consequence + " there.");
-}
-
-void AlignedRaster::read(const Window& part, std::span<double> values) {
-    require_part(info_, part, values.size());
-    if (offset_)
-        copy(part, values);
-    else
-        warper_->read(part, values);
-}
-
-void AlignedRaster::copy(const Window& part, std::span<double> values) {
-    std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
-    // Part in cells of the raster, clipped to the raster.
-    const std::int32_t top = part.row + offset_->rows;
-    const std::int32_t left = part.col + offset_->cols;
-    Window here{std::max(top, 0), std::max(left, 0), 0, 0};
-    here.rows = std::min(top + part.rows, raster_.rows) - here.row;
-    here.cols = std::min(left + part.cols, raster_.cols) - here.col;
-    if (here.rows <= 0 || here.cols <= 0)
-        return;
-    part_.resize(static_cast<std::size_t>(here.points()));
-    reader_.read_part(here, part_, warnings_);
-    for (std::int32_t i = 0; i < here.rows; ++i)
-        std::copy_n(part_.data() + std::ptrdiff_t{i} * here.cols, here.cols,
-                    values.data() + std::ptrdiff_t{here.row - top + i} * part.cols + (here.col - left));
-}
-
-namespace {
-
 std::optional<LengthUnit> vertical_unit(const DemInfo& raster) {
     if (auto band = stated_unit(raster.band_unit, "terrain '" + raster.name + "'", "gdal_edit.py -units"))
         return band;
@@ -363,35 +260,6 @@ void TerrainSource::report_outside() {
                    ", or give the range with -zrange.");
 }
 
-}  // namespace
-
-void TerrainSource::report_undeclared() {
-    const ValueCounts& undeclared = raster_.counts().undeclared;
-    for (const double value : excluded_)
-        if (const std::int64_t cells = undeclared.cells_of(value).value_or(0); cells > 0)
-            warnings().add(undeclared_text({value, cells}, "the " + raster_.name()) +
-                           ", so they are treated as no data; " + declaration_advice(value) +
-                           ", or keep the elevation with -inodata.");
-}
-
-void TerrainSource::detect_undeclared() {
-    const UndeclaredNodata found =
-        raster_.exclude_undeclared(UndeclaredNodataRules::step_m / (factor_ * dem_metres_), limits_);
-    excluded_ = found.values();
-    for (const SharedValue& named : found.named)
-        warnings().add(undeclared_text(named, "the " + raster_.name()) + "; if it stands for no data, " +
-                       declaration_advice(named.value) + ", and if not, give -inodata.");
-}
-
-std::unique_ptr<DemSource> open_terrain(const AuxiliaryRaster& raster, const DemInfo& grid,
-                                        double dem_vertical_metres, const ElevationLimits& limits,
-                                        const Callbacks& callbacks, const TerrainReadOptions& reading) {
-    return std::make_unique<TerrainSource>(raster, grid, dem_vertical_metres, limits, reading,
-                                           std::make_unique<Warnings>(callbacks.on_warning));
-}
-
-namespace {
-
 class RasterMask final : public WarningSource {
   public:
     RasterMask(const AuxiliaryRaster& mask, const DemInfo& grid, std::unique_ptr<Warnings> own)
@@ -468,33 +336,6 @@ std::unique_ptr<DemSource> open_polygon_mask(const std::string& path, const std:
     return mask;
 }
 
-}  // namespace
-
-std::unique_ptr<DemSource> open_exclusion(const ExclusionChoice& choice, const DemInfo& grid,
-                                          const Callbacks& callbacks) {
-    const PolygonSource place{"exclusion dataset", "exclude_layer", choice.dataset, choice.layer};
-    auto mask = std::make_unique<PolygonMask>(place, grid, std::make_unique<Warnings>(callbacks.on_warning),
-                                              choice.buffer_m);
-    if (!mask->meets_window() && callbacks.on_warning)
-        callbacks.on_warning("The " + place.name() + " has no polygon in the part of '" + grid.name +
-                             "' that is used, so it leaves nothing out.");
-    return mask;
-}
-
-std::unique_ptr<DemSource> open_mask(const AuxiliaryRaster& mask, const std::string& layer,
-                                     const DemInfo& grid, const Callbacks& callbacks) {
-    const std::string& path = mask.path;
-    auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
-    // Standard input can be opened only once, and GDAL reads no rasters from it by itself.
-    if (mask.array == nullptr && !is_standard_input(path) && is_vector(path, *warnings))
-        return open_polygon_mask(path, layer, grid, std::move(warnings));
-    if (!layer.empty())
-        throw OptionError("The mask '" + path + "' is a raster and has no layers; leave out -mask_layer.");
-    return std::make_unique<RasterMask>(mask, grid, std::move(warnings));
-}
-
-namespace {
-
 constexpr double rounding = 1e-6;  // single precision and scales such as 1/10000
 
 class NdviSource final : public WarningSource {
@@ -528,6 +369,153 @@ class NdviSource final : public WarningSource {
 };
 
 }  // namespace
+
+AlignedRaster::AlignedRaster(const std::string& role, const AuxiliaryRaster& raster, const DemInfo& grid,
+                             Resampling resampling, Warnings& warnings)
+    : warnings_(warnings),
+      name_(role + " '" + raster.path + "'"),
+      dem_("'" + grid.name + "'"),
+      standard_input_(raster.array == nullptr ? copy_standard_input(raster.path) : nullptr),
+      file_(raster.array != nullptr
+                ? array_raster(*raster.array, grid)
+                : open_first_band(raster.path, standard_input_ ? standard_input_->path() : raster.path,
+                                  warnings)),
+      raster_(describe(file_, raster.path, warnings)),
+      info_(on_grid(grid, raster_)),
+      reader_(file_.band, {}, raster_, warnings) {
+    if (raster_.georeferenced != grid.georeferenced) {
+        const std::string is = "The " + name_ + " has " + (raster_.georeferenced ? "a" : "no");
+        throw InputError(is + " georeference and " + dem_ + " has " +
+                         (raster_.georeferenced ? "none" : "one") +
+                         "; give both of them one, for example with gdal_edit.py -a_ullr.");
+    }
+    place(grid, resampling);
+}
+
+void AlignedRaster::place(const DemInfo& grid, Resampling resampling) {
+    GridTransform transform(name_, raster_, grid);
+    const Coverage found = coverage(transform, raster_, info_);
+    if (!found.meets)
+        throw_no_overlap();
+    covered_ = found.share;
+    if (raster_.crs_wkt.empty() && !info_.crs_wkt.empty())
+        warnings_.add("The " + name_ + " has no coordinate reference system; its coordinates are taken as " +
+                      "those of " + dem_ + ".");
+    if (!raster_.crs_wkt.empty() && info_.crs_wkt.empty())
+        warnings_.add("The " + name_ + " has a coordinate reference system and " + dem_ +
+                      " has none; coordinates of both are taken as the same.");
+    offset_ = whole_cell_offset(transform, info_);
+    used_ = covering_cells(transform, info_.window, raster_);
+    if (!offset_)
+        warper_ = std::make_unique<ValueWarper>(reader_, raster_, info_, std::move(transform), resampling,
+                                                warnings_);
+}
+
+UndeclaredNodata AlignedRaster::exclude_undeclared(double step, const ElevationLimits& limits) {
+    if (used_.points() == 0)
+        return {};
+    const ReadValues read = [&](const Window& part, std::span<double> values) {
+        reader_.read_part(part, values, warnings_);
+        for (double& value : values)
+            value = limits.hold(value) ? value : std::numeric_limits<double>::quiet_NaN();
+    };
+    UndeclaredNodata found = find_undeclared_nodata(used_, read_border(used_, read), {step, 0}, read);
+    reader_.exclude(found.values());
+    return found;
+}
+
+void AlignedRaster::throw_no_overlap() const {
+    std::string advice =
+        "; give one of the same area, or correct a coordinate reference system that is wrong.";
+    if (raster_.crs_wkt.empty() && !info_.crs_wkt.empty())
+        advice =
+            " in the coordinates of the latter, and it has no coordinate reference system; give it its own " +
+            std::string("with gdal_edit.py -a_srs.");
+    if (!raster_.crs_wkt.empty() && info_.crs_wkt.empty())
+        advice =
+            " in the coordinates of the former, and the DEM has no coordinate reference system; give it " +
+            std::string("with -a_srs.");
+    throw InputError("The " + name_ + " has no cell in the part of " + dem_ + " that is used" + advice);
+}
+
+void AlignedRaster::warn_about_gaps(const std::string& consequence) const {
+    if (covered_ < 1)
+        warnings_.add(percent_text(1 - covered_) + " of " + dem_ + " lies outside of the " + name_ + "; " +
+                      consequence + " there.");
+}
+
+void AlignedRaster::read(const Window& part, std::span<double> values) {
+    require_part(info_, part, values.size());
+    if (offset_)
+        copy(part, values);
+    else
+        warper_->read(part, values);
+}
+
+void AlignedRaster::copy(const Window& part, std::span<double> values) {
+    std::fill(values.begin(), values.end(), std::numeric_limits<double>::quiet_NaN());
+    // Part in cells of the raster, clipped to the raster.
+    const std::int32_t top = part.row + offset_->rows;
+    const std::int32_t left = part.col + offset_->cols;
+    Window here{std::max(top, 0), std::max(left, 0), 0, 0};
+    here.rows = std::min(top + part.rows, raster_.rows) - here.row;
+    here.cols = std::min(left + part.cols, raster_.cols) - here.col;
+    if (here.rows <= 0 || here.cols <= 0)
+        return;
+    part_.resize(static_cast<std::size_t>(here.points()));
+    reader_.read_part(here, part_, warnings_);
+    for (std::int32_t i = 0; i < here.rows; ++i)
+        std::copy_n(part_.data() + std::ptrdiff_t{i} * here.cols, here.cols,
+                    values.data() + std::ptrdiff_t{here.row - top + i} * part.cols + (here.col - left));
+}
+
+void TerrainSource::report_undeclared() {
+    const ValueCounts& undeclared = raster_.counts().undeclared;
+    for (const double value : excluded_)
+        if (const std::int64_t cells = undeclared.cells_of(value).value_or(0); cells > 0)
+            warnings().add(undeclared_text({value, cells}, "the " + raster_.name()) +
+                           ", so they are treated as no data; " + declaration_advice(value) +
+                           ", or keep the elevation with -inodata.");
+}
+
+void TerrainSource::detect_undeclared() {
+    const UndeclaredNodata found =
+        raster_.exclude_undeclared(UndeclaredNodataRules::step_m / (factor_ * dem_metres_), limits_);
+    excluded_ = found.values();
+    for (const SharedValue& named : found.named)
+        warnings().add(undeclared_text(named, "the " + raster_.name()) + "; if it stands for no data, " +
+                       declaration_advice(named.value) + ", and if not, give -inodata.");
+}
+
+std::unique_ptr<DemSource> open_terrain(const AuxiliaryRaster& raster, const DemInfo& grid,
+                                        double dem_vertical_metres, const ElevationLimits& limits,
+                                        const Callbacks& callbacks, const TerrainReadOptions& reading) {
+    return std::make_unique<TerrainSource>(raster, grid, dem_vertical_metres, limits, reading,
+                                           std::make_unique<Warnings>(callbacks.on_warning));
+}
+
+std::unique_ptr<DemSource> open_exclusion(const ExclusionChoice& choice, const DemInfo& grid,
+                                          const Callbacks& callbacks) {
+    const PolygonSource place{"exclusion dataset", "exclude_layer", choice.dataset, choice.layer};
+    auto mask = std::make_unique<PolygonMask>(place, grid, std::make_unique<Warnings>(callbacks.on_warning),
+                                              choice.buffer_m);
+    if (!mask->meets_window() && callbacks.on_warning)
+        callbacks.on_warning("The " + place.name() + " has no polygon in the part of '" + grid.name +
+                             "' that is used, so it leaves nothing out.");
+    return mask;
+}
+
+std::unique_ptr<DemSource> open_mask(const AuxiliaryRaster& mask, const std::string& layer,
+                                     const DemInfo& grid, const Callbacks& callbacks) {
+    const std::string& path = mask.path;
+    auto warnings = std::make_unique<Warnings>(callbacks.on_warning);
+    // Standard input can be opened only once, and GDAL reads no rasters from it by itself.
+    if (mask.array == nullptr && !is_standard_input(path) && is_vector(path, *warnings))
+        return open_polygon_mask(path, layer, grid, std::move(warnings));
+    if (!layer.empty())
+        throw OptionError("The mask '" + path + "' is a raster and has no layers; leave out -mask_layer.");
+    return std::make_unique<RasterMask>(mask, grid, std::move(warnings));
+}
 
 std::unique_ptr<DemSource> open_ndvi(const AuxiliaryRaster& raster, const DemInfo& grid,
                                      const Callbacks& callbacks) {

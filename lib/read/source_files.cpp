@@ -68,36 +68,6 @@ std::string raster_within(const std::string& archive) {
     return "";
 }
 
-}  // namespace
-
-std::string open_failure_advice(const std::string& path) {
-    const GdalMessages quiet;
-    const std::string head = header_of(path);
-    if (is_points(path, head))
-        return "; it is a point cloud, so make a raster of its highest points first, for example with "
-               "tools/points/highest_points.js of dem2buildings or with PDAL (writers.gdal)";
-    if (const std::string_view prefix = archive_prefix(path, head); !prefix.empty()) {
-        const std::string raster = raster_within(std::string(prefix) + path);
-        return raster.empty() ? "; it is an archive without a raster that GDAL reads"
-                              : "; it is an archive, so give the raster in it: " + raster;
-    }
-    if (opens_as(GDAL_OF_VECTOR, path))
-        return "; it holds vector layers, and the program needs a raster of elevations";
-    return "";
-}
-
-std::string read_failure_advice(const std::string& path, const std::string& driver) {
-    constexpr std::array servers{"WMS", "WCS", "WMTS", "OGCAPI", "EEDAI", "DAAS", "PLMOSAIC"};
-    if (driver == "VRT")
-        return "; check whether the files and functions that the VRT names are there";
-    if (std::ranges::find(servers, driver) != servers.end() ||
-        std::ranges::any_of(remote_prefixes, [&](const char* prefix) { return path.starts_with(prefix); }))
-        return "; check whether the server answers, or copy the file here first";
-    return "; the file may be truncated or damaged";
-}
-
-namespace {
-
 SourceFile stat_file(const std::string& name) {
     VSIStatBufL status;
     if (VSIStatL(name.c_str(), &status) != 0)
@@ -137,6 +107,32 @@ std::vector<SourceFile> stat_files(std::set<std::string> names, std::vector<std:
 }
 
 }  // namespace
+
+std::string open_failure_advice(const std::string& path) {
+    const GdalMessages quiet;
+    const std::string head = header_of(path);
+    if (is_points(path, head))
+        return "; it is a point cloud, so make a raster of its highest points first, for example with "
+               "tools/points/highest_points.js of dem2buildings or with PDAL (writers.gdal)";
+    if (const std::string_view prefix = archive_prefix(path, head); !prefix.empty()) {
+        const std::string raster = raster_within(std::string(prefix) + path);
+        return raster.empty() ? "; it is an archive without a raster that GDAL reads"
+                              : "; it is an archive, so give the raster in it: " + raster;
+    }
+    if (opens_as(GDAL_OF_VECTOR, path))
+        return "; it holds vector layers, and the program needs a raster of elevations";
+    return "";
+}
+
+std::string read_failure_advice(const std::string& path, const std::string& driver) {
+    constexpr std::array servers{"WMS", "WCS", "WMTS", "OGCAPI", "EEDAI", "DAAS", "PLMOSAIC"};
+    if (driver == "VRT")
+        return "; check whether the files and functions that the VRT names are there";
+    if (std::ranges::find(servers, driver) != servers.end() ||
+        std::ranges::any_of(remote_prefixes, [&](const char* prefix) { return path.starts_with(prefix); }))
+        return "; check whether the server answers, or copy the file here first";
+    return "; the file may be truncated or damaged";
+}
 
 std::vector<SourceFile> source_files(const ReadOptions& options) {
     register_formats();

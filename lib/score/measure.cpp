@@ -28,53 +28,6 @@ Polyline closed(const WorldRing& ring) {
     return line;
 }
 
-}  // namespace
-
-double share(double part, double whole) {
-    return whole > 0 ? part / whole : 0;
-}
-
-double share(std::size_t part, std::size_t whole) {
-    return share(static_cast<double>(part), static_cast<double>(whole));
-}
-
-double area_of(const WorldPolygon& polygon) {
-    double area = ring_area(polygon.exterior);
-    for (const WorldRing& interior : polygon.interiors)
-        area -= ring_area(interior);
-    return area;
-}
-
-double area_of(std::span<const WorldPolygon> polygons) {
-    double area = 0;
-    for (const WorldPolygon& polygon : polygons)
-        area += area_of(polygon);
-    return area;
-}
-
-std::size_t vertex_count(std::span<const WorldPolygon> polygons, bool closing) {
-    const std::size_t more = closing ? 1 : 0;
-    std::size_t count = 0;
-    for (const WorldPolygon& polygon : polygons) {
-        count += polygon.exterior.size() + more;
-        for (const WorldRing& interior : polygon.interiors)
-            count += interior.size() + more;
-    }
-    return count;
-}
-
-std::vector<Polyline> rings_of(std::span<const WorldPolygon> polygons) {
-    std::vector<Polyline> lines;
-    for (const WorldPolygon& polygon : polygons) {
-        lines.push_back(closed(polygon.exterior));
-        for (const WorldRing& interior : polygon.interiors)
-            lines.push_back(closed(interior));
-    }
-    return lines;
-}
-
-namespace {
-
 /// Edges get a vertex every 64th of the box, because this reduces their curvature error to a 4096th.
 constexpr double parts_of_box = 64;
 
@@ -119,6 +72,49 @@ WorldRing densified(const WorldRing& ring, double longest) {
 }
 
 }  // namespace
+
+double share(double part, double whole) {
+    return whole > 0 ? part / whole : 0;
+}
+
+double share(std::size_t part, std::size_t whole) {
+    return share(static_cast<double>(part), static_cast<double>(whole));
+}
+
+double area_of(const WorldPolygon& polygon) {
+    double area = ring_area(polygon.exterior);
+    for (const WorldRing& interior : polygon.interiors)
+        area -= ring_area(interior);
+    return area;
+}
+
+double area_of(std::span<const WorldPolygon> polygons) {
+    double area = 0;
+    for (const WorldPolygon& polygon : polygons)
+        area += area_of(polygon);
+    return area;
+}
+
+std::size_t vertex_count(std::span<const WorldPolygon> polygons, bool closing) {
+    const std::size_t more = closing ? 1 : 0;
+    std::size_t count = 0;
+    for (const WorldPolygon& polygon : polygons) {
+        count += polygon.exterior.size() + more;
+        for (const WorldRing& interior : polygon.interiors)
+            count += interior.size() + more;
+    }
+    return count;
+}
+
+std::vector<Polyline> rings_of(std::span<const WorldPolygon> polygons) {
+    std::vector<Polyline> lines;
+    for (const WorldPolygon& polygon : polygons) {
+        lines.push_back(closed(polygon.exterior));
+        for (const WorldRing& interior : polygon.interiors)
+            lines.push_back(closed(interior));
+    }
+    return lines;
+}
 
 MeasurePlane measure_plane(const Crs& crs, const Box& box, Warnings& warnings) {
     switch (crs.kind()) {

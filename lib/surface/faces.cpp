@@ -173,36 +173,6 @@ void add_faces(std::span<OwnedRing> rings, const PlanarPartition& plan, std::vec
     }
 }
 
-}  // namespace
-
-std::vector<OwnedFace> partition_faces(const PlanarPartition& plan) {
-    std::vector<OwnedRing> rings = FaceTracer(plan).rings();
-    std::ranges::stable_sort(rings, {}, &OwnedRing::owner);
-    std::vector<OwnedFace> faces;
-    for (auto begin = rings.begin(); begin != rings.end();) {
-        const auto end = std::find_if(begin, rings.end(),
-                                      [&](const OwnedRing& ring) { return ring.owner != begin->owner; });
-        add_faces(std::span(begin, end), plan, faces);
-        begin = end;
-    }
-    return faces;
-}
-
-FinePolygon polygon_of(const PartitionFace& face, const PlanarPartition& plan) {
-    const auto ring_of = [&](const Ring& ring) {
-        FineRing points;
-        for (const std::uint32_t node : ring)
-            points.push_back(plan.nodes[node]);
-        return points;
-    };
-    FinePolygon polygon{ring_of(face.exterior), {}};
-    for (const Ring& ring : face.interiors)
-        polygon.interiors.push_back(ring_of(ring));
-    return polygon;
-}
-
-namespace {
-
 /// Node with its neighbours on a ring; the interior of the face is on the left.
 struct RingCorner {
     std::uint32_t before = 0;
@@ -329,22 +299,6 @@ void FaceSweep::visit(const RingCorner& corner) {
     }
 }
 
-}  // namespace
-
-std::vector<PartitionFace> split_into_monotone(const PartitionFace& face, const PlanarPartition& plan) {
-    LocalFace local = local_face(face, plan);
-    FaceSweep(local).run();
-    std::vector<PartitionFace> pieces;
-    for (OwnedFace& piece : partition_faces(local.plan)) {
-        for (std::uint32_t& node : piece.face.exterior)
-            node = local.nodes[node];
-        pieces.push_back(std::move(piece.face));
-    }
-    return pieces;
-}
-
-namespace {
-
 using Way = std::pair<std::uint32_t, std::uint32_t>;
 
 void add_ways(std::span<const std::uint32_t> ring, std::vector<Way>& ways) {
@@ -455,6 +409,44 @@ std::optional<std::vector<PartitionTriangle>> triangulate_whole(const PartitionF
 }
 
 }  // namespace
+
+std::vector<OwnedFace> partition_faces(const PlanarPartition& plan) {
+    std::vector<OwnedRing> rings = FaceTracer(plan).rings();
+    std::ranges::stable_sort(rings, {}, &OwnedRing::owner);
+    std::vector<OwnedFace> faces;
+    for (auto begin = rings.begin(); begin != rings.end();) {
+        const auto end = std::find_if(begin, rings.end(),
+                                      [&](const OwnedRing& ring) { return ring.owner != begin->owner; });
+        add_faces(std::span(begin, end), plan, faces);
+        begin = end;
+    }
+    return faces;
+}
+
+FinePolygon polygon_of(const PartitionFace& face, const PlanarPartition& plan) {
+    const auto ring_of = [&](const Ring& ring) {
+        FineRing points;
+        for (const std::uint32_t node : ring)
+            points.push_back(plan.nodes[node]);
+        return points;
+    };
+    FinePolygon polygon{ring_of(face.exterior), {}};
+    for (const Ring& ring : face.interiors)
+        polygon.interiors.push_back(ring_of(ring));
+    return polygon;
+}
+
+std::vector<PartitionFace> split_into_monotone(const PartitionFace& face, const PlanarPartition& plan) {
+    LocalFace local = local_face(face, plan);
+    FaceSweep(local).run();
+    std::vector<PartitionFace> pieces;
+    for (OwnedFace& piece : partition_faces(local.plan)) {
+        for (std::uint32_t& node : piece.face.exterior)
+            node = local.nodes[node];
+        pieces.push_back(std::move(piece.face));
+    }
+    return pieces;
+}
 
 std::optional<std::vector<PartitionTriangle>> triangulate_face(const PartitionFace& face,
                                                                const PlanarPartition& plan,

@@ -22,6 +22,27 @@ bool is_in_sector(FinePoint node, FinePoint first, FinePoint second, FinePoint t
     return !in_the_rest || (outline::side(node, first, second) == 0 && outline::side(node, first, to) > 0);
 }
 
+void erase_if_marked(std::vector<KnownFault>& known, const std::vector<bool>& marked) {
+    std::erase_if(known, [&](const KnownFault& fault) { return marked[fault.found_at]; });
+}
+
+/// Marks removed edges, so that their faults are erased.
+void mark_removed(const std::vector<KnownFault>& walls, const PartitionEditor& plan,
+                  std::vector<bool>& marked) {
+    for (const KnownFault& wall : walls)
+        if (!plan.is_edge(wall.found_at))
+            marked[wall.found_at] = true;
+}
+
+/// Merges two lists that are sorted by place.
+void merge_in(std::vector<KnownFault>& known, std::vector<KnownFault>&& more) {
+    std::vector<KnownFault> all;
+    all.reserve(known.size() + more.size());
+    std::ranges::merge(known, more, std::back_inserter(all), {}, &KnownFault::found_at,
+                       &KnownFault::found_at);
+    known = std::move(all);
+}
+
 }  // namespace
 
 /// Finds the faults at one edge or node.
@@ -273,31 +294,6 @@ std::vector<FlowFault> FlowFaults::Finder::at_node(std::uint32_t node) {
     look_across(node, arms);
     return std::exchange(faults_, {});
 }
-
-namespace {
-
-void erase_if_marked(std::vector<KnownFault>& known, const std::vector<bool>& marked) {
-    std::erase_if(known, [&](const KnownFault& fault) { return marked[fault.found_at]; });
-}
-
-/// Marks removed edges, so that their faults are erased.
-void mark_removed(const std::vector<KnownFault>& walls, const PartitionEditor& plan,
-                  std::vector<bool>& marked) {
-    for (const KnownFault& wall : walls)
-        if (!plan.is_edge(wall.found_at))
-            marked[wall.found_at] = true;
-}
-
-/// Merges two lists that are sorted by place.
-void merge_in(std::vector<KnownFault>& known, std::vector<KnownFault>&& more) {
-    std::vector<KnownFault> all;
-    all.reserve(known.size() + more.size());
-    std::ranges::merge(known, more, std::back_inserter(all), {}, &KnownFault::found_at,
-                       &KnownFault::found_at);
-    known = std::move(all);
-}
-
-}  // namespace
 
 FlowFaults::FlowFaults(const PartitionEditor& plan, std::span<const PartitionContour> contours,
                        const FlowLimits& limits, const StopToken& stop)

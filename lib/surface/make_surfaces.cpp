@@ -152,14 +152,6 @@ void Extruder::add_wall(const PartitionEdge& edge, Extrusion& result) const {
         result.walls.push_back({building(edge.right), edge.to, edge.from, std::move(to), std::move(from)});
 }
 
-}  // namespace
-
-Extrusion extrude(const ExtrusionInput& standing) {
-    return Extruder(standing).make();
-}
-
-namespace {
-
 /// Collects the vertices and buildings of a part.
 class PartBuilder {
   public:
@@ -277,45 +269,6 @@ void add_cover(const CoverFace& cover, FaceKind kind, const std::vector<Partitio
         builder.building(cover.building).triangles.push_back(made);
     }
 }
-
-}  // namespace
-
-SurfacePart assemble_faces(const Extrusion& extrusion, const ExtrusionInput& standing,
-                           std::span<const std::int64_t> ids) {
-    PartBuilder builder(standing.plan, ids);
-    for (const CoverFace& roof : extrusion.roofs)
-        builder.building(roof.building).faces.push_back(cover_face(roof, FaceKind::roof, standing, builder));
-    for (const WallFace& wall : extrusion.walls)
-        builder.building(wall.building).faces.push_back(wall_face(wall, builder));
-    for (const CoverFace& ground : extrusion.grounds)
-        builder.building(ground.building)
-            .faces.push_back(cover_face(ground, FaceKind::ground, standing, builder));
-    return builder.take();
-}
-
-AssembledTriangles assemble_triangles(const Extrusion& extrusion, const ExtrusionInput& standing,
-                                      std::span<const std::int64_t> ids, const Triangulate& triangulate) {
-    PartBuilder builder(standing.plan, ids);
-    FaceTriangles faces(standing.plan, triangulate);
-    AssembledTriangles result;
-    const auto add = [&](const CoverFace& cover, FaceKind kind) {
-        if (const auto& triangles = faces.of(cover.face))
-            add_cover(cover, kind, *triangles, standing, builder);
-        else
-            result.failed.push_back(cover.building);
-    };
-    for (const CoverFace& roof : extrusion.roofs)
-        add(roof, FaceKind::roof);
-    for (const WallFace& wall : extrusion.walls)
-        add_wall(wall, builder);
-    for (const CoverFace& ground : extrusion.grounds)
-        add(ground, FaceKind::ground);
-    std::ranges::sort(result.failed);
-    result.part = builder.take();
-    return result;
-}
-
-namespace {
 
 using Places = std::vector<std::int32_t>;  ///< indices of buildings
 
@@ -579,6 +532,45 @@ Attempt SurfaceMaker::make() {
 }
 
 }  // namespace
+
+Extrusion extrude(const ExtrusionInput& standing) {
+    return Extruder(standing).make();
+}
+
+SurfacePart assemble_faces(const Extrusion& extrusion, const ExtrusionInput& standing,
+                           std::span<const std::int64_t> ids) {
+    PartBuilder builder(standing.plan, ids);
+    for (const CoverFace& roof : extrusion.roofs)
+        builder.building(roof.building).faces.push_back(cover_face(roof, FaceKind::roof, standing, builder));
+    for (const WallFace& wall : extrusion.walls)
+        builder.building(wall.building).faces.push_back(wall_face(wall, builder));
+    for (const CoverFace& ground : extrusion.grounds)
+        builder.building(ground.building)
+            .faces.push_back(cover_face(ground, FaceKind::ground, standing, builder));
+    return builder.take();
+}
+
+AssembledTriangles assemble_triangles(const Extrusion& extrusion, const ExtrusionInput& standing,
+                                      std::span<const std::int64_t> ids, const Triangulate& triangulate) {
+    PartBuilder builder(standing.plan, ids);
+    FaceTriangles faces(standing.plan, triangulate);
+    AssembledTriangles result;
+    const auto add = [&](const CoverFace& cover, FaceKind kind) {
+        if (const auto& triangles = faces.of(cover.face))
+            add_cover(cover, kind, *triangles, standing, builder);
+        else
+            result.failed.push_back(cover.building);
+    };
+    for (const CoverFace& roof : extrusion.roofs)
+        add(roof, FaceKind::roof);
+    for (const WallFace& wall : extrusion.walls)
+        add_wall(wall, builder);
+    for (const CoverFace& ground : extrusion.grounds)
+        add(ground, FaceKind::ground);
+    std::ranges::sort(result.failed);
+    result.part = builder.take();
+    return result;
+}
 
 MadeSurfaces make_surfaces(const SurfaceCluster& cluster, const SurfaceForms& forms,
                            const Triangulate& triangulate, const StopToken& stop) {

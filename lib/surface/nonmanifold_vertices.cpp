@@ -89,45 +89,6 @@ std::vector<Number> distinct(std::vector<Number> numbers) {
     return numbers;
 }
 
-}  // namespace
-
-Arms bounding_half_edges(const Arms& all, const SectorRun& run) {
-    Arms arms;
-    for (std::size_t i = 0; i <= run.count; ++i)
-        arms.push_back(all[(run.first + i) % all.size()]);
-    return arms;
-}
-
-std::optional<NonmanifoldVertex> find_nonmanifold(FinePoint node, const Arms& arms,
-                                                  std::span<const PartitionContour> contours) {
-    if (arms.size() < 4)
-        return std::nullopt;
-    const Sectors sectors = sectors_of(node, arms, contours);
-    const std::vector<std::int64_t>& heights = sectors.heights;
-    std::vector<std::int64_t> levels = heights;
-    levels.push_back(no_height);
-    for (const std::int64_t level : distinct(std::move(levels))) {
-        if (auto pinch = pinch_of(sectors, [&](std::size_t i) { return heights[i] > level; }))
-            return pinch;
-        for (const std::int32_t building : distinct(sectors.buildings))
-            if (building == open_ground)
-                continue;
-            else if (auto pinch = pinch_of(sectors, [&](std::size_t i) {
-                         return sectors.buildings[i] == building && heights[i] > level;
-                     }))
-                return pinch;
-    }
-    for (const std::int32_t contour : distinct(sectors.contours))
-        if (contour == open_ground)
-            continue;
-        else if (auto pinch =
-                     pinch_of(sectors, [&](std::size_t i) { return sectors.contours[i] == contour; }))
-            return pinch;
-    return std::nullopt;
-}
-
-namespace {
-
 /// Edges hardly longer than the cut are not split.
 constexpr double longest_share = 0.6;
 
@@ -203,6 +164,41 @@ void DistancePlanner::divide(const Cut& cut) const {
 }
 
 }  // namespace
+
+Arms bounding_half_edges(const Arms& all, const SectorRun& run) {
+    Arms arms;
+    for (std::size_t i = 0; i <= run.count; ++i)
+        arms.push_back(all[(run.first + i) % all.size()]);
+    return arms;
+}
+
+std::optional<NonmanifoldVertex> find_nonmanifold(FinePoint node, const Arms& arms,
+                                                  std::span<const PartitionContour> contours) {
+    if (arms.size() < 4)
+        return std::nullopt;
+    const Sectors sectors = sectors_of(node, arms, contours);
+    const std::vector<std::int64_t>& heights = sectors.heights;
+    std::vector<std::int64_t> levels = heights;
+    levels.push_back(no_height);
+    for (const std::int64_t level : distinct(std::move(levels))) {
+        if (auto pinch = pinch_of(sectors, [&](std::size_t i) { return heights[i] > level; }))
+            return pinch;
+        for (const std::int32_t building : distinct(sectors.buildings))
+            if (building == open_ground)
+                continue;
+            else if (auto pinch = pinch_of(sectors, [&](std::size_t i) {
+                         return sectors.buildings[i] == building && heights[i] > level;
+                     }))
+                return pinch;
+    }
+    for (const std::int32_t contour : distinct(sectors.contours))
+        if (contour == open_ground)
+            continue;
+        else if (auto pinch =
+                     pinch_of(sectors, [&](std::size_t i) { return sectors.contours[i] == contour; }))
+            return pinch;
+    return std::nullopt;
+}
 
 void SweptArea::add(const IncidentEdge& beside, FinePoint end, FinePoint from, FinePoint to) {
     const double area = std::abs(static_cast<double>(outline::turn(from, to, end))) / 2;

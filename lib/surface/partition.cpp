@@ -65,35 +65,6 @@ void sort_along(const OutlineEdge& side, std::vector<FinePoint>& points) {
         std::ranges::reverse(points);
 }
 
-}  // namespace
-
-OutlineEdges outline_edges(std::span<const PartitionContour> contours, const StopToken& stop) {
-    OutlineEdges result;
-    std::vector<OutlineEdge>& sides = result.sides;
-    for (std::uint32_t c = 0; c < contours.size(); ++c) {
-        add_ring(contours[c].outline.exterior, c, sides);
-        for (const FineRing& ring : contours[c].outline.interiors)
-            add_ring(ring, c, sides);
-    }
-    std::vector<Box> boxes(sides.size());
-    std::ranges::transform(sides, boxes.begin(), [](const OutlineEdge& side) { return box_of(side); });
-    const BoxTree tree(boxes);
-    result.cuts.resize(sides.size());
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        stop.check();
-        tree.query(boxes[i], [&](std::size_t k) {
-            if (is_within(sides[i], sides[k].from))
-                result.cuts[i].push_back(sides[k].from);
-            if (i < k && cross(sides[i], sides[k]))
-                result.crossing.emplace_back(sides[i].contour, sides[k].contour);
-        });
-        sort_along(sides[i], result.cuts[i]);
-    }
-    return result;
-}
-
-namespace {
-
 /// Side, or the part of it between two cuts, directed from its lower node.
 struct Piece {
     std::uint32_t low = 0;
@@ -236,6 +207,31 @@ PartitionResult Partitioner::make() {
 }
 
 }  // namespace
+
+OutlineEdges outline_edges(std::span<const PartitionContour> contours, const StopToken& stop) {
+    OutlineEdges result;
+    std::vector<OutlineEdge>& sides = result.sides;
+    for (std::uint32_t c = 0; c < contours.size(); ++c) {
+        add_ring(contours[c].outline.exterior, c, sides);
+        for (const FineRing& ring : contours[c].outline.interiors)
+            add_ring(ring, c, sides);
+    }
+    std::vector<Box> boxes(sides.size());
+    std::ranges::transform(sides, boxes.begin(), [](const OutlineEdge& side) { return box_of(side); });
+    const BoxTree tree(boxes);
+    result.cuts.resize(sides.size());
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        stop.check();
+        tree.query(boxes[i], [&](std::size_t k) {
+            if (is_within(sides[i], sides[k].from))
+                result.cuts[i].push_back(sides[k].from);
+            if (i < k && cross(sides[i], sides[k]))
+                result.crossing.emplace_back(sides[i].contour, sides[k].contour);
+        });
+        sort_along(sides[i], result.cuts[i]);
+    }
+    return result;
+}
 
 PartitionResult make_partition(std::span<const PartitionContour> contours, const StopToken& stop) {
     return Partitioner(contours, stop).make();

@@ -31,6 +31,19 @@ std::optional<Cols> cols_between(FinePoint a, FinePoint b, double low_row, doubl
     return Cols{std::min(first, last), std::max(first, last)};
 }
 
+bool is_within(FinePoint a, FinePoint b, FinePoint c, FinePoint point) {
+    const int s = outline::side(a, b, c);
+    if (s == 0) {
+        const auto [low_row, high_row] = std::minmax({a.row, b.row, c.row});
+        const auto [low_col, high_col] = std::minmax({a.col, b.col, c.col});
+        return outline::side(a, b, point) == 0 && outline::side(b, c, point) == 0 &&
+               outline::side(c, a, point) == 0 && point.row >= low_row && point.row <= high_row &&
+               point.col >= low_col && point.col <= high_col;
+    }
+    return s * outline::side(a, b, point) >= 0 && s * outline::side(b, c, point) >= 0 &&
+           s * outline::side(c, a, point) >= 0;
+}
+
 }  // namespace
 
 EdgeGrid::Range EdgeGrid::rows_of(FinePoint a, FinePoint b, FinePoint c, std::int64_t more) {
@@ -59,23 +72,6 @@ void EdgeGrid::add(std::uint32_t edge, FinePoint a, FinePoint b) {
             for (std::int64_t col = cols->first; col <= cols->second; ++col)
                 cells_[{row, col}].push_back(edge);
 }
-
-namespace {
-
-bool is_within(FinePoint a, FinePoint b, FinePoint c, FinePoint point) {
-    const int s = outline::side(a, b, c);
-    if (s == 0) {
-        const auto [low_row, high_row] = std::minmax({a.row, b.row, c.row});
-        const auto [low_col, high_col] = std::minmax({a.col, b.col, c.col});
-        return outline::side(a, b, point) == 0 && outline::side(b, c, point) == 0 &&
-               outline::side(c, a, point) == 0 && point.row >= low_row && point.row <= high_row &&
-               point.col >= low_col && point.col <= high_col;
-    }
-    return s * outline::side(a, b, point) >= 0 && s * outline::side(b, c, point) >= 0 &&
-           s * outline::side(c, a, point) >= 0;
-}
-
-}  // namespace
 
 PartitionEditor::PartitionEditor(PlanarPartition plan)
     : nodes_(std::move(plan.nodes)), edges_(std::move(plan.edges)), at_node_(nodes_.size()) {

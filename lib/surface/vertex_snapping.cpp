@@ -129,29 +129,6 @@ bool has_area(const FineRing& ring) {
     return ring.size() > 2;
 }
 
-}  // namespace
-
-void route_through_vertices(std::vector<PartitionContour>& contours) {
-    const Corners corners(contours);
-    for (PartitionContour& contour : contours) {
-        FinePolygon& outline = contour.outline;
-        // An outline that collapsed entirely stays as it was, so that the conflict is reported.
-        if (FineRing led = without_spikes(corners.routed_through(outline.exterior)); has_area(led))
-            outline.exterior = std::move(led);
-        for (FineRing& ring : outline.interiors)
-            ring = without_spikes(corners.routed_through(ring));
-        std::erase_if(outline.interiors, [](const FineRing& ring) { return !has_area(ring); });
-    }
-}
-
-void snap_round(std::vector<PartitionContour>& contours) {
-    for (int round = 0; round < most_snapping_rounds && !make_partition(contours).conflicting.empty();
-         ++round)
-        route_through_vertices(contours);
-}
-
-namespace {
-
 using NodePair = std::pair<std::uint32_t, std::uint32_t>;
 
 std::int64_t floor_divided(std::int64_t number, std::int64_t by) {
@@ -222,6 +199,25 @@ bool has_step(const std::vector<PartitionContour>& contours, std::int64_t gap) {
 }
 
 }  // namespace
+
+void route_through_vertices(std::vector<PartitionContour>& contours) {
+    const Corners corners(contours);
+    for (PartitionContour& contour : contours) {
+        FinePolygon& outline = contour.outline;
+        // An outline that collapsed entirely stays as it was, so that the conflict is reported.
+        if (FineRing led = without_spikes(corners.routed_through(outline.exterior)); has_area(led))
+            outline.exterior = std::move(led);
+        for (FineRing& ring : outline.interiors)
+            ring = without_spikes(corners.routed_through(ring));
+        std::erase_if(outline.interiors, [](const FineRing& ring) { return !has_area(ring); });
+    }
+}
+
+void snap_round(std::vector<PartitionContour>& contours) {
+    for (int round = 0; round < most_snapping_rounds && !make_partition(contours).conflicting.empty();
+         ++round)
+        route_through_vertices(contours);
+}
 
 void merge_near_nodes(PlanarPartition& plan, const LatticeDistance& gap) {
     const std::vector<NodePair> pairs = near_pairs(plan.nodes, gap);

@@ -47,38 +47,6 @@ std::string summary(const PictureCounts& counts, const std::string& parameters, 
     return text + (layout.scale.empty() ? "" : " · Scale " + layout.scale);
 }
 
-}  // namespace
-
-PageWords page_words(const Options& options) {
-    return {options.write.title, options.write.credit};
-}
-
-/// Makes the map as wide as the page, or narrower if it would be too high.
-PageLayout plan_page(const MapArea& area, int longest, const PageWords& words) {
-    const double font = font_of(longest);
-    const double margin = margin_of(font);
-    const double aspect = aspect_ratio(area);
-    const double least = Footer::min_width(font);
-    double width = longest - 2 * margin;
-    double footer = Footer(width, font, line_count(words)).height();
-    const double around = 2.5 * margin + title_height(words, font);
-    if (width / aspect + footer + around > longest) {
-        // Two iterations, because the height of the footer depends on the width.
-        for (int step = 0; step < 2; ++step) {
-            width = std::max((longest - footer - around) * aspect, least);
-            footer = Footer(width, font, line_count(words)).height();
-        }
-        width = std::min(width, longest - 2 * margin);
-    }
-    const double map_height = std::min(width / aspect, longest - footer - around);
-    return {{round_to_pixels(width + 2 * margin), round_to_pixels(map_height + footer + around)},
-            {round_to_pixels(map_height * aspect), round_to_pixels(map_height)},
-            font,
-            margin};
-}
-
-namespace {
-
 constexpr double mm_per_inch = 25.4;
 
 /// Short and long side in millimetres (ISO 216).
@@ -154,32 +122,6 @@ PaperRoom room_on(const PaperSides& sides, bool landscape, writing::PictureForma
                       ", a larger -preview_paper or a part of the input (-te).");
 }
 
-}  // namespace
-
-PageLayout plan_paper(const MapArea& area, const PaperRequest& request, writing::PictureFormat format,
-                      const PageWords& words) {
-    const PaperSides& sides = papers[static_cast<std::size_t>(request.paper)];
-    PaperRoom room = room_on(sides, request.landscape, format, words);
-    const double least = room.least_scale(area);
-    double scale = least;
-    if (in_metres(area.crs)) {
-        scale = request.scale.value_or(round_scale(least));
-        room.layout.scale = scale_text(scale) + " on " + sides.name;
-    } else if (request.scale) {
-        throw OptionError("-preview_scale needs a CRS with a known unit; name it with -a_srs.");
-    }
-    if (scale < least)
-        refuse_scale(scale, sides, least,
-                     request.landscape ? least : room_on(sides, true, format, words).least_scale(area));
-    const double share = least / scale;
-    const double aspect = aspect_ratio(area);
-    const double width = std::min(room.width, room.height * aspect) * share;
-    room.layout.map = {round_to_pixels(width), round_to_pixels(width / aspect)};
-    return room.layout;
-}
-
-namespace {
-
 /// @param place middle of the top
 void draw_title(cairo_t* pen, PixelPoint place, double font, double max_width, const std::string& title) {
     if (!title.empty())
@@ -187,32 +129,6 @@ void draw_title(cairo_t* pen, PixelPoint place, double font, double max_width, c
                   {.size = font * title_size, .bold = true, .align = Align::middle, .max_width = max_width},
                   title);
 }
-
-}  // namespace
-
-std::string draw_map_page(const MapPicture& map, const std::string& parameters, writing::PictureFormat format,
-                          const PageLayout& layout, const PageWords& words) {
-    const double font = layout.font;
-    const double width = layout.page.width - 2 * layout.margin;
-    const Footer footer(width, font, line_count(words));
-    FooterText text{map.legend, {summary(map.counts, parameters, layout)}};
-    if (!words.credit.empty())
-        text.lines.push_back(words.credit);
-    text.lines.push_back(source_line(map.frame.area()));
-    const double head = layout.margin + title_height(words, font);
-    // On paper the footer is at the bottom, and the map in the middle of the room above it.
-    const double foot = layout.on_paper ? layout.page.height - layout.margin - footer.height()
-                                        : head + layout.map.height + layout.margin * 0.75;
-    const double above = layout.on_paper ? (foot - gap_below * font - head - layout.map.height) / 2 : 0;
-    return draw_page(layout.page, format, [&](cairo_t* pen) {
-        draw_title(pen, {layout.page.width / 2.0, layout.margin}, font, width, words.title);
-        paint(map, pen,
-              {std::round(layout.margin + (width - layout.map.width) / 2), std::round(head + above)}, font);
-        footer.draw(pen, {layout.margin, foot}, map.frame, text);
-    });
-}
-
-namespace {
 
 constexpr double caption_letters = 17;  ///< width of a caption, in font sizes
 constexpr double caption_height = 3.3;  ///< including the space above it
@@ -284,6 +200,78 @@ void draw_trial(cairo_t* pen, const TrialPicture& trial, const SheetLayout& shee
 }
 
 }  // namespace
+
+PageWords page_words(const Options& options) {
+    return {options.write.title, options.write.credit};
+}
+
+/// Makes the map as wide as the page, or narrower if it would be too high.
+PageLayout plan_page(const MapArea& area, int longest, const PageWords& words) {
+    const double font = font_of(longest);
+    const double margin = margin_of(font);
+    const double aspect = aspect_ratio(area);
+    const double least = Footer::min_width(font);
+    double width = longest - 2 * margin;
+    double footer = Footer(width, font, line_count(words)).height();
+    const double around = 2.5 * margin + title_height(words, font);
+    if (width / aspect + footer + around > longest) {
+        // Two iterations, because the height of the footer depends on the width.
+        for (int step = 0; step < 2; ++step) {
+            width = std::max((longest - footer - around) * aspect, least);
+            footer = Footer(width, font, line_count(words)).height();
+        }
+        width = std::min(width, longest - 2 * margin);
+    }
+    const double map_height = std::min(width / aspect, longest - footer - around);
+    return {{round_to_pixels(width + 2 * margin), round_to_pixels(map_height + footer + around)},
+            {round_to_pixels(map_height * aspect), round_to_pixels(map_height)},
+            font,
+            margin};
+}
+
+PageLayout plan_paper(const MapArea& area, const PaperRequest& request, writing::PictureFormat format,
+                      const PageWords& words) {
+    const PaperSides& sides = papers[static_cast<std::size_t>(request.paper)];
+    PaperRoom room = room_on(sides, request.landscape, format, words);
+    const double least = room.least_scale(area);
+    double scale = least;
+    if (in_metres(area.crs)) {
+        scale = request.scale.value_or(round_scale(least));
+        room.layout.scale = scale_text(scale) + " on " + sides.name;
+    } else if (request.scale) {
+        throw OptionError("-preview_scale needs a CRS with a known unit; name it with -a_srs.");
+    }
+    if (scale < least)
+        refuse_scale(scale, sides, least,
+                     request.landscape ? least : room_on(sides, true, format, words).least_scale(area));
+    const double share = least / scale;
+    const double aspect = aspect_ratio(area);
+    const double width = std::min(room.width, room.height * aspect) * share;
+    room.layout.map = {round_to_pixels(width), round_to_pixels(width / aspect)};
+    return room.layout;
+}
+
+std::string draw_map_page(const MapPicture& map, const std::string& parameters, writing::PictureFormat format,
+                          const PageLayout& layout, const PageWords& words) {
+    const double font = layout.font;
+    const double width = layout.page.width - 2 * layout.margin;
+    const Footer footer(width, font, line_count(words));
+    FooterText text{map.legend, {summary(map.counts, parameters, layout)}};
+    if (!words.credit.empty())
+        text.lines.push_back(words.credit);
+    text.lines.push_back(source_line(map.frame.area()));
+    const double head = layout.margin + title_height(words, font);
+    // On paper the footer is at the bottom, and the map in the middle of the room above it.
+    const double foot = layout.on_paper ? layout.page.height - layout.margin - footer.height()
+                                        : head + layout.map.height + layout.margin * 0.75;
+    const double above = layout.on_paper ? (foot - gap_below * font - head - layout.map.height) / 2 : 0;
+    return draw_page(layout.page, format, [&](cairo_t* pen) {
+        draw_title(pen, {layout.page.width / 2.0, layout.margin}, font, width, words.title);
+        paint(map, pen,
+              {std::round(layout.margin + (width - layout.map.width) / 2), std::round(head + above)}, font);
+        footer.draw(pen, {layout.margin, foot}, map.frame, text);
+    });
+}
 
 SheetPlan plan_sheet(std::size_t trials, std::size_t across, int longest, PageWords words) {
     const auto most = static_cast<std::size_t>(std::max(longest / min_trial_px, 1));

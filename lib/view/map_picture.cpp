@@ -42,6 +42,28 @@ void draw_rings(cairo_t* pen, FootprintDrawing::Rings rings) {
     }
 }
 
+int cells_per_sample(const MapFrame& frame) {
+    const Window& window = frame.area().dem.window;
+    const double across = static_cast<double>(window.cols) / frame.size().width;
+    const double down = static_cast<double>(window.rows) / frame.size().height;
+    return std::max(1, static_cast<int>(std::lround(std::min(across, down))));
+}
+
+int relief_samples(std::int32_t cells, int step) {
+    return static_cast<int>((std::int64_t{cells} + step - 1) / step);
+}
+
+double rise_between(double from, double to, double here) {
+    return (std::isnan(to) ? here : to) - (std::isnan(from) ? here : from);
+}
+
+/// Wraps a name in Unicode's first strong isolate, because a right-to-left name would otherwise reorder the
+/// text after it.
+std::string isolated(const std::string& name) {
+    const std::string both_begin_with = "\xE2\x81";
+    return both_begin_with + '\xA8' + name + both_begin_with + '\xA9';
+}
+
 }  // namespace
 
 FootprintDrawing::FootprintDrawing(const MapFrame& frame, writing::PictureFormat format)
@@ -113,25 +135,6 @@ std::uint32_t hillshade_pixel(double right, double down) {
     const auto level = static_cast<std::uint32_t>(std::lround(std::clamp(grey, dark, bright)));
     return level << 16U | level << 8U | level;
 }
-
-namespace {
-
-int cells_per_sample(const MapFrame& frame) {
-    const Window& window = frame.area().dem.window;
-    const double across = static_cast<double>(window.cols) / frame.size().width;
-    const double down = static_cast<double>(window.rows) / frame.size().height;
-    return std::max(1, static_cast<int>(std::lround(std::min(across, down))));
-}
-
-int relief_samples(std::int32_t cells, int step) {
-    return static_cast<int>((std::int64_t{cells} + step - 1) / step);
-}
-
-double rise_between(double from, double to, double here) {
-    return (std::isnan(to) ? here : to) - (std::isnan(from) ? here : from);
-}
-
-}  // namespace
 
 Relief::Impl::Impl(const MapFrame& map)
     : frame(map),
@@ -219,17 +222,6 @@ void paint(const Relief& relief, cairo_t* pen) {
     cairo_paint(pen);
     cairo_restore(pen);
 }
-
-namespace {
-
-/// Wraps a name in Unicode's first strong isolate, because a right-to-left name would otherwise reorder the
-/// text after it.
-std::string isolated(const std::string& name) {
-    const std::string both_begin_with = "\xE2\x81";
-    return both_begin_with + '\xA8' + name + both_begin_with + '\xA9';
-}
-
-}  // namespace
 
 std::string source_line(const MapArea& area) {
     const std::string& name = area.dem.name;

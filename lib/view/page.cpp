@@ -72,6 +72,64 @@ std::string valid_utf8(const std::string& text) {
     return made.get();
 }
 
+// Sizes below are in font sizes.
+constexpr double block_height = 3.7;  // height of the legend and the blocks next to it
+constexpr double scale_room = 13;
+constexpr double arrow_room = 3.2;
+constexpr double arrow_height = 3.2;
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+constexpr double points_per_pixel = 0.75;
+
+/// @param bytes must outlive the surface
+SurfacePtr make_surface(PixelSize size, writing::PictureFormat format, std::string& bytes) {
+    if (format == writing::PictureFormat::png)
+        return SurfacePtr(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
+    if (format == writing::PictureFormat::svg) {
+        SurfacePtr surface(cairo_svg_surface_create_for_stream(append, &bytes, size.width, size.height));
+        cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
+        return surface;
+    }
+    SurfacePtr surface(cairo_pdf_surface_create_for_stream(append, &bytes, size.width * points_per_pixel,
+                                                           size.height * points_per_pixel));
+    // Any reader and plotter takes this one; the newest that a Cairo writes differs between systems.
+    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
+    cairo_surface_set_device_scale(surface.get(), points_per_pixel, points_per_pixel);
+    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+    return surface;
+}
+
+/// Renumbers the ids of surfaces, images and sources in an SVG, because Cairo counts them per process and
+/// equal drawings would differ.
+std::string renumber_svg_ids(const std::string& svg) {
+    constexpr std::array<std::string_view, 6> names{"id=\"image", "#image",       "id=\"surface",
+                                                    "#surface",   "id=\"source-", "#source-"};
+    std::map<std::string, std::string> numbers;
+    std::string text;
+    text.reserve(svg.size());
+    for (std::size_t at = 0; at < svg.size();) {
+        std::string_view found;
+        for (const std::string_view name : names)
+            if (std::string_view(svg).substr(at, name.size()) == name)
+                found = name;
+        if (found.empty()) {
+            text += svg[at++];
+            continue;
+        }
+        text += found;
+        at += found.size();
+        std::string number;
+        while (at < svg.size() && std::isdigit(static_cast<unsigned char>(svg[at])) != 0)
+            number += svg[at++];
+        text += numbers.emplace(number, std::to_string(numbers.size() + 1)).first->second;
+    }
+    return text;
+}
+
 }  // namespace
 
 void draw_text(cairo_t* pen, PixelPoint place, const TextStyle& style, const std::string& text) {
@@ -192,16 +250,6 @@ void draw_north_arrow(cairo_t* pen, PixelPoint middle, double height, PixelPoint
     draw_text(pen, {at.x, at.y - letter * 0.62}, {.size = letter, .bold = true, .align = Align::middle}, "N");
 }
 
-namespace {
-
-// Sizes below are in font sizes.
-constexpr double block_height = 3.7;  // height of the legend and the blocks next to it
-constexpr double scale_room = 13;
-constexpr double arrow_room = 3.2;
-constexpr double arrow_height = 3.2;
-
-}  // namespace
-
 bool in_metres(const Crs& crs) {
     return crs.horizontal_unit().has_value() || crs.on_ellipsoid();
 }
@@ -241,62 +289,6 @@ void Footer::draw(cairo_t* pen, PixelPoint place, const MapFrame& frame, const F
         y += line_spacing * font_;
     }
 }
-
-namespace {
-
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
-    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-}
-
-constexpr double points_per_pixel = 0.75;
-
-/// @param bytes must outlive the surface
-SurfacePtr make_surface(PixelSize size, writing::PictureFormat format, std::string& bytes) {
-    if (format == writing::PictureFormat::png)
-        return SurfacePtr(cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height));
-    if (format == writing::PictureFormat::svg) {
-        SurfacePtr surface(cairo_svg_surface_create_for_stream(append, &bytes, size.width, size.height));
-        cairo_svg_surface_set_document_unit(surface.get(), CAIRO_SVG_UNIT_PX);
-        return surface;
-    }
-    SurfacePtr surface(cairo_pdf_surface_create_for_stream(append, &bytes, size.width * points_per_pixel,
-                                                           size.height * points_per_pixel));
-    // Any reader and plotter takes this one; the newest that a Cairo writes differs between systems.
-    cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
-    cairo_surface_set_device_scale(surface.get(), points_per_pixel, points_per_pixel);
-    cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
-    return surface;
-}
-
-/// Renumbers the ids of surfaces, images and sources in an SVG, because Cairo counts them per process and
-/// equal drawings would differ.
-std::string renumber_svg_ids(const std::string& svg) {
-    constexpr std::array<std::string_view, 6> names{"id=\"image", "#image",       "id=\"surface",
-                                                    "#surface",   "id=\"source-", "#source-"};
-    std::map<std::string, std::string> numbers;
-    std::string text;
-    text.reserve(svg.size());
-    for (std::size_t at = 0; at < svg.size();) {
-        std::string_view found;
-        for (const std::string_view name : names)
-            if (std::string_view(svg).substr(at, name.size()) == name)
-                found = name;
-        if (found.empty()) {
-            text += svg[at++];
-            continue;
-        }
-        text += found;
-        at += found.size();
-        std::string number;
-        while (at < svg.size() && std::isdigit(static_cast<unsigned char>(svg[at])) != 0)
-            number += svg[at++];
-        text += numbers.emplace(number, std::to_string(numbers.size() + 1)).first->second;
-    }
-    return text;
-}
-
-}  // namespace
 
 std::string draw_page(PixelSize size, writing::PictureFormat format,
                       const std::function<void(cairo_t* pen)>& draw) {

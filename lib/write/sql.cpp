@@ -15,6 +15,14 @@ std::string quoted(const std::string& text, char quote) {
     return result + quote;
 }
 
+int veto_commit(void* rolled_back) {
+    return *static_cast<bool*>(rolled_back) ? 1 : 0;
+}
+
+void on_rollback(void* rolled_back) {
+    *static_cast<bool*>(rolled_back) = true;
+}
+
 }  // namespace
 
 std::string sql_identifier(const std::string& name) {
@@ -75,18 +83,6 @@ sqlite3* sqlite_handle(GDALDatasetH dataset) {
         handle != nullptr && sql_value(dataset, "SELECT sqlite_source_id()") == sqlite3_sourceid();
     return ours ? handle : nullptr;
 }
-
-namespace {
-
-int veto_commit(void* rolled_back) {
-    return *static_cast<bool*>(rolled_back) ? 1 : 0;
-}
-
-void on_rollback(void* rolled_back) {
-    *static_cast<bool*>(rolled_back) = true;
-}
-
-}  // namespace
 
 void CommitGuard::watch(GDALDatasetH dataset) {
     sqlite3* const handle = sqlite_handle(dataset);

@@ -42,6 +42,15 @@ std::string url_of(PJ_CONTEXT* context, const PJ* crs) {
     return stated.empty() ? found_url(context, crs) : stated;
 }
 
+void require_horizontal(const Crs& crs, const char* role) {
+    if (crs.kind() == Crs::Kind::none)
+        throw OptionError(std::string("There is no coordinate reference system to transform ") + role +
+                          "; state which one the coordinates are in.");
+    if (crs.kind() == Crs::Kind::other)
+        throw OptionError(in_quotes(crs.name()) + " has no plane coordinates to transform " + role +
+                          "; choose a projected or geographic coordinate reference system.");
+}
+
 }  // namespace
 
 void Crs::Impl::read(std::string_view text) {
@@ -124,19 +133,6 @@ void require_plane(const Crs& crs, const std::string& option, const std::string&
     throw InputError("The coordinate reference system of '" + input + "' is " + what +
                      "correct it with gdal_edit.py -a_srs, or for the DEM with -a_srs.");
 }
-
-namespace {
-
-void require_horizontal(const Crs& crs, const char* role) {
-    if (crs.kind() == Crs::Kind::none)
-        throw OptionError(std::string("There is no coordinate reference system to transform ") + role +
-                          "; state which one the coordinates are in.");
-    if (crs.kind() == Crs::Kind::other)
-        throw OptionError(in_quotes(crs.name()) + " has no plane coordinates to transform " + role +
-                          "; choose a projected or geographic coordinate reference system.");
-}
-
-}  // namespace
 
 struct CoordinateTransform::Impl {
     ProjContext context;

@@ -26,6 +26,35 @@ bool read_ellipsoid(LonLat& result, const PJ* geographic) {
     return std::isfinite(result.radius) && result.radius > 0 && result.flattening < 1;
 }
 
+/// Moves bounds off the antimeridian, because PROJ 9.1 recurses until the stack overflows for an area beyond
+/// 180 or -180 degrees.
+std::pair<double, double> avoid_antimeridian(std::pair<double, double> range) {
+    constexpr double half = 180;
+    auto& [west, east] = range;
+    if (west == east)
+        return west == half ? std::pair(-half, -half) : range;
+    if (west == half)
+        west = -half;
+    if (east == -half)
+        east = half;
+    return range;
+}
+
+/// Returns the smallest range that holds all longitudes: the circle without its widest gap. If the first is
+/// east of the second, the range crosses the antimeridian.
+std::pair<double, double> longitude_range(std::vector<double> longitudes) {
+    std::sort(longitudes.begin(), longitudes.end());
+    std::pair<double, double> range{longitudes.front(), longitudes.back()};
+    double widest = longitudes.front() + 360 - longitudes.back();
+    for (std::size_t i = 1; i < longitudes.size(); ++i) {
+        if (longitudes[i] - longitudes[i - 1] > widest) {
+            widest = longitudes[i] - longitudes[i - 1];
+            range = {longitudes[i], longitudes[i - 1]};
+        }
+    }
+    return range;
+}
+
 }  // namespace
 
 std::unique_ptr<LonLat> LonLat::copy() const {
@@ -72,39 +101,6 @@ std::unique_ptr<LonLat> lon_lat_of(const PJ* horizontal) {
     result->operation = operation_between(context, crs.get(), base.get(), nullptr);
     return result->operation ? std::move(result) : nullptr;
 }
-
-namespace {
-
-/// Moves bounds off the antimeridian, because PROJ 9.1 recurses until the stack overflows for an area beyond
-/// 180 or -180 degrees.
-std::pair<double, double> avoid_antimeridian(std::pair<double, double> range) {
-    constexpr double half = 180;
-    auto& [west, east] = range;
-    if (west == east)
-        return west == half ? std::pair(-half, -half) : range;
-    if (west == half)
-        west = -half;
-    if (east == -half)
-        east = half;
-    return range;
-}
-
-/// Returns the smallest range that holds all longitudes: the circle without its widest gap. If the first is
-/// east of the second, the range crosses the antimeridian.
-std::pair<double, double> longitude_range(std::vector<double> longitudes) {
-    std::sort(longitudes.begin(), longitudes.end());
-    std::pair<double, double> range{longitudes.front(), longitudes.back()};
-    double widest = longitudes.front() + 360 - longitudes.back();
-    for (std::size_t i = 1; i < longitudes.size(); ++i) {
-        if (longitudes[i] - longitudes[i - 1] > widest) {
-            widest = longitudes[i] - longitudes[i - 1];
-            range = {longitudes[i], longitudes[i - 1]};
-        }
-    }
-    return range;
-}
-
-}  // namespace
 
 AreaPtr area_of(const PJ* crs, std::span<const Position> positions) {
     const std::unique_ptr<LonLat> lon_lat = lon_lat_of(crs);

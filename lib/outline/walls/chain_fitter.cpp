@@ -28,6 +28,100 @@ FitMode next(FitMode mode) {
     return mode == FitMode::beveled ? mode : static_cast<FitMode>(static_cast<int>(mode) + 1);
 }
 
+constexpr double midpoint_tolerance = 0.6;  // cells
+constexpr double tight_tolerance = 0.45;    // cells
+constexpr std::size_t max_chord_span = 64;  // candidates that an edge may span
+constexpr std::size_t max_failures = 8;     // consecutive edges that do not fit before the search stops
+constexpr double vertex_cost = 20;          // square cells: prefers fewer vertices, then closer ones
+constexpr double too_far = std::numeric_limits<double>::infinity();
+
+bool is_turn(double turn) {
+    return std::abs(turn) > 0.5;  // cross product of unit steps in a cell of area 1: -1, 0 or 1
+}
+
+constexpr std::size_t margin_steps = 2;  // steps on either side of a step that is too far from its trace
+
+class Composer {
+  public:
+    Composer(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
+             const ChainPolyline& walls)
+        : samples_(samples), shape_(shape), origin_(origin), walls_(walls) {}
+    /// Appends a stretch of walls.
+    void append(const ChainFitMode::Stretch& stretch, ChainPolyline& chain) const;
+
+  private:
+    [[nodiscard]] std::size_t count() const { return walls_.vertices.size(); }
+    /// Indices of a closed chain wrap around.
+    [[nodiscard]] FinePoint vertex(std::size_t k) const { return walls_.vertices[k % count()]; }
+    [[nodiscard]] std::size_t step(std::size_t k) const {
+        return walls_.steps[k % count()] + k / count() * samples_.steps();
+    }
+    [[nodiscard]] FinePoint at(std::size_t edge, std::size_t step) const;
+
+    const TraceSums& samples_;
+    const CellShape& shape_;
+    LatticePoint origin_;
+    const ChainPolyline& walls_;
+};
+
+/// Point of an edge that corresponds to a step.
+FinePoint Composer::at(std::size_t edge, std::size_t step) const {
+    const Vec2 from = shape_.from_fine(vertex(edge), origin_);
+    const Vec2 to = shape_.from_fine(vertex(edge + 1), origin_);
+    return shape_.to_fine(from + nearest_parameter(samples_.at(step), from, to) * (to - from), origin_);
+}
+
+void Composer::append(const ChainFitMode::Stretch& stretch, ChainPolyline& chain) const {
+    const bool open = !samples_.closed();
+    // The walls of a closed chain may begin later than its steps.
+    std::size_t first = stretch.first;
+    std::size_t last = stretch.last;
+    const std::size_t lap = !open && first < step(0) ? samples_.steps() : 0;
+    first += lap;
+    last += lap;
+    std::size_t k = 0;
+    while (step(k + 1) <= first && (!open || k + 2 < count()))
+        ++k;
+    if (!open || stretch.first > 0)
+        chain.add(at(k, first), stretch.first);
+    for (++k; step(k) < last && (!open || k + 1 < count()); ++k) {
+        if (step(k) <= first)
+            continue;
+        chain.add(vertex(k), step(k) - lap);
+        const auto own = std::ranges::find(walls_.arcs, k % count(), &CircularArc::first);
+        if (own != walls_.arcs.end() && step(k + own->edges) < last)
+            chain.arcs.push_back({0, static_cast<std::uint32_t>(chain.vertices.size() - 1), own->edges});
+    }
+    if (!open || stretch.last < samples_.steps())
+        chain.add(at(k - 1, last), stretch.last);
+    else
+        chain.add(walls_.vertices.back(), samples_.steps());
+}
+
+constexpr double rounding_error = 0.002;  // cells that rounding to the fine lattice may move a vertex
+// Cells. Walls of tiers, which are many and short, stay closer to their traces than those of footprints
+// because beyond half a cell every row of cells on the wrong side costs more than the saved vertices are
+// worth.
+constexpr double tier_tolerance = 1;
+constexpr double outside_cost = 1.5;      // of a cell of lower ground, beyond the soft distance of the path
+constexpr double tier_price = 0.5;        // relative to that of other walls
+constexpr double max_price_share = 0.08;  // of the area of a ring, because no wall at all is the cheapest
+constexpr double staircase_tolerance = 1.1;  // cells, within which a straight wall has its staircase
+constexpr double max_side =
+    2;  // cells; limits the longer side because that of sheared cells says nothing about their staircases
+constexpr int max_tightenings = 4;  // limits the iterations; each one leaves less that is far from the trace
+
+WallParameters parameters_for(const Chain& chain, const WallOptions& options) {
+    const bool tier = chain.rank > WallGraph::highest_low_rank;
+    return {.walls = options.walls,
+            .tolerance = tier ? std::min(options.tolerance, tier_tolerance) : options.tolerance,
+            .price = (tier ? tier_price : 1) * options.price,
+            .higher = chain.higher,
+            .outside_cost = outside_cost,
+            .inset = options.inset,
+            .side = std::min(max_side, options.shape.longer_side())};
+}
+
 }  // namespace
 
 FitMode ChainFitMode::least(std::size_t first, std::size_t last) const {
@@ -97,21 +191,6 @@ std::vector<ChainFitMode::Stretch> ChainFitMode::stretches() const {
     }
     return result;
 }
-
-namespace {
-
-constexpr double midpoint_tolerance = 0.6;  // cells
-constexpr double tight_tolerance = 0.45;    // cells
-constexpr std::size_t max_chord_span = 64;  // candidates that an edge may span
-constexpr std::size_t max_failures = 8;     // consecutive edges that do not fit before the search stops
-constexpr double vertex_cost = 20;          // square cells: prefers fewer vertices, then closer ones
-constexpr double too_far = std::numeric_limits<double>::infinity();
-
-bool is_turn(double turn) {
-    return std::abs(turn) > 0.5;  // cross product of unit steps in a cell of area 1: -1, 0 or 1
-}
-
-}  // namespace
 
 StepMidpoints::StepMidpoints(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
                              const std::vector<std::uint32_t>& node_steps, double tolerance)
@@ -249,69 +328,6 @@ void StepMidpoints::append(const ChainFitMode::Stretch& stretch, const FinePoint
     }
 }
 
-namespace {
-
-constexpr std::size_t margin_steps = 2;  // steps on either side of a step that is too far from its trace
-
-class Composer {
-  public:
-    Composer(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-             const ChainPolyline& walls)
-        : samples_(samples), shape_(shape), origin_(origin), walls_(walls) {}
-    /// Appends a stretch of walls.
-    void append(const ChainFitMode::Stretch& stretch, ChainPolyline& chain) const;
-
-  private:
-    [[nodiscard]] std::size_t count() const { return walls_.vertices.size(); }
-    /// Indices of a closed chain wrap around.
-    [[nodiscard]] FinePoint vertex(std::size_t k) const { return walls_.vertices[k % count()]; }
-    [[nodiscard]] std::size_t step(std::size_t k) const {
-        return walls_.steps[k % count()] + k / count() * samples_.steps();
-    }
-    [[nodiscard]] FinePoint at(std::size_t edge, std::size_t step) const;
-
-    const TraceSums& samples_;
-    const CellShape& shape_;
-    LatticePoint origin_;
-    const ChainPolyline& walls_;
-};
-
-/// Point of an edge that corresponds to a step.
-FinePoint Composer::at(std::size_t edge, std::size_t step) const {
-    const Vec2 from = shape_.from_fine(vertex(edge), origin_);
-    const Vec2 to = shape_.from_fine(vertex(edge + 1), origin_);
-    return shape_.to_fine(from + nearest_parameter(samples_.at(step), from, to) * (to - from), origin_);
-}
-
-void Composer::append(const ChainFitMode::Stretch& stretch, ChainPolyline& chain) const {
-    const bool open = !samples_.closed();
-    // The walls of a closed chain may begin later than its steps.
-    std::size_t first = stretch.first;
-    std::size_t last = stretch.last;
-    const std::size_t lap = !open && first < step(0) ? samples_.steps() : 0;
-    first += lap;
-    last += lap;
-    std::size_t k = 0;
-    while (step(k + 1) <= first && (!open || k + 2 < count()))
-        ++k;
-    if (!open || stretch.first > 0)
-        chain.add(at(k, first), stretch.first);
-    for (++k; step(k) < last && (!open || k + 1 < count()); ++k) {
-        if (step(k) <= first)
-            continue;
-        chain.add(vertex(k), step(k) - lap);
-        const auto own = std::ranges::find(walls_.arcs, k % count(), &CircularArc::first);
-        if (own != walls_.arcs.end() && step(k + own->edges) < last)
-            chain.arcs.push_back({0, static_cast<std::uint32_t>(chain.vertices.size() - 1), own->edges});
-    }
-    if (!open || stretch.last < samples_.steps())
-        chain.add(at(k - 1, last), stretch.last);
-    else
-        chain.add(walls_.vertices.back(), samples_.steps());
-}
-
-}  // namespace
-
 ChainPolyline compose_chain(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
                             const ChainFitMode& mode, const StepMidpoints& midpoints,
                             const ChainPolyline& walls, const std::optional<ChainEnds>& ends) {
@@ -353,34 +369,6 @@ bool tighten_far_steps(const TraceSums& samples, const CellShape& shape, Lattice
     });
     return changed;
 }
-
-namespace {
-
-constexpr double rounding_error = 0.002;  // cells that rounding to the fine lattice may move a vertex
-// Cells. Walls of tiers, which are many and short, stay closer to their traces than those of footprints
-// because beyond half a cell every row of cells on the wrong side costs more than the saved vertices are
-// worth.
-constexpr double tier_tolerance = 1;
-constexpr double outside_cost = 1.5;      // of a cell of lower ground, beyond the soft distance of the path
-constexpr double tier_price = 0.5;        // relative to that of other walls
-constexpr double max_price_share = 0.08;  // of the area of a ring, because no wall at all is the cheapest
-constexpr double staircase_tolerance = 1.1;  // cells, within which a straight wall has its staircase
-constexpr double max_side =
-    2;  // cells; limits the longer side because that of sheared cells says nothing about their staircases
-constexpr int max_tightenings = 4;  // limits the iterations; each one leaves less that is far from the trace
-
-WallParameters parameters_for(const Chain& chain, const WallOptions& options) {
-    const bool tier = chain.rank > WallGraph::highest_low_rank;
-    return {.walls = options.walls,
-            .tolerance = tier ? std::min(options.tolerance, tier_tolerance) : options.tolerance,
-            .price = (tier ? tier_price : 1) * options.price,
-            .higher = chain.higher,
-            .outside_cost = outside_cost,
-            .inset = options.inset,
-            .side = std::min(max_side, options.shape.longer_side())};
-}
-
-}  // namespace
 
 ChainFitter::ChainFitter(const Chain& chain, const WallOptions& options)
     : origin_(chain.trace.front()),

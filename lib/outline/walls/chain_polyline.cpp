@@ -23,53 +23,6 @@ std::size_t nearest_step(const TraceSums& samples, Vec2 place, std::size_t low, 
     return best;
 }
 
-}  // namespace
-
-void match_trace(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                 ChainPolyline& chain) {
-    constexpr std::size_t reach = 8;
-    const std::size_t n = chain.vertices.size();
-    const std::size_t end = samples.closed() ? 2 * samples.steps() - 1 : samples.steps();
-    for (std::size_t k = samples.closed() ? 0 : 1; k + (samples.closed() ? 0 : 1) < n; ++k) {
-        const std::size_t hint = chain.steps[k];
-        const std::size_t low = std::max(hint > reach ? hint - reach : 0, k > 0 ? chain.steps[k - 1] : 0);
-        std::size_t high = std::min(hint + reach, end);
-        if (k > 0 && samples.closed())
-            high = std::min(high, chain.steps.front() + samples.steps());
-        chain.steps[k] =
-            nearest_step(samples, shape.from_fine(chain.vertices[k], origin), std::min(low, high), high);
-    }
-    chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
-}
-
-double deviation(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                 const ChainPolyline& chain, bool closed) {
-    double largest = 0;  // squared
-    for_distances(samples, shape, origin, chain, closed,
-                  [&](std::size_t, double square) { largest = std::max(largest, square); });
-    return std::sqrt(largest);
-}
-
-double twice_area(const TraceSums& samples) {
-    double sum = 0;
-    for (std::size_t i = 0; i < samples.steps(); ++i)
-        sum += cross(samples.at(i), samples.at(i + 1));
-    return sum;
-}
-
-double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape, LatticePoint origin) {
-    double sum = 0;
-    Vec2 from = shape.from_fine(ring.back(), origin);
-    for (const FinePoint vertex : ring) {
-        const Vec2 to = shape.from_fine(vertex, origin);
-        sum += cross(from, to);
-        from = to;
-    }
-    return sum;
-}
-
-namespace {
-
 constexpr double sagitta = 0.05;         // cells between a circle and its polygon
 constexpr double min_sine = 0.2;         // walls at a smaller angle do not intersect
 constexpr std::size_t corner_reach = 8;  // steps before and behind the end of a wall
@@ -226,6 +179,49 @@ void Drawer::add_circle(const WallSegment& segment) {
 }
 
 }  // namespace
+
+void match_trace(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
+                 ChainPolyline& chain) {
+    constexpr std::size_t reach = 8;
+    const std::size_t n = chain.vertices.size();
+    const std::size_t end = samples.closed() ? 2 * samples.steps() - 1 : samples.steps();
+    for (std::size_t k = samples.closed() ? 0 : 1; k + (samples.closed() ? 0 : 1) < n; ++k) {
+        const std::size_t hint = chain.steps[k];
+        const std::size_t low = std::max(hint > reach ? hint - reach : 0, k > 0 ? chain.steps[k - 1] : 0);
+        std::size_t high = std::min(hint + reach, end);
+        if (k > 0 && samples.closed())
+            high = std::min(high, chain.steps.front() + samples.steps());
+        chain.steps[k] =
+            nearest_step(samples, shape.from_fine(chain.vertices[k], origin), std::min(low, high), high);
+    }
+    chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
+}
+
+double deviation(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
+                 const ChainPolyline& chain, bool closed) {
+    double largest = 0;  // squared
+    for_distances(samples, shape, origin, chain, closed,
+                  [&](std::size_t, double square) { largest = std::max(largest, square); });
+    return std::sqrt(largest);
+}
+
+double twice_area(const TraceSums& samples) {
+    double sum = 0;
+    for (std::size_t i = 0; i < samples.steps(); ++i)
+        sum += cross(samples.at(i), samples.at(i + 1));
+    return sum;
+}
+
+double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape, LatticePoint origin) {
+    double sum = 0;
+    Vec2 from = shape.from_fine(ring.back(), origin);
+    for (const FinePoint vertex : ring) {
+        const Vec2 to = shape.from_fine(vertex, origin);
+        sum += cross(from, to);
+        from = to;
+    }
+    return sum;
+}
 
 ChainPolyline draw_walls(const TraceSums& samples, const WallParameters& parameters, const CellShape& shape,
                          LatticePoint origin, const std::vector<WallSegment>& segments,

@@ -130,6 +130,41 @@ Int128 twice_area(const FineRing& ring) {
     return sum;
 }
 
+constexpr int max_tightening_rounds = 60;  // rounds before conflicting components fall back to their trace
+constexpr double conflict_radius = 1.5;    // cells from a conflict
+
+/// Narrows a range of steps of an edge to those near another edge. @return false if there are none
+bool steps_near(const CellShape& shape, const FineSegment& edge, const FineSegment& other, std::size_t& first,
+                std::size_t& last) {
+    const auto place = [&](FinePoint p) {
+        return shape.from_cells(static_cast<double>(p.row - edge.a.row) / FinePoint::steps,
+                                static_cast<double>(p.col - edge.a.col) / FinePoint::steps);
+    };
+    const Vec2 along = place(edge.b);
+    const Vec2 from = place(other.a);
+    const Vec2 to = place(other.b);
+    const std::size_t steps = last - first;
+    std::size_t low = last;
+    std::size_t high = first;
+    for (std::size_t k = 0; k <= steps; ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(std::max<std::size_t>(steps, 1));
+        if (square_distance(share * along, from, to) > conflict_radius * conflict_radius)
+            continue;
+        low = std::min(low, first + k);
+        high = std::max(high, first + k);
+    }
+    if (low > high)
+        return false;
+    first = low;
+    last = high;
+    return true;
+}
+
+bool has_higher_levels(const WallCluster& cluster) {
+    return std::ranges::any_of(cluster.contours,
+                               [](const contours::Contour* contour) { return contour->key.level > 1; });
+}
+
 }  // namespace
 
 OutlineBuilder::OutlineBuilder(const WallOptions& options)
@@ -229,40 +264,6 @@ WallOutline OutlineAssembler::footprint(std::size_t contour) const {
     }
     return builder.finish();
 }
-
-namespace {
-
-constexpr int max_tightening_rounds = 60;  // rounds before conflicting components fall back to their trace
-constexpr double conflict_radius = 1.5;    // cells from a conflict
-
-/// Narrows a range of steps of an edge to those near another edge. @return false if there are none
-bool steps_near(const CellShape& shape, const FineSegment& edge, const FineSegment& other, std::size_t& first,
-                std::size_t& last) {
-    const auto place = [&](FinePoint p) {
-        return shape.from_cells(static_cast<double>(p.row - edge.a.row) / FinePoint::steps,
-                                static_cast<double>(p.col - edge.a.col) / FinePoint::steps);
-    };
-    const Vec2 along = place(edge.b);
-    const Vec2 from = place(other.a);
-    const Vec2 to = place(other.b);
-    const std::size_t steps = last - first;
-    std::size_t low = last;
-    std::size_t high = first;
-    for (std::size_t k = 0; k <= steps; ++k) {
-        const double share = static_cast<double>(k) / static_cast<double>(std::max<std::size_t>(steps, 1));
-        if (square_distance(share * along, from, to) > conflict_radius * conflict_radius)
-            continue;
-        low = std::min(low, first + k);
-        high = std::max(high, first + k);
-    }
-    if (low > high)
-        return false;
-    first = low;
-    last = high;
-    return true;
-}
-
-}  // namespace
 
 WallFitter::WallFitter(const WallCluster& cluster, const WallOptions& options, const StopToken& stop)
     : options_(options),
@@ -429,15 +430,6 @@ void WallFitter::revert_to_trace(std::uint32_t component) {
     for (const std::uint32_t arc : check_.arcs_of_component(component))
         layout_.use_trace(graph_.chain_of[arc]);
 }
-
-namespace {
-
-bool has_higher_levels(const WallCluster& cluster) {
-    return std::ranges::any_of(cluster.contours,
-                               [](const contours::Contour* contour) { return contour->key.level > 1; });
-}
-
-}  // namespace
 
 ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options, const StopToken& stop) {
     ClusterOutlines result;

@@ -155,41 +155,6 @@ void divide(const TraceSums& samples, std::size_t begin, std::size_t end, double
     }
 }
 
-}  // namespace
-
-std::vector<std::size_t> turning_points(const TraceSums& samples, double tolerance) {
-    const std::size_t n = samples.steps();
-    std::vector<std::size_t> points;
-    points.reserve(32);
-    points.push_back(0);
-    std::size_t begin = 0;
-    while (begin < n) {
-        std::size_t end = n;
-        // A closed chain begins and ends at the same point, so it is first divided at the point farthest from
-        // it.
-        if (samples.closed() && begin == 0) {
-            double largest = 0;
-            samples.for_corners(1, n - 1, [&](std::size_t i, Vec2 corner) {
-                if (dot(corner, corner) > largest) {
-                    largest = dot(corner, corner);
-                    end = i;
-                }
-                return true;
-            });
-        }
-        end = std::min(end, begin + max_run_span);
-        if (end < n || !samples.closed())
-            points.push_back(end);
-        divide(samples, begin, end, tolerance, points);
-        begin = end;
-    }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    return points;
-}
-
-namespace {
-
 /// Central moments of points; z is the squared distance from the mean.
 struct CircleMoments {
     Vec2 mean;
@@ -247,6 +212,37 @@ double smallest_root(const CircleMoments& m) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> turning_points(const TraceSums& samples, double tolerance) {
+    const std::size_t n = samples.steps();
+    std::vector<std::size_t> points;
+    points.reserve(32);
+    points.push_back(0);
+    std::size_t begin = 0;
+    while (begin < n) {
+        std::size_t end = n;
+        // A closed chain begins and ends at the same point, so it is first divided at the point farthest from
+        // it.
+        if (samples.closed() && begin == 0) {
+            double largest = 0;
+            samples.for_corners(1, n - 1, [&](std::size_t i, Vec2 corner) {
+                if (dot(corner, corner) > largest) {
+                    largest = dot(corner, corner);
+                    end = i;
+                }
+                return true;
+            });
+        }
+        end = std::min(end, begin + max_run_span);
+        if (end < n || !samples.closed())
+            points.push_back(end);
+        divide(samples, begin, end, tolerance, points);
+        begin = end;
+    }
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
 
 std::optional<Circle> fit_circle(const TraceSums& samples, std::size_t first, std::size_t last) {
     const CircleMoments m = moments(samples, first, last);

@@ -13,6 +13,24 @@ bool east_of(const FineSegment& a, const FineSegment& b) {
     return above + below > 0;
 }
 
+LatticeBox box_of(const ArcGraph& graph, double margin) {
+    LatticeBox box{graph.arcs.front().front(), graph.arcs.front().front()};
+    for (const Arc& arc : graph.arcs)
+        for (const LatticePoint p : arc) {
+            box.low = {std::min(box.low.row, p.row), std::min(box.low.col, p.col)};
+            box.high = {std::max(box.high.row, p.row), std::max(box.high.col, p.col)};
+        }
+    const auto cells = static_cast<std::int32_t>(margin) + 1;
+    return {{box.low.row - cells, box.low.col - cells}, {box.high.row + cells, box.high.col + cells}};
+}
+
+std::size_t edges_of(const ArcGraph& graph) {
+    std::size_t sum = 0;
+    for (const Arc& arc : graph.arcs)
+        sum += arc.size() - 1;
+    return sum;
+}
+
 }  // namespace
 
 ContainmentCheck::ContainmentCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs,
@@ -124,28 +142,6 @@ void ContainmentCheck::check(WallConflicts& found) {
         found.emplace_back(std::minmax(own, edge.value_or(own)));
     }
 }
-
-namespace {
-
-LatticeBox box_of(const ArcGraph& graph, double margin) {
-    LatticeBox box{graph.arcs.front().front(), graph.arcs.front().front()};
-    for (const Arc& arc : graph.arcs)
-        for (const LatticePoint p : arc) {
-            box.low = {std::min(box.low.row, p.row), std::min(box.low.col, p.col)};
-            box.high = {std::max(box.high.row, p.row), std::max(box.high.col, p.col)};
-        }
-    const auto cells = static_cast<std::int32_t>(margin) + 1;
-    return {{box.low.row - cells, box.low.col - cells}, {box.high.row + cells, box.high.col + cells}};
-}
-
-std::size_t edges_of(const ArcGraph& graph) {
-    std::size_t sum = 0;
-    for (const Arc& arc : graph.arcs)
-        sum += arc.size() - 1;
-    return sum;
-}
-
-}  // namespace
 
 WallCheck::WallCheck(const WallGraph& graph, const SegmentGrid::Arcs& arcs, double tolerance,
                      const StopToken& stop)

@@ -84,6 +84,8 @@ std::uint32_t footprint_chain(const WallGraph& graph, const WallCluster& cluster
     return graph.chain_of[graph.graph.outlines[static_cast<std::size_t>(contour)].exterior.front().arc];
 }
 
+constexpr std::array tried_prices{1.0, 0.5, 0.25};  // prices of walls, tried in turn
+
 }  // namespace
 
 std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster, std::uint32_t c) {
@@ -97,12 +99,6 @@ std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster
         return WallGraph::none;
     return base;
 }
-
-namespace {
-
-constexpr std::array tried_prices{1.0, 0.5, 0.25};  // prices of walls, tried in turn
-
-}  // namespace
 
 WallLayout::WallLayout(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options,
                        const StopToken& stop)

@@ -225,36 +225,6 @@ std::optional<std::vector<WallSegment>> divide(const TraceSums& samples,
     return all ? std::optional(result) : std::nullopt;
 }
 
-}  // namespace
-
-void shift_wall(WallSegment& segment, const TraceSums& samples, double cells) {
-    const Vec2 run = samples.at(segment.last) - samples.at(segment.first);
-    if (segment.circle) {
-        const Vec2 middle = samples.at((segment.first + segment.last) / 2) - segment.circle->centre;
-        const bool whole = segment.last - segment.first == samples.steps();
-        const bool counter_clockwise = whole ? twice_area(samples) > 0 : cross(middle, run) > 0;
-        segment.circle->radius += counter_clockwise != samples.mirrored() ? -cells : cells;
-        return;
-    }
-    const double sign = dot(run, segment.line.along) > 0 ? 1 : -1;
-    segment.line.through = segment.line.through + sign * cells * samples.left_of(segment.line.along);
-}
-
-void move_inward(const TraceSums& samples, int higher, double cells, double limit,
-                 std::vector<WallSegment>& segments) {
-    for (WallSegment& segment : segments)
-        for (int quarters = 4; quarters > 0; --quarters) {
-            WallSegment moved = segment;
-            shift_wall(moved, samples, higher * quarters * cells / 4);
-            if (!segment.circle && !samples.near(segment.first, segment.last, moved.line, limit))
-                continue;
-            segment = moved;
-            break;
-        }
-}
-
-namespace {
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double max_move = 0.25;        // cells
 constexpr double clearance = 1.0 / 256;  // cells between a wall and the center of a cell
@@ -342,6 +312,32 @@ double Separator::cheapest() const {
 }
 
 }  // namespace
+
+void shift_wall(WallSegment& segment, const TraceSums& samples, double cells) {
+    const Vec2 run = samples.at(segment.last) - samples.at(segment.first);
+    if (segment.circle) {
+        const Vec2 middle = samples.at((segment.first + segment.last) / 2) - segment.circle->centre;
+        const bool whole = segment.last - segment.first == samples.steps();
+        const bool counter_clockwise = whole ? twice_area(samples) > 0 : cross(middle, run) > 0;
+        segment.circle->radius += counter_clockwise != samples.mirrored() ? -cells : cells;
+        return;
+    }
+    const double sign = dot(run, segment.line.along) > 0 ? 1 : -1;
+    segment.line.through = segment.line.through + sign * cells * samples.left_of(segment.line.along);
+}
+
+void move_inward(const TraceSums& samples, int higher, double cells, double limit,
+                 std::vector<WallSegment>& segments) {
+    for (WallSegment& segment : segments)
+        for (int quarters = 4; quarters > 0; --quarters) {
+            WallSegment moved = segment;
+            shift_wall(moved, samples, higher * quarters * cells / 4);
+            if (!segment.circle && !samples.near(segment.first, segment.last, moved.line, limit))
+                continue;
+            segment = moved;
+            break;
+        }
+}
 
 void separate_cells(const TraceSums& samples, int higher, double limit, std::vector<WallSegment>& segments) {
     Separator separator(samples, higher);

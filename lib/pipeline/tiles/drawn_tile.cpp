@@ -156,6 +156,56 @@ std::vector<features::DrawnFace> load_faces(ByteReader& reader) {
     return faces;
 }
 
+/// Throws unless the runs of cells are not empty and have as many cells as there are elevations.
+template <typename Run>
+void require_elevations(const std::vector<Run>& runs, const std::vector<double>& elevations) {
+    std::uint64_t cells = 0;
+    for (const Run& run : runs) {
+        if (run.begin >= run.end)
+            throw CorruptRecord("a run of cells is empty");
+        cells += static_cast<std::uint64_t>(std::int64_t{run.end} - run.begin);
+    }
+    if (cells != elevations.size())
+        throw CorruptRecord("there are not as many elevations as cells");
+}
+
+void save(const DeferredBuilding& building, ByteWriter& writer) {
+    writer.put(building.facts);
+    writer.put_list(building.thresholds);
+    tiles::save(building.cells, writer);
+}
+
+DeferredBuilding load_deferred_building(ByteReader& reader) {
+    DeferredBuilding building;
+    building.facts = reader.take<JoinedBuilding>();
+    building.thresholds = reader.take_list<double>();
+    building.cells = load_building_cells(reader);
+    return building;
+}
+
+void save(const DeferredContour& left, ByteWriter& writer) {
+    writer.put(left.head);
+    contours::save(left.stored, left.head.key.level, writer);
+}
+
+/// @param tile its contours loaded so far
+DeferredContour load_deferred_contour(ByteReader& reader, const DrawnTile& tile) {
+    DeferredContour left;
+    left.head = reader.take<contours::ContourHead>();
+    const contours::ContourHead& head = left.head;
+    const auto before = static_cast<std::int64_t>(tile.left.size());
+    if (head.label == 0 || head.label > tile.deferred_buildings.size() || head.parent < -1 ||
+        head.parent >= before || head.key.level < 1 || (head.key.level > 1) != (head.parent >= 0))
+        throw CorruptRecord("a contour has no contour below it");
+    if (static_cast<std::size_t>(head.key.level) > tile.deferred_buildings[head.label - 1].thresholds.size())
+        throw CorruptRecord("a contour is of a level that its building does not have");
+    if (head.parent >= 0 &&
+        tile.left[static_cast<std::size_t>(head.parent)].head.key.level != head.key.level - 1)
+        throw CorruptRecord("a contour stands on one that is not the level below it");
+    left.stored = contours::load_stored(head.key.level, reader);
+    return left;
+}
+
 }  // namespace
 
 void save(const features::DrawnContour& drawn, ByteWriter& writer) {
@@ -205,23 +255,6 @@ features::DrawnContour load_drawn_contour(ByteReader& reader) {
     return drawn;
 }
 
-namespace {
-
-/// Throws unless the runs of cells are not empty and have as many cells as there are elevations.
-template <typename Run>
-void require_elevations(const std::vector<Run>& runs, const std::vector<double>& elevations) {
-    std::uint64_t cells = 0;
-    for (const Run& run : runs) {
-        if (run.begin >= run.end)
-            throw CorruptRecord("a run of cells is empty");
-        cells += static_cast<std::uint64_t>(std::int64_t{run.end} - run.begin);
-    }
-    if (cells != elevations.size())
-        throw CorruptRecord("there are not as many elevations as cells");
-}
-
-}  // namespace
-
 void save(const contours::BuildingCells& cells, ByteWriter& writer) {
     writer.put_list(cells.runs);
     writer.put_list(cells.elevations);
@@ -234,47 +267,6 @@ contours::BuildingCells load_building_cells(ByteReader& reader) {
     require_elevations(cells.runs, cells.elevations);
     return cells;
 }
-
-namespace {
-
-void save(const DeferredBuilding& building, ByteWriter& writer) {
-    writer.put(building.facts);
-    writer.put_list(building.thresholds);
-    tiles::save(building.cells, writer);
-}
-
-DeferredBuilding load_deferred_building(ByteReader& reader) {
-    DeferredBuilding building;
-    building.facts = reader.take<JoinedBuilding>();
-    building.thresholds = reader.take_list<double>();
-    building.cells = load_building_cells(reader);
-    return building;
-}
-
-void save(const DeferredContour& left, ByteWriter& writer) {
-    writer.put(left.head);
-    contours::save(left.stored, left.head.key.level, writer);
-}
-
-/// @param tile its contours loaded so far
-DeferredContour load_deferred_contour(ByteReader& reader, const DrawnTile& tile) {
-    DeferredContour left;
-    left.head = reader.take<contours::ContourHead>();
-    const contours::ContourHead& head = left.head;
-    const auto before = static_cast<std::int64_t>(tile.left.size());
-    if (head.label == 0 || head.label > tile.deferred_buildings.size() || head.parent < -1 ||
-        head.parent >= before || head.key.level < 1 || (head.key.level > 1) != (head.parent >= 0))
-        throw CorruptRecord("a contour has no contour below it");
-    if (static_cast<std::size_t>(head.key.level) > tile.deferred_buildings[head.label - 1].thresholds.size())
-        throw CorruptRecord("a contour is of a level that its building does not have");
-    if (head.parent >= 0 &&
-        tile.left[static_cast<std::size_t>(head.parent)].head.key.level != head.key.level - 1)
-        throw CorruptRecord("a contour stands on one that is not the level below it");
-    left.stored = contours::load_stored(head.key.level, reader);
-    return left;
-}
-
-}  // namespace
 
 void save(const DrawnTile& tile, ByteWriter& writer) {
     writer.put(tile.tally);

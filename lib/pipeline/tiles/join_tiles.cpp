@@ -33,6 +33,107 @@ std::vector<T> take_list(const Spool& spool, const SpoolEntry& entry) {
     return ByteReader(spool, entry).take_list<T>();
 }
 
+/// Translates edge labels to indices of seam objects; labels of other objects become 0.
+detect::UnitEdges seam_labels(detect::UnitEdges edges, const std::vector<UnitObjects::Mark>& marks) {
+    for (detect::UnitEdges::Lines* lines : {&edges.above, &edges.left, &edges.below, &edges.right})
+        for (std::vector<Label>& line : *lines)
+            for (Label& label : line)
+                label = label == 0 ? 0 : marks[label - 1];
+    return edges;
+}
+
+class TileJoiner {
+  public:
+    explicit TileJoiner(TileRun& run)
+        : run_(run),
+          interior_(run.context().make_spool(), static_cast<std::size_t>(run.tiles().units().count())),
+          seams_(static_cast<std::size_t>(run.tiles().units().count()), run.tiles().units().cols()),
+          facts_(run.empty_facts()) {}
+
+    /// Reads all tiles. Compares units across seams as early as possible, because their edges can be freed
+    /// afterwards.
+    void load();
+    void join();
+    void write_tiles();
+    /// Called last, because the frame file marks the step as complete.
+    void write_frame();
+
+  private:
+    void load(FoundUnit&& found, std::int64_t number, const InteriorRules& rules);
+    [[nodiscard]] JoinedTile joined(std::int64_t tile) const;
+
+    TileRun& run_;
+    InteriorObjects interior_;
+    Tally interior_left_out_;
+    BorderObjects seams_;
+    ObjectAssignment placed_{run_.tiles(), interior_, seams_};
+    FoundFacts facts_;
+};
+
+void TileJoiner::load() {
+    const InteriorRules rules{pipeline::min_cells(run_.setup().plan, run_.tiles().units(), run_.setup().cell),
+                              run_.setup().plan.asked.write.doubtful};
+    for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
+        run_.context().check_stop();
+        FoundTile found = run_.load_found(tile);
+        facts_.merge(found.facts);
+        const std::vector<NumberedUnit> placed = run_.tiles().units_of(tile);
+        for (std::size_t i = 0; i < placed.size(); ++i)
+            load(std::move(found.units[i]), placed[i].number, rules);
+        seams_.compare_known();
+    }
+}
+
+void TileJoiner::load(FoundUnit&& found, std::int64_t number, const InteriorRules& rules) {
+    const UnitObjects divided = divide_objects(found, rules, interior_left_out_);
+    interior_.put(number, divided);
+    seams_.put(number, std::move(found), divided);
+}
+
+void TileJoiner::join() {
+    Context& context = run_.context();
+    detect::UnitMerger::Merged merged = pipeline::merge_found_units(
+        seams_.merger(), run_.setup().plan, run_.tiles().units(), run_.setup().cell, context.report);
+    context.report.Tally::merge(interior_left_out_);
+    facts_.tally.merge(context.report);
+    placed_.place(seams_.take(), std::move(merged));
+}
+
+JoinedTile TileJoiner::joined(std::int64_t tile) const {
+    const std::vector<AssignedObject> objects = placed_.of(tile);
+    JoinedTile joined;
+    for (const AssignedObject& object : objects) {
+        const detect::SeenObject& seen = object.seen;
+        joined.buildings.push_back({seen.is_building, seen.object.doubt, seen.ground, seen.object.confidence,
+                                    seen.object.parcel, object.whole});
+        joined.window = bounding_window(joined.window, object.box);
+    }
+    if (!objects.empty()) {
+        const LatticePoint margin = draw_margin(run_.setup(), run_.context());
+        joined.window = expanded(joined.window, margin.row, margin.col, run_.window());
+        for (const NumberedUnit& placed : run_.tiles().units_in(joined.window))
+            joined.units.push_back(placed_.map_labels(placed.number, objects));
+    }
+    return joined;
+}
+
+void TileJoiner::write_tiles() {
+    CheckpointBatch files(run_.folder(TileStep::join));
+    for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
+        run_.context().check_stop();
+        ByteWriter writer;
+        save(joined(tile), writer);
+        files.write(run_.file(TileStep::join, tile), run_.seal(TileStep::join, tile), writer.bytes());
+    }
+    files.finish();
+}
+
+void TileJoiner::write_frame() {
+    ByteWriter writer;
+    facts_.save(writer);
+    write_checkpoint(run_.frame_file(), run_.frame_seal(), writer.bytes());
+}
+
 }  // namespace
 
 UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, Tally& tally) {
@@ -77,19 +178,6 @@ std::vector<UnitObjects::Mark> InteriorObjects::marks(std::int64_t unit) const {
 std::vector<InteriorObject> InteriorObjects::interior_objects(std::int64_t unit) const {
     return take_list<InteriorObject>(*spool_, kept_[static_cast<std::size_t>(unit)].interior_objects);
 }
-
-namespace {
-
-/// Translates edge labels to indices of seam objects; labels of other objects become 0.
-detect::UnitEdges seam_labels(detect::UnitEdges edges, const std::vector<UnitObjects::Mark>& marks) {
-    for (detect::UnitEdges::Lines* lines : {&edges.above, &edges.left, &edges.below, &edges.right})
-        for (std::vector<Label>& line : *lines)
-            for (Label& label : line)
-                label = label == 0 ? 0 : marks[label - 1];
-    return edges;
-}
-
-}  // namespace
 
 void BorderObjects::put(std::int64_t number, FoundUnit&& found, const UnitObjects& divided) {
     const auto i = static_cast<std::size_t>(number);
@@ -208,102 +296,6 @@ JoinedUnit ObjectAssignment::map_labels(std::int64_t number,
     }
     return unit;
 }
-
-namespace {
-
-class TileJoiner {
-  public:
-    explicit TileJoiner(TileRun& run)
-        : run_(run),
-          interior_(run.context().make_spool(), static_cast<std::size_t>(run.tiles().units().count())),
-          seams_(static_cast<std::size_t>(run.tiles().units().count()), run.tiles().units().cols()),
-          facts_(run.empty_facts()) {}
-
-    /// Reads all tiles. Compares units across seams as early as possible, because their edges can be freed
-    /// afterwards.
-    void load();
-    void join();
-    void write_tiles();
-    /// Called last, because the frame file marks the step as complete.
-    void write_frame();
-
-  private:
-    void load(FoundUnit&& found, std::int64_t number, const InteriorRules& rules);
-    [[nodiscard]] JoinedTile joined(std::int64_t tile) const;
-
-    TileRun& run_;
-    InteriorObjects interior_;
-    Tally interior_left_out_;
-    BorderObjects seams_;
-    ObjectAssignment placed_{run_.tiles(), interior_, seams_};
-    FoundFacts facts_;
-};
-
-void TileJoiner::load() {
-    const InteriorRules rules{pipeline::min_cells(run_.setup().plan, run_.tiles().units(), run_.setup().cell),
-                              run_.setup().plan.asked.write.doubtful};
-    for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
-        run_.context().check_stop();
-        FoundTile found = run_.load_found(tile);
-        facts_.merge(found.facts);
-        const std::vector<NumberedUnit> placed = run_.tiles().units_of(tile);
-        for (std::size_t i = 0; i < placed.size(); ++i)
-            load(std::move(found.units[i]), placed[i].number, rules);
-        seams_.compare_known();
-    }
-}
-
-void TileJoiner::load(FoundUnit&& found, std::int64_t number, const InteriorRules& rules) {
-    const UnitObjects divided = divide_objects(found, rules, interior_left_out_);
-    interior_.put(number, divided);
-    seams_.put(number, std::move(found), divided);
-}
-
-void TileJoiner::join() {
-    Context& context = run_.context();
-    detect::UnitMerger::Merged merged = pipeline::merge_found_units(
-        seams_.merger(), run_.setup().plan, run_.tiles().units(), run_.setup().cell, context.report);
-    context.report.Tally::merge(interior_left_out_);
-    facts_.tally.merge(context.report);
-    placed_.place(seams_.take(), std::move(merged));
-}
-
-JoinedTile TileJoiner::joined(std::int64_t tile) const {
-    const std::vector<AssignedObject> objects = placed_.of(tile);
-    JoinedTile joined;
-    for (const AssignedObject& object : objects) {
-        const detect::SeenObject& seen = object.seen;
-        joined.buildings.push_back({seen.is_building, seen.object.doubt, seen.ground, seen.object.confidence,
-                                    seen.object.parcel, object.whole});
-        joined.window = bounding_window(joined.window, object.box);
-    }
-    if (!objects.empty()) {
-        const LatticePoint margin = draw_margin(run_.setup(), run_.context());
-        joined.window = expanded(joined.window, margin.row, margin.col, run_.window());
-        for (const NumberedUnit& placed : run_.tiles().units_in(joined.window))
-            joined.units.push_back(placed_.map_labels(placed.number, objects));
-    }
-    return joined;
-}
-
-void TileJoiner::write_tiles() {
-    CheckpointBatch files(run_.folder(TileStep::join));
-    for (std::int64_t tile = 0; tile < run_.tiles().count(); ++tile) {
-        run_.context().check_stop();
-        ByteWriter writer;
-        save(joined(tile), writer);
-        files.write(run_.file(TileStep::join, tile), run_.seal(TileStep::join, tile), writer.bytes());
-    }
-    files.finish();
-}
-
-void TileJoiner::write_frame() {
-    ByteWriter writer;
-    facts_.save(writer);
-    write_checkpoint(run_.frame_file(), run_.frame_seal(), writer.bytes());
-}
-
-}  // namespace
 
 void join_tiles(TileRun& run) {
     if (checkpoint_exists(run.frame_file(), run.frame_seal()))

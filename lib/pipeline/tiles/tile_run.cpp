@@ -25,6 +25,16 @@ std::int32_t first_ending_after(std::int32_t place, std::int32_t count, const En
     return first;
 }
 
+class EmptyContourList final : public contours::ContourList {
+  public:
+    [[nodiscard]] std::size_t size() const override { return 0; }
+    [[nodiscard]] const contours::ContourHead& head(std::size_t /*contour*/) const override { return none_; }
+    [[nodiscard]] contours::Contour fetch(std::size_t /*contour*/) const override { return {}; }
+
+  private:
+    contours::ContourHead none_;
+};
+
 }  // namespace
 
 TileGrid::TileGrid(const detect::UnitGrid& units, std::int32_t side)
@@ -164,20 +174,6 @@ void require_tileable(const Options& options) {
     refuse(options.outline.simplify > 0, "-simplify", "simplified borders may be shared by all tiles");
     refuse(write.rejected, "-write_rejected", "only a run without tiles keeps dropped contours");
 }
-
-namespace {
-
-class EmptyContourList final : public contours::ContourList {
-  public:
-    [[nodiscard]] std::size_t size() const override { return 0; }
-    [[nodiscard]] const contours::ContourHead& head(std::size_t /*contour*/) const override { return none_; }
-    [[nodiscard]] contours::Contour fetch(std::size_t /*contour*/) const override { return {}; }
-
-  private:
-    contours::ContourHead none_;
-};
-
-}  // namespace
 
 LatticePoint draw_reach(const features::RunSetup& setup, Context& context) {
     // One more cell, because contours run along cell borders or through cell centres depending on the trace

@@ -78,138 +78,6 @@ class PageReliefSink final : public RasterSink {
     std::shared_ptr<PageRelief> relief_;
 };
 
-}  // namespace
-
-PageRelief::PageRelief(const Window& window, bool lowest)
-    : window_(window),
-      lowest_(lowest),
-      step_(std::max(1, samples(std::max(window.rows, window.cols), max_samples_per_side))),
-      rows_(samples(window.rows, step_)),
-      cols_(samples(window.cols, step_)),
-      values_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(cols_)),
-      counts_(values_.size()) {}
-
-void PageRelief::add(const Window& part, std::span<const float> values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto at = static_cast<std::int32_t>(i);
-        const std::int32_t row = (part.row - window_.row + at / part.cols) / step_;
-        const std::int32_t col = (part.col - window_.col + at % part.cols) / step_;
-        const auto sample =
-            static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) + static_cast<std::size_t>(col);
-        const auto value = static_cast<double>(values[i]);
-        if (std::isnan(value))
-            continue;
-        if (!lowest_)
-            values_[sample] += value;
-        else if (counts_[sample] == 0 || value < values_[sample])
-            values_[sample] = value;
-        ++counts_[sample];
-    }
-}
-
-std::optional<std::int64_t> PageRelief::centimetres(std::size_t sample) const {
-    if (counts_[sample] == 0)
-        return std::nullopt;
-    return std::llround(100 * (lowest_ ? values_[sample] : values_[sample] / counts_[sample]));
-}
-
-VarintBuffer PageRelief::packed() const {
-    VarintBuffer numbers;
-    std::int64_t above = 0;
-    for (std::int32_t row = 0; row < rows_; ++row) {
-        std::int64_t before = above;
-        for (std::int32_t col = 0; col < cols_; ++col) {
-            const auto sample = static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) +
-                                static_cast<std::size_t>(col);
-            const auto height = centimetres(sample);
-            if (!height) {
-                numbers.put(0);
-                continue;
-            }
-            const std::int64_t rise = *height - before;
-            numbers.put((rise < 0 ? ~(static_cast<std::uint64_t>(rise) << 1U)
-                                  : static_cast<std::uint64_t>(rise) << 1U) +
-                        1);
-            before = *height;
-            if (col == 0)
-                above = before;
-        }
-    }
-    return numbers;
-}
-
-std::unique_ptr<RasterSink> open_page_relief(std::shared_ptr<PageRelief> relief) {
-    return std::make_unique<PageReliefSink>(std::move(relief));
-}
-
-void PageStack::add(const SurfaceBuilding& building, const std::vector<SurfacePoint>& points) {
-    ++buildings_;
-    numbers_.put_zigzag(building.id - id_);
-    numbers_.put_zigzag(building.base - base_);
-    numbers_.put_zigzag(building.roof - building.base);
-    numbers_.put(building.tiers.size());
-    id_ = building.id;
-    base_ = building.base;
-    for (std::size_t i = 0; i < building.tiers.size(); ++i) {
-        const SurfaceTier& tier = building.tiers[i];
-        const bool stands_on_ground = tier.parent < 0;
-        const auto parent = stands_on_ground ? i : static_cast<std::size_t>(tier.parent);
-        numbers_.put(static_cast<std::uint64_t>(tier.level));
-        numbers_.put(i - parent);
-        numbers_.put_zigzag(tier.top - (stands_on_ground ? building.base : building.tiers[parent].top));
-        numbers_.put(tier.rings.size());
-        const auto level = static_cast<std::size_t>(tier.level);
-        of_level_.resize(std::max(of_level_.size(), level));
-        ++of_level_[level - 1].contours;
-        for (const std::vector<SurfacePoint>& ring : tier.rings) {
-            add_ring(ring);
-            of_level_[level - 1].corners += static_cast<std::int64_t>(ring.size());
-        }
-    }
-    numbers_.put(building.faces.size());
-    corner_.z = building.base;
-    for (const SurfaceFace& face : building.faces)
-        add_face(face, points);
-}
-
-void PageStack::add_face(const SurfaceFace& face, const std::vector<SurfacePoint>& points) {
-    ++faces_.contours;
-    numbers_.put(1 + face.interiors.size());
-    const auto add = [&](const std::vector<std::uint32_t>& ring) {
-        numbers_.put(ring.size());
-        faces_.corners += static_cast<std::int64_t>(ring.size());
-        for (const std::uint32_t point : ring) {
-            numbers_.put_zigzag(points[point].x - corner_.x);
-            numbers_.put_zigzag(points[point].y - corner_.y);
-            numbers_.put_zigzag(points[point].z - corner_.z);
-            corner_ = points[point];
-        }
-    };
-    add(face.exterior);
-    for (const std::vector<std::uint32_t>& interior : face.interiors)
-        add(interior);
-}
-
-void PageStack::add_ring(const std::vector<SurfacePoint>& ring) {
-    numbers_.put(ring.size());
-    for (const SurfacePoint& point : ring) {
-        numbers_.put_zigzag(point.x - corner_.x);
-        numbers_.put_zigzag(point.y - corner_.y);
-        corner_ = point;
-    }
-}
-
-std::vector<PageStack::Count> PageStack::counts() const {
-    std::vector<Count> sums = of_level_;
-    for (std::size_t i = 1; i < sums.size(); ++i) {
-        sums[i].contours += sums[i - 1].contours;
-        sums[i].corners += sums[i - 1].corners;
-    }
-    return sums;
-}
-
-namespace {
-
 using Json = nlohmann::ordered_json;
 
 /// Rounds to thousandths, because the numbers are only displayed.
@@ -451,6 +319,134 @@ void PageSink::prepare(CommitList& commit) {
 }
 
 }  // namespace
+
+PageRelief::PageRelief(const Window& window, bool lowest)
+    : window_(window),
+      lowest_(lowest),
+      step_(std::max(1, samples(std::max(window.rows, window.cols), max_samples_per_side))),
+      rows_(samples(window.rows, step_)),
+      cols_(samples(window.cols, step_)),
+      values_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(cols_)),
+      counts_(values_.size()) {}
+
+void PageRelief::add(const Window& part, std::span<const float> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto at = static_cast<std::int32_t>(i);
+        const std::int32_t row = (part.row - window_.row + at / part.cols) / step_;
+        const std::int32_t col = (part.col - window_.col + at % part.cols) / step_;
+        const auto sample =
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) + static_cast<std::size_t>(col);
+        const auto value = static_cast<double>(values[i]);
+        if (std::isnan(value))
+            continue;
+        if (!lowest_)
+            values_[sample] += value;
+        else if (counts_[sample] == 0 || value < values_[sample])
+            values_[sample] = value;
+        ++counts_[sample];
+    }
+}
+
+std::optional<std::int64_t> PageRelief::centimetres(std::size_t sample) const {
+    if (counts_[sample] == 0)
+        return std::nullopt;
+    return std::llround(100 * (lowest_ ? values_[sample] : values_[sample] / counts_[sample]));
+}
+
+VarintBuffer PageRelief::packed() const {
+    VarintBuffer numbers;
+    std::int64_t above = 0;
+    for (std::int32_t row = 0; row < rows_; ++row) {
+        std::int64_t before = above;
+        for (std::int32_t col = 0; col < cols_; ++col) {
+            const auto sample = static_cast<std::size_t>(row) * static_cast<std::size_t>(cols_) +
+                                static_cast<std::size_t>(col);
+            const auto height = centimetres(sample);
+            if (!height) {
+                numbers.put(0);
+                continue;
+            }
+            const std::int64_t rise = *height - before;
+            numbers.put((rise < 0 ? ~(static_cast<std::uint64_t>(rise) << 1U)
+                                  : static_cast<std::uint64_t>(rise) << 1U) +
+                        1);
+            before = *height;
+            if (col == 0)
+                above = before;
+        }
+    }
+    return numbers;
+}
+
+std::unique_ptr<RasterSink> open_page_relief(std::shared_ptr<PageRelief> relief) {
+    return std::make_unique<PageReliefSink>(std::move(relief));
+}
+
+void PageStack::add(const SurfaceBuilding& building, const std::vector<SurfacePoint>& points) {
+    ++buildings_;
+    numbers_.put_zigzag(building.id - id_);
+    numbers_.put_zigzag(building.base - base_);
+    numbers_.put_zigzag(building.roof - building.base);
+    numbers_.put(building.tiers.size());
+    id_ = building.id;
+    base_ = building.base;
+    for (std::size_t i = 0; i < building.tiers.size(); ++i) {
+        const SurfaceTier& tier = building.tiers[i];
+        const bool stands_on_ground = tier.parent < 0;
+        const auto parent = stands_on_ground ? i : static_cast<std::size_t>(tier.parent);
+        numbers_.put(static_cast<std::uint64_t>(tier.level));
+        numbers_.put(i - parent);
+        numbers_.put_zigzag(tier.top - (stands_on_ground ? building.base : building.tiers[parent].top));
+        numbers_.put(tier.rings.size());
+        const auto level = static_cast<std::size_t>(tier.level);
+        of_level_.resize(std::max(of_level_.size(), level));
+        ++of_level_[level - 1].contours;
+        for (const std::vector<SurfacePoint>& ring : tier.rings) {
+            add_ring(ring);
+            of_level_[level - 1].corners += static_cast<std::int64_t>(ring.size());
+        }
+    }
+    numbers_.put(building.faces.size());
+    corner_.z = building.base;
+    for (const SurfaceFace& face : building.faces)
+        add_face(face, points);
+}
+
+void PageStack::add_face(const SurfaceFace& face, const std::vector<SurfacePoint>& points) {
+    ++faces_.contours;
+    numbers_.put(1 + face.interiors.size());
+    const auto add = [&](const std::vector<std::uint32_t>& ring) {
+        numbers_.put(ring.size());
+        faces_.corners += static_cast<std::int64_t>(ring.size());
+        for (const std::uint32_t point : ring) {
+            numbers_.put_zigzag(points[point].x - corner_.x);
+            numbers_.put_zigzag(points[point].y - corner_.y);
+            numbers_.put_zigzag(points[point].z - corner_.z);
+            corner_ = points[point];
+        }
+    };
+    add(face.exterior);
+    for (const std::vector<std::uint32_t>& interior : face.interiors)
+        add(interior);
+}
+
+void PageStack::add_ring(const std::vector<SurfacePoint>& ring) {
+    numbers_.put(ring.size());
+    for (const SurfacePoint& point : ring) {
+        numbers_.put_zigzag(point.x - corner_.x);
+        numbers_.put_zigzag(point.y - corner_.y);
+        corner_ = point;
+    }
+}
+
+std::vector<PageStack::Count> PageStack::counts() const {
+    std::vector<Count> sums = of_level_;
+    for (std::size_t i = 1; i < sums.size(); ++i) {
+        sums[i].contours += sums[i - 1].contours;
+        sums[i].corners += sums[i - 1].corners;
+    }
+    return sums;
+}
 
 Page open_page(writing::FileDestination place, const PageInput& subject, std::uint64_t most) {
     const PageParts* parts = page_parts();

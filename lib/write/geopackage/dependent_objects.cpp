@@ -55,31 +55,6 @@ std::size_t skip_spaces(const std::string& sql, std::size_t at) {
     return at;
 }
 
-}  // namespace
-
-std::string strip_database_name(const std::string& sql, std::span<const std::string> tables) {
-    std::string bare;
-    for (std::size_t at = 0; at < sql.size();) {
-        const Token name = token_at(sql, at);
-        const std::size_t dot = skip_spaces(sql, name.end);
-        if (EQUAL(name.text.c_str(), "main") && dot < sql.size() && sql[dot] == '.') {
-            const std::size_t next = skip_spaces(sql, dot + 1);
-            const std::string table = token_at(sql, next).text;
-            if (std::any_of(tables.begin(), tables.end(),
-                            [&](const std::string& each) { return EQUAL(each.c_str(), table.c_str()); })) {
-                at = next;
-                continue;
-            }
-        }
-        const std::size_t end = std::max(name.end, at + 1);
-        bare.append(sql, at, end - at);
-        at = end;
-    }
-    return bare;
-}
-
-namespace {
-
 /// True for triggers that GDAL and SpatiaLite create and recreate.
 bool is_created_by_driver(const std::string& name, const std::string& layer) {
     static constexpr std::array prefixes{"ggi_", "ggu_", "gii_", "giu_", "gid_", "tmi_", "tmu_", "tmd_"};
@@ -122,6 +97,27 @@ std::string in_temp_database(const std::string& type, const std::string& sql) {
 }
 
 }  // namespace
+
+std::string strip_database_name(const std::string& sql, std::span<const std::string> tables) {
+    std::string bare;
+    for (std::size_t at = 0; at < sql.size();) {
+        const Token name = token_at(sql, at);
+        const std::size_t dot = skip_spaces(sql, name.end);
+        if (EQUAL(name.text.c_str(), "main") && dot < sql.size() && sql[dot] == '.') {
+            const std::size_t next = skip_spaces(sql, dot + 1);
+            const std::string table = token_at(sql, next).text;
+            if (std::any_of(tables.begin(), tables.end(),
+                            [&](const std::string& each) { return EQUAL(each.c_str(), table.c_str()); })) {
+                at = next;
+                continue;
+            }
+        }
+        const std::size_t end = std::max(name.end, at + 1);
+        bare.append(sql, at, end - at);
+        at = end;
+    }
+    return bare;
+}
 
 DependentObjects::DependentObjects(GDALDatasetH dataset, std::vector<std::string> layers)
     : dataset_(dataset), layers_(std::move(layers)) {

@@ -89,31 +89,6 @@ void require_rights_on(const std::string& layer, const Destination& destination,
                                         sql_identifier(layer));
 }
 
-}  // namespace
-
-void check_postgresql(const Destination& destination, GDALDatasetH database, const WriteOptions& options,
-                      const std::vector<std::string>& names) {
-    reject_other_schemas(options);
-    require_schema(destination, database);
-    require_postgis(destination, database, options);
-    bool makes = options.overwrite;
-    for (const std::string& name : names) {
-        OGRLayerH layer = GDALDatasetGetLayerByName(database, name.c_str());
-        makes = makes || layer == nullptr;
-        if (layer != nullptr && (options.overwrite || options.append))
-            require_rights_on(OGR_L_GetName(layer), destination, database, options.overwrite);
-    }
-    if (makes)
-        require_rights_to_make(destination, database);
-}
-
-void throw_unreachable_postgresql(const Destination& destination, const std::string& reason) {
-    throw OutputError("Cannot write \"" + destination.name + "\": its database cannot be reached (" + reason +
-                      "); check whether psql reaches it.");
-}
-
-namespace {
-
 constexpr const char* style_table =
     "FROM pg_class c JOIN pg_namespace n ON n.oid = c.relnamespace WHERE n.nspname = 'public' AND c.relname "
     "= "
@@ -218,6 +193,27 @@ void PostgresqlTable::style() const {
 }
 
 }  // namespace
+
+void check_postgresql(const Destination& destination, GDALDatasetH database, const WriteOptions& options,
+                      const std::vector<std::string>& names) {
+    reject_other_schemas(options);
+    require_schema(destination, database);
+    require_postgis(destination, database, options);
+    bool makes = options.overwrite;
+    for (const std::string& name : names) {
+        OGRLayerH layer = GDALDatasetGetLayerByName(database, name.c_str());
+        makes = makes || layer == nullptr;
+        if (layer != nullptr && (options.overwrite || options.append))
+            require_rights_on(OGR_L_GetName(layer), destination, database, options.overwrite);
+    }
+    if (makes)
+        require_rights_to_make(destination, database);
+}
+
+void throw_unreachable_postgresql(const Destination& destination, const std::string& reason) {
+    throw OutputError("Cannot write \"" + destination.name + "\": its database cannot be reached (" + reason +
+                      "); check whether psql reaches it.");
+}
 
 void complete_postgresql_table(GDALDatasetH dataset, const NewLayer& layer, const WriteTarget& target) {
     const PostgresqlTable postgresql_table(dataset, layer, target);

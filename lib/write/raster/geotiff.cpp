@@ -77,72 +77,6 @@ AffineTransform transform_of(const DemInfo& grid) {
     return g;
 }
 
-}  // namespace
-
-GeoTiffFile::GeoTiffFile(WriteTarget target, const std::string& path, const DemInfo& grid,
-                         const RasterMetadata& meta)
-    : target_(std::move(target)) {
-    NameValueList options;
-    options.set("TILED", "YES");
-    options.set("BLOCKXSIZE", std::to_string(tile));
-    options.set("BLOCKYSIZE", std::to_string(tile));
-    options.set("COMPRESS", "DEFLATE");
-    options.set("PREDICTOR", "3");
-    options.set("BIGTIFF", "IF_SAFER");
-    // GDAL 3.10 calls a file complete of which a buffered write failed.
-    if (!path.starts_with("/vsi")) {
-        target_.monitor = &monitor_.emplace();
-        target_.hidden_folder = monitor_->name_of(target_.hidden_folder);
-    }
-    const std::string name = monitor_ ? monitor_->name_of(path) : path;
-    OgrCall call(target_);
-    dataset_.reset(GDALCreate(GDALGetDriverByName("GTiff"), name.c_str(), grid.window.cols, grid.window.rows,
-                              1, GDT_Float32, options.get()));
-    call.check(dataset_ != nullptr, "creating the GeoTIFF");
-    set_georeferencing(grid, meta);
-    describe(meta);
-}
-
-void GeoTiffFile::set_georeferencing(const DemInfo& grid, const RasterMetadata& meta) {
-    OgrCall call(target_);
-    AffineTransform transform = transform_of(grid);
-    bool done = !grid.georeferenced || GDALSetGeoTransform(dataset_.get(), transform.data()) == CE_None;
-    call.check(done, "placing it");
-    if (grid.crs_wkt.empty())
-        return;
-    const reading::CrsOwner srs = raster_srs(grid.crs_wkt, meta.elevations);
-    done = srs != nullptr && GDALSetSpatialRef(dataset_.get(), srs.get()) == CE_None;
-    call.check(done, "setting the CRS");
-}
-
-void GeoTiffFile::describe(const RasterMetadata& meta) {
-    OgrCall call(target_);
-    const GDALRasterBandH band = GDALGetRasterBand(dataset_.get(), 1);
-    bool done = GDALSetRasterNoDataValue(band, static_cast<double>(nodata)) == CE_None &&
-                GDALSetRasterUnitType(band, meta.unit.c_str()) == CE_None;
-    GDALSetDescription(band, meta.description.c_str());
-    for (const auto& [name, value] : meta.metadata)
-        done = GDALSetMetadataItem(dataset_.get(), name.c_str(), value.c_str(), nullptr) == CE_None && done;
-    call.check(done, "describing it");
-}
-
-void GeoTiffFile::write(const Window& cells, std::span<float> values) {
-    OgrCall call(target_);
-    const GDALRasterBandH band = GDALGetRasterBand(dataset_.get(), 1);
-    const bool written = GDALRasterIO(band, GF_Write, cells.col, cells.row, cells.cols, cells.rows,
-                                      values.data(), cells.cols, cells.rows, GDT_Float32, 0, 0) == CE_None;
-    // Flush now, because otherwise GDAL flushes when it needs memory for another file, whose reader would get
-    // the error of a full disk.
-    const bool flushed = written && GDALFlushRasterCache(band) == CE_None;
-    call.check(flushed, "writing cells");
-}
-
-void GeoTiffFile::close() {
-    close_written(target_, std::move(dataset_));
-}
-
-namespace {
-
 /// Buffers cells until their tile is complete, because a tile that is compressed twice leaves a gap in the
 /// file.
 class GeoTiffSink final : public FileSink<RasterSink> {
@@ -274,17 +208,6 @@ void require_crs_kept(const std::string& name, DemInfo grid, const RasterMetadat
             Crs(grid.crs_wkt).name() + "' of the DEM; convert it to another one with gdalwarp first.");
 }
 
-}  // namespace
-
-std::unique_ptr<RasterSink> open_geotiff_sink(const FileTarget& target, const DemInfo& grid,
-                                              const RasterMetadata& meta) {
-    FileDestination place = resolve_file_target(target);
-    require_crs_kept(target.destination, grid, meta);
-    return std::make_unique<GeoTiffSink>(std::move(place), grid, meta);
-}
-
-namespace {
-
 std::string optional_element(const std::string& name, const std::string& text) {
     return text.empty() ? "" : xml_element(2, name, text);
 }
@@ -354,6 +277,75 @@ std::string vrt_source(const RasterPart& part) {
 }
 
 }  // namespace
+
+GeoTiffFile::GeoTiffFile(WriteTarget target, const std::string& path, const DemInfo& grid,
+                         const RasterMetadata& meta)
+    : target_(std::move(target)) {
+    NameValueList options;
+    options.set("TILED", "YES");
+    options.set("BLOCKXSIZE", std::to_string(tile));
+    options.set("BLOCKYSIZE", std::to_string(tile));
+    options.set("COMPRESS", "DEFLATE");
+    options.set("PREDICTOR", "3");
+    options.set("BIGTIFF", "IF_SAFER");
+    // GDAL 3.10 calls a file complete of which a buffered write failed.
+    if (!path.starts_with("/vsi")) {
+        target_.monitor = &monitor_.emplace();
+        target_.hidden_folder = monitor_->name_of(target_.hidden_folder);
+    }
+    const std::string name = monitor_ ? monitor_->name_of(path) : path;
+    OgrCall call(target_);
+    dataset_.reset(GDALCreate(GDALGetDriverByName("GTiff"), name.c_str(), grid.window.cols, grid.window.rows,
+                              1, GDT_Float32, options.get()));
+    call.check(dataset_ != nullptr, "creating the GeoTIFF");
+    set_georeferencing(grid, meta);
+    describe(meta);
+}
+
+void GeoTiffFile::set_georeferencing(const DemInfo& grid, const RasterMetadata& meta) {
+    OgrCall call(target_);
+    AffineTransform transform = transform_of(grid);
+    bool done = !grid.georeferenced || GDALSetGeoTransform(dataset_.get(), transform.data()) == CE_None;
+    call.check(done, "placing it");
+    if (grid.crs_wkt.empty())
+        return;
+    const reading::CrsOwner srs = raster_srs(grid.crs_wkt, meta.elevations);
+    done = srs != nullptr && GDALSetSpatialRef(dataset_.get(), srs.get()) == CE_None;
+    call.check(done, "setting the CRS");
+}
+
+void GeoTiffFile::describe(const RasterMetadata& meta) {
+    OgrCall call(target_);
+    const GDALRasterBandH band = GDALGetRasterBand(dataset_.get(), 1);
+    bool done = GDALSetRasterNoDataValue(band, static_cast<double>(nodata)) == CE_None &&
+                GDALSetRasterUnitType(band, meta.unit.c_str()) == CE_None;
+    GDALSetDescription(band, meta.description.c_str());
+    for (const auto& [name, value] : meta.metadata)
+        done = GDALSetMetadataItem(dataset_.get(), name.c_str(), value.c_str(), nullptr) == CE_None && done;
+    call.check(done, "describing it");
+}
+
+void GeoTiffFile::write(const Window& cells, std::span<float> values) {
+    OgrCall call(target_);
+    const GDALRasterBandH band = GDALGetRasterBand(dataset_.get(), 1);
+    const bool written = GDALRasterIO(band, GF_Write, cells.col, cells.row, cells.cols, cells.rows,
+                                      values.data(), cells.cols, cells.rows, GDT_Float32, 0, 0) == CE_None;
+    // Flush now, because otherwise GDAL flushes when it needs memory for another file, whose reader would get
+    // the error of a full disk.
+    const bool flushed = written && GDALFlushRasterCache(band) == CE_None;
+    call.check(flushed, "writing cells");
+}
+
+void GeoTiffFile::close() {
+    close_written(target_, std::move(dataset_));
+}
+
+std::unique_ptr<RasterSink> open_geotiff_sink(const FileTarget& target, const DemInfo& grid,
+                                              const RasterMetadata& meta) {
+    FileDestination place = resolve_file_target(target);
+    require_crs_kept(target.destination, grid, meta);
+    return std::make_unique<GeoTiffSink>(std::move(place), grid, meta);
+}
 
 std::unique_ptr<PendingResult> prepare_raster_parts(const std::filesystem::path& vrt, std::int32_t rows,
                                                     std::int32_t cols, const std::vector<RasterPart>& parts) {

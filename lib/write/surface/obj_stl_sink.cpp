@@ -40,39 +40,6 @@ double to_micrometre(double metres) {
     return std::round(metres * 1e6) / 1e6;
 }
 
-}  // namespace
-
-std::string trimmed_decimal(double value, int decimals) {
-    std::string number = fixed_text(value, decimals);
-    if (decimals > 0)
-        number.erase(number.find_last_not_of('0') + 1);
-    if (number.ends_with('.'))
-        number.pop_back();
-    return number == "-0" ? "0" : number;
-}
-
-LocalCoordinateFormatter::LocalCoordinateFormatter(const SurfaceFrame& frame)
-    : frame_(frame),
-      step_{frame.scale[0] * frame.horizontal_metres, frame.scale[1] * frame.horizontal_metres},
-      shift_{to_micrometre(frame.translate[0] * frame.horizontal_metres - frame.origin[0]),
-             to_micrometre(frame.translate[1] * frame.horizontal_metres - frame.origin[1])},
-      decimals_(decimals_of(step_)) {}
-
-std::string LocalCoordinateFormatter::operator()(const SurfacePoint& point) const {
-    return trimmed_decimal(shift_[0] + static_cast<double>(point.x) * step_[0], decimals_) + " " +
-           trimmed_decimal(shift_[1] + static_cast<double>(point.y) * step_[1], decimals_) + " " +
-           trimmed_decimal(frame_.local(point)[2], millimetres);
-}
-
-std::string origin_text(const SurfaceFrame& frame) {
-    std::string text;
-    for (const double metres : frame.origin)
-        text += (text.empty() ? "" : " ") + trimmed_decimal(metres, 0);
-    return text;
-}
-
-namespace {
-
 /// Returns a comment of one line, whatever the text contains.
 std::string comment(const std::string& text) {
     std::string line = "# ";
@@ -167,15 +134,6 @@ std::vector<std::string> ObjSink::take_warnings() {
     warnings.insert(warnings.end(), more.begin(), more.end());
     return warnings;
 }
-
-}  // namespace
-
-std::unique_ptr<SurfaceSink> open_obj_sink(FileDestination place, FileDestination materials,
-                                           SurfaceSolids solids) {
-    return std::make_unique<ObjSink>(std::move(place), std::move(materials), solids);
-}
-
-namespace {
 
 using Vector = std::array<double, 3>;
 
@@ -282,6 +240,40 @@ void StlSink::prepare(CommitList& commit) {
 }
 
 }  // namespace
+
+std::string trimmed_decimal(double value, int decimals) {
+    std::string number = fixed_text(value, decimals);
+    if (decimals > 0)
+        number.erase(number.find_last_not_of('0') + 1);
+    if (number.ends_with('.'))
+        number.pop_back();
+    return number == "-0" ? "0" : number;
+}
+
+LocalCoordinateFormatter::LocalCoordinateFormatter(const SurfaceFrame& frame)
+    : frame_(frame),
+      step_{frame.scale[0] * frame.horizontal_metres, frame.scale[1] * frame.horizontal_metres},
+      shift_{to_micrometre(frame.translate[0] * frame.horizontal_metres - frame.origin[0]),
+             to_micrometre(frame.translate[1] * frame.horizontal_metres - frame.origin[1])},
+      decimals_(decimals_of(step_)) {}
+
+std::string LocalCoordinateFormatter::operator()(const SurfacePoint& point) const {
+    return trimmed_decimal(shift_[0] + static_cast<double>(point.x) * step_[0], decimals_) + " " +
+           trimmed_decimal(shift_[1] + static_cast<double>(point.y) * step_[1], decimals_) + " " +
+           trimmed_decimal(frame_.local(point)[2], millimetres);
+}
+
+std::string origin_text(const SurfaceFrame& frame) {
+    std::string text;
+    for (const double metres : frame.origin)
+        text += (text.empty() ? "" : " ") + trimmed_decimal(metres, 0);
+    return text;
+}
+
+std::unique_ptr<SurfaceSink> open_obj_sink(FileDestination place, FileDestination materials,
+                                           SurfaceSolids solids) {
+    return std::make_unique<ObjSink>(std::move(place), std::move(materials), solids);
+}
 
 std::unique_ptr<SurfaceSink> open_stl_sink(FileDestination place, SurfaceSolids solids) {
     return std::make_unique<StlSink>(std::move(place), solids);

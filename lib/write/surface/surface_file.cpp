@@ -20,6 +20,8 @@ namespace {
 
 constexpr std::size_t bytes_per_write = std::size_t{1} << 20;
 
+constexpr std::size_t bytes_per_entry = std::size_t{1} << 20;
+
 }  // namespace
 
 struct SurfaceFile::Impl {
@@ -90,12 +92,6 @@ void SurfaceFile::warn(const std::string& sentence) {
 std::vector<std::string> SurfaceFile::take_warnings() {
     return impl_->staged.take_warnings();
 }
-
-namespace {
-
-constexpr std::size_t bytes_per_entry = std::size_t{1} << 20;
-
-}  // namespace
 
 void SpillBuffer::add(std::string_view bytes) {
     buffer_ += bytes;

@@ -54,6 +54,18 @@ std::string lock_statement(const VectorFormat& format, const std::vector<std::st
            " IN SHARE ROW EXCLUSIVE MODE";
 }
 
+/// Features per transaction of a new dataset; large, because each commit waits for the disk.
+constexpr std::int64_t batch = 200'000;
+
+/// Returns the state of a database and its log. Ignores an empty log, because opening the database creates
+/// one.
+std::string stamp_of_database(const std::string& path) {
+    const std::string log = path + "-wal";
+    std::error_code error;
+    const auto size = std::filesystem::file_size(log, error);
+    return stamp_of(error || size == 0 ? std::vector{path} : std::vector{path, log});
+}
+
 }  // namespace
 
 bool acquire_write_lock(const WriteTarget& target, GDALDatasetH database, const VectorFormat& format,
@@ -73,22 +85,6 @@ bool acquire_write_lock(const WriteTarget& target, GDALDatasetH database, const 
     call.check(true, "waiting for the lock");
     return true;
 }
-
-namespace {
-
-/// Features per transaction of a new dataset; large, because each commit waits for the disk.
-constexpr std::int64_t batch = 200'000;
-
-/// Returns the state of a database and its log. Ignores an empty log, because opening the database creates
-/// one.
-std::string stamp_of_database(const std::string& path) {
-    const std::string log = path + "-wal";
-    std::error_code error;
-    const auto size = std::filesystem::file_size(log, error);
-    return stamp_of(error || size == 0 ? std::vector{path} : std::vector{path, log});
-}
-
-}  // namespace
 
 DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, const WriteOptions& options)
     : target_(std::move(target)), format_(format), options_(options) {

@@ -288,10 +288,6 @@ void refuse_options(const WriteOptions& options) {
                               "leave it out, or write a GeoPackage.");
 }
 
-}  // namespace
-
-namespace {
-
 /// True if a drawing begins as those of a run.
 bool is_result(const std::string& path) {
     std::string beginning(signature().size(), '\0');

@@ -106,23 +106,6 @@ std::vector<std::string> PartSink::take_warnings() {
     return all;
 }
 
-}  // namespace
-
-std::unique_ptr<FeatureSink> open_part_sink(const WriteOptions& options, std::int64_t part,
-                                            const Callbacks& callbacks) {
-    return std::make_unique<PartSink>(options, part, callbacks);
-}
-
-bool writes_parts(const WriteOptions& options) {
-    if (options.format.empty() || options.destination.empty() || options.destination.starts_with("/vsi"))
-        return false;
-    reading::register_formats();
-    const VectorFormat format = format_for(options);
-    return format.name == "FlatGeobuf" && format.folder;
-}
-
-namespace {
-
 /// Returns the geometry type as spelled in a VRT. FlatGeobuf keeps arcs.
 std::string vrt_geometry(const LayerSpec& spec) {
     if (spec.points)
@@ -159,6 +142,19 @@ std::string vrt_text(const LayerMosaic& mosaic) {
 }
 
 }  // namespace
+
+std::unique_ptr<FeatureSink> open_part_sink(const WriteOptions& options, std::int64_t part,
+                                            const Callbacks& callbacks) {
+    return std::make_unique<PartSink>(options, part, callbacks);
+}
+
+bool writes_parts(const WriteOptions& options) {
+    if (options.format.empty() || options.destination.empty() || options.destination.starts_with("/vsi"))
+        return false;
+    reading::register_formats();
+    const VectorFormat format = format_for(options);
+    return format.name == "FlatGeobuf" && format.folder;
+}
 
 std::unique_ptr<PendingResult> prepare_layer_mosaic(const WriteOptions& options, const LayerMosaic& mosaic) {
     return prepare_text_file(std::filesystem::path(options.destination) / (mosaic.spec.name + ".vrt"),

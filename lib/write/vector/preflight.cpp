@@ -142,60 +142,6 @@ std::vector<std::string> create_table_statements(const PlannedOutput& draft) {
     return tables;
 }
 
-}  // namespace
-
-bool preflight_create(const PlannedOutput& draft) {
-    reject_reserved_names(draft.format, draft.options, draft.layers);
-    const reading::NoSidecar no_sidecar;
-    const reading::ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
-    try {
-        try {
-            const VsimemFolder memory;
-            create_in(memory.file(""), draft);
-            return true;
-        } catch (const OutputError&) {
-            if (!draft.destination.local)
-                throw;
-            const StagingFolder beside(draft.destination.name, draft.destination.path);
-            create_in(beside.folder().string() + "/", draft);
-            return false;
-        }
-    } catch (const OutputError& error) {
-        throw OutputError(with_advice(error.what(), draft.options));
-    }
-}
-
-void preflight_append(const PlannedOutput& draft) {
-    const WriteTarget target{draft.destination.name, ""};
-    const reading::CrsOwner srs = srs_of(draft.provenance.crs_wkt, target);
-    const LayerSettings setting{target, draft.format, draft.options.layer_options, srs.get()};
-    const reading::GdalMessages quiet;
-    const reading::DatasetOwner dataset =
-        open_dataset(draft.format, draft.destination.path, GDAL_OF_READONLY);
-    for (const LayerSpec& spec : draft.layers)
-        if (OGRLayerH layer = dataset ? find_layer(dataset.get(), draft.format, spec.name) : nullptr) {
-            require_same_provenance(layer, draft.provenance, target);
-            static_cast<void>(match_fields(layer, spec, setting));
-        }
-}
-
-void preflight_replace(const PlannedOutput& draft) {
-    const reading::GdalMessages quiet;
-    const reading::DatasetOwner dataset =
-        open_dataset(draft.format, draft.destination.path, GDAL_OF_READONLY);
-    if (!dataset || GDALGetInternalHandle(dataset.get(), "SQLITE_HANDLE") == nullptr)
-        return;
-    std::vector<std::string> there;
-    for (const LayerSpec& spec : draft.layers)
-        if (OGRLayerH layer = GDALDatasetGetLayerByName(dataset.get(), spec.name.c_str()))
-            there.emplace_back(OGR_L_GetName(layer));
-    const DependentObjects dependents(dataset.get(), there);
-    if (!there.empty() && !dependents.empty())
-        dependents.preflight({draft.destination.name, ""}, create_table_statements(draft));
-}
-
-namespace {
-
 /// True if the first feature of a layer was read back at its position.
 bool is_at(OGRLayerH layer, const Position& place) {
     constexpr double near = 0.01;
@@ -234,39 +180,6 @@ bool has_wkt1(OGRSpatialReferenceH srs) {
     CPLFree(text);
     return done;
 }
-
-}  // namespace
-
-CrsMismatch find_crs_mismatch(GDALDriverH driver, const std::string& destination, const std::string& wkt,
-                              const Position& place) {
-    const reading::GdalMessages messages;
-    const reading::CrsOwner srs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
-    if (!srs || is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO) ||
-        (EQUAL(GDALGetDriverShortName(driver), "GPKG") && has_wkt1(srs.get())))
-        return {};
-    OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
-    const VsimemFolder memory;
-    const std::string file = memory.file(probe_name(driver, destination));
-    reading::DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    const reading::GdalMessages of_layer;
-    OGRLayerH layer = dataset ? add_trial_layer(dataset.get(), "probe", srs.get()) : nullptr;
-    if (of_layer.failed())
-        return accepts_wgs84(driver, destination) ? CrsMismatch{of_layer.reason()} : CrsMismatch{};
-    const reading::GdalMessages quiet;
-    if (layer == nullptr || !add_trial_feature(layer, place))
-        return {};  // inconclusive
-    dataset.reset();
-    dataset = reopen_trial(driver, file);
-    layer = dataset ? GDALDatasetGetLayer(dataset.get(), 0) : nullptr;
-    if (layer == nullptr || !is_at(layer, place))
-        return {};
-    OGRSpatialReferenceH back = OGR_L_GetSpatialRef(layer);
-    if (back == nullptr)
-        return {"it would be lost"};
-    return same_kind(back, srs.get()) ? CrsMismatch{} : CrsMismatch{"", OSRGetName(back)};
-}
-
-namespace {
 
 /// Distinct values per axis: independent of the orientation and start of a ring, which drivers may change.
 struct AxisValues {
@@ -342,6 +255,85 @@ void write_trial(const std::string& file, const std::string& folder, const Plann
 }
 
 }  // namespace
+
+bool preflight_create(const PlannedOutput& draft) {
+    reject_reserved_names(draft.format, draft.options, draft.layers);
+    const reading::NoSidecar no_sidecar;
+    const reading::ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
+    try {
+        try {
+            const VsimemFolder memory;
+            create_in(memory.file(""), draft);
+            return true;
+        } catch (const OutputError&) {
+            if (!draft.destination.local)
+                throw;
+            const StagingFolder beside(draft.destination.name, draft.destination.path);
+            create_in(beside.folder().string() + "/", draft);
+            return false;
+        }
+    } catch (const OutputError& error) {
+        throw OutputError(with_advice(error.what(), draft.options));
+    }
+}
+
+void preflight_append(const PlannedOutput& draft) {
+    const WriteTarget target{draft.destination.name, ""};
+    const reading::CrsOwner srs = srs_of(draft.provenance.crs_wkt, target);
+    const LayerSettings setting{target, draft.format, draft.options.layer_options, srs.get()};
+    const reading::GdalMessages quiet;
+    const reading::DatasetOwner dataset =
+        open_dataset(draft.format, draft.destination.path, GDAL_OF_READONLY);
+    for (const LayerSpec& spec : draft.layers)
+        if (OGRLayerH layer = dataset ? find_layer(dataset.get(), draft.format, spec.name) : nullptr) {
+            require_same_provenance(layer, draft.provenance, target);
+            static_cast<void>(match_fields(layer, spec, setting));
+        }
+}
+
+void preflight_replace(const PlannedOutput& draft) {
+    const reading::GdalMessages quiet;
+    const reading::DatasetOwner dataset =
+        open_dataset(draft.format, draft.destination.path, GDAL_OF_READONLY);
+    if (!dataset || GDALGetInternalHandle(dataset.get(), "SQLITE_HANDLE") == nullptr)
+        return;
+    std::vector<std::string> there;
+    for (const LayerSpec& spec : draft.layers)
+        if (OGRLayerH layer = GDALDatasetGetLayerByName(dataset.get(), spec.name.c_str()))
+            there.emplace_back(OGR_L_GetName(layer));
+    const DependentObjects dependents(dataset.get(), there);
+    if (!there.empty() && !dependents.empty())
+        dependents.preflight({draft.destination.name, ""}, create_table_statements(draft));
+}
+
+CrsMismatch find_crs_mismatch(GDALDriverH driver, const std::string& destination, const std::string& wkt,
+                              const Position& place) {
+    const reading::GdalMessages messages;
+    const reading::CrsOwner srs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
+    if (!srs || is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO) ||
+        (EQUAL(GDALGetDriverShortName(driver), "GPKG") && has_wkt1(srs.get())))
+        return {};
+    OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    const VsimemFolder memory;
+    const std::string file = memory.file(probe_name(driver, destination));
+    reading::DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const reading::GdalMessages of_layer;
+    OGRLayerH layer = dataset ? add_trial_layer(dataset.get(), "probe", srs.get()) : nullptr;
+    if (of_layer.failed())
+        return accepts_wgs84(driver, destination) ? CrsMismatch{of_layer.reason()} : CrsMismatch{};
+    const reading::GdalMessages quiet;
+    if (layer == nullptr || !add_trial_feature(layer, place))
+        return {};  // inconclusive
+    dataset.reset();
+    dataset = reopen_trial(driver, file);
+    layer = dataset ? GDALDatasetGetLayer(dataset.get(), 0) : nullptr;
+    if (layer == nullptr || !is_at(layer, place))
+        return {};
+    OGRSpatialReferenceH back = OGR_L_GetSpatialRef(layer);
+    if (back == nullptr)
+        return {"it would be lost"};
+    return same_kind(back, srs.get()) ? CrsMismatch{} : CrsMismatch{"", OSRGetName(back)};
+}
 
 std::optional<CoordinateRounding> coordinate_rounding(const PlannedOutput& draft, bool appends) {
     using To = CoordinateRounding::To;

@@ -110,37 +110,6 @@ void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result)
     result.preserves_crs = layer != nullptr && OGR_L_GetSpatialRef(layer) != nullptr;
 }
 
-}  // namespace
-
-FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
-    const reading::GdalMessages quiet;
-    FormatProbe result;
-    if (is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO)) {
-        result.multiple_layers = has_capability(driver, GDAL_DCAP_MULTIPLE_VECTOR_LAYERS);
-        return result;
-    }
-    const std::string name = probe_name(driver, destination);
-    // GeoPackage is known, and a trial takes longer than a small raster.
-    if (EQUAL(GDALGetDriverShortName(driver), "GPKG")) {
-        const std::size_t dot = name.find('.');
-        result.multiple_layers = result.transactions = true;
-        if (dot != std::string::npos)
-            result.suffixes = {name.substr(dot)};
-        return result;
-    }
-    const VsimemFolder memory;
-    const std::string file = memory.file(name);
-    result.multiple_layers = writes_two(driver, file, result.transactions);
-    VSIStatBufL status{};
-    result.folder = VSIStatL(file.c_str(), &status) == 0 && VSI_ISDIR(status.st_mode);
-    if (!result.folder)
-        result.suffixes = memory.suffixes();
-    read_back(driver, file, result);
-    return result;
-}
-
-namespace {
-
 std::string metadata(GDALDriverH driver, const char* item) {
     const char* value = GDALGetMetadataItem(driver, item, nullptr);
     return value == nullptr ? std::string() : std::string(value);
@@ -221,6 +190,33 @@ void reject_vector_tiles(GDALDriverH driver, const std::string& destination) {
 }
 
 }  // namespace
+
+FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
+    const reading::GdalMessages quiet;
+    FormatProbe result;
+    if (is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO)) {
+        result.multiple_layers = has_capability(driver, GDAL_DCAP_MULTIPLE_VECTOR_LAYERS);
+        return result;
+    }
+    const std::string name = probe_name(driver, destination);
+    // GeoPackage is known, and a trial takes longer than a small raster.
+    if (EQUAL(GDALGetDriverShortName(driver), "GPKG")) {
+        const std::size_t dot = name.find('.');
+        result.multiple_layers = result.transactions = true;
+        if (dot != std::string::npos)
+            result.suffixes = {name.substr(dot)};
+        return result;
+    }
+    const VsimemFolder memory;
+    const std::string file = memory.file(name);
+    result.multiple_layers = writes_two(driver, file, result.transactions);
+    VSIStatBufL status{};
+    result.folder = VSIStatL(file.c_str(), &status) == 0 && VSI_ISDIR(status.st_mode);
+    if (!result.folder)
+        result.suffixes = memory.suffixes();
+    read_back(driver, file, result);
+    return result;
+}
 
 VectorFormat format_for(const WriteOptions& options) {
     if (options.destination.empty())
