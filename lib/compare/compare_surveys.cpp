@@ -29,7 +29,6 @@
 #include "read/field_layer.hpp"
 #include "read/gdal_setup.hpp"
 #include "read/polygon_layer.hpp"
-#include "read/vector_layer.hpp"
 #include "score/measure.hpp"
 #include "write/vector/layer_sink.hpp"
 

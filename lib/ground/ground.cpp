@@ -57,6 +57,29 @@ namespace {
 constexpr float above_all_limits = std::numeric_limits<float>::infinity();
 constexpr float below_all_elevations = -std::numeric_limits<float>::infinity();
 
+/// Computes the slopes of a row in metres per metre by central differences; one-sided at the border.
+void slopes_of_row(const MetreGrid& terrain, std::int32_t row, const CellSize& cell,
+                   std::span<float> slopes) {
+    const std::int32_t above = std::max(row - 1, 0);
+    const std::int32_t below = std::min(row + 1, terrain.rows - 1);
+    const float down = below > above ? 1.0F / static_cast<float>((below - above) * cell.down) : 0.0F;
+    const auto north = terrain.row(above);
+    const auto south = terrain.row(below);
+    const auto here = terrain.row(row);
+    const auto slope = [&](std::size_t left, std::size_t j, std::size_t right, float across) {
+        const float y = (south[j] - north[j]) * down;
+        const float x = (here[right] - here[left]) * across;
+        slopes[j] = std::sqrt(x * x + y * y);
+    };
+    const std::size_t last = slopes.size() - 1;
+    const float beside = 1.0F / static_cast<float>(cell.across);
+    const float twice_beside = 1.0F / static_cast<float>(2 * cell.across);
+    for (std::size_t j = 1; j < last; ++j)
+        slope(j - 1, j, j + 1, twice_beside);
+    slope(0, 0, std::min<std::size_t>(1, last), last > 0 ? beside : 0.0F);
+    slope(last - std::min<std::size_t>(1, last), last, last, last > 0 ? beside : 0.0F);
+}
+
 /// Surface opened by small elements, but `above_all_limits` in cells of small objects, and the minimum of
 /// each block of the opened surface.
 struct OpenedSurface {
@@ -220,29 +243,6 @@ AlignedGrid working_terrain(const AlignedGrid& surface, double width, const Rule
         fill_gaps(terrain, rules.relaxations, pyramid, threads);
     }
     return terrain;
-}
-
-/// Computes the slopes of a row in metres per metre by central differences; one-sided at the border.
-void slopes_of_row(const MetreGrid& terrain, std::int32_t row, const CellSize& cell,
-                   std::span<float> slopes) {
-    const std::int32_t above = std::max(row - 1, 0);
-    const std::int32_t below = std::min(row + 1, terrain.rows - 1);
-    const float down = below > above ? 1.0F / static_cast<float>((below - above) * cell.down) : 0.0F;
-    const auto north = terrain.row(above);
-    const auto south = terrain.row(below);
-    const auto here = terrain.row(row);
-    const auto slope = [&](std::size_t left, std::size_t j, std::size_t right, float across) {
-        const float y = (south[j] - north[j]) * down;
-        const float x = (here[right] - here[left]) * across;
-        slopes[j] = std::sqrt(x * x + y * y);
-    };
-    const std::size_t last = slopes.size() - 1;
-    const float beside = 1.0F / static_cast<float>(cell.across);
-    const float twice_beside = 1.0F / static_cast<float>(2 * cell.across);
-    for (std::size_t j = 1; j < last; ++j)
-        slope(j - 1, j, j + 1, twice_beside);
-    slope(0, 0, std::min<std::size_t>(1, last), last > 0 ? beside : 0.0F);
-    slope(last - std::min<std::size_t>(1, last), last, last, last > 0 ? beside : 0.0F);
 }
 
 bool is_cell(BlockSize factor) {

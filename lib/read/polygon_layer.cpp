@@ -180,4 +180,11 @@ ValidCells valid_cells(const std::string& path, Warnings& warnings) {
     return result;
 }
 
+bool is_vector_dataset(const std::string& path) {
+    const NetworkGuard gate(path);
+    const GdalMessages quiet;
+    const DatasetOwner dataset = open_guarded(path, GDAL_OF_VECTOR | GDAL_OF_READONLY);
+    return dataset && !geometry_layers(dataset.get()).empty();
+}
+
 }  // namespace d2b::reading

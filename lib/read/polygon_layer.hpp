@@ -37,4 +37,8 @@ struct ValidCells {
 /// @param path any raster that GDAL opens @throws InputError as open_dem(), or if no cell is valid
 [[nodiscard]] ValidCells valid_cells(const std::string& path, Warnings& warnings);
 
+/// Returns true if GDAL opens a dataset that has layers with geometries. Otherwise it is a raster, or cannot
+/// be opened, which open_dem() explains.
+[[nodiscard]] bool is_vector_dataset(const std::string& path);
+
 }  // namespace d2b::reading

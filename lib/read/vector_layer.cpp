@@ -92,13 +92,6 @@ PolygonFeature polygon_feature_of(OGRGeometryH geometry, std::vector<double>* el
     return feature;
 }
 
-bool is_vector_dataset(const std::string& path) {
-    const NetworkGuard gate(path);
-    const GdalMessages quiet;
-    const DatasetOwner dataset = open_guarded(path, GDAL_OF_VECTOR | GDAL_OF_READONLY);
-    return dataset && !geometry_layers(dataset.get()).empty();
-}
-
 DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint, Warnings& warnings) {
     const GdalMessages messages;
     DatasetOwner dataset = open_guarded(path, GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR);

@@ -31,10 +31,6 @@ namespace d2b::reading {
 [[nodiscard]] PolygonFeature polygon_feature_of(OGRGeometryH geometry,
                                                 std::vector<double>* elevations = nullptr);
 
-/// Returns true if GDAL opens a dataset that has layers with geometries. Otherwise it is a raster, or cannot
-/// be opened, which open_dem() explains.
-[[nodiscard]] bool is_vector_dataset(const std::string& path);
-
 /// Opens a dataset with vector layers. @param complaint "'x' cannot be opened", before GDAL's reason @throws
 /// InputError
 [[nodiscard]] DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint,
