@@ -30,6 +30,18 @@ struct FlowFault {
     FinePoint place;          ///< gap and neck: of the edge, nearest to the node
 };
 
+enum class FlowProblemKind { wall, angle, gap, neck, touch, crossing };
+
+/// A fault of the outlines and its outcome.
+struct FlowProblem {
+    FlowProblemKind kind = FlowProblemKind::wall;
+    double before = 0;  ///< m; degrees for angles
+    double after = 0;
+    bool changed = false;
+    FinePoint place;
+    std::vector<std::int32_t> contours;  ///< contours next to it
+};
+
 /// A fault and the edge or node at which it was found.
 struct KnownFault {
     std::uint32_t found_at = 0;  ///< walls: edge; angles, gaps and necks: node

@@ -10,17 +10,16 @@
 #include <tuple>
 #include <utility>
 
-#include "surface/block_budget.hpp"
 #include "surface/faces.hpp"
-#include "surface/flow_faults.hpp"
 #include "surface/flow_mender.hpp"
-#include "surface/needless_corners.hpp"
 #include "surface/partition.hpp"
 #include "surface/partition_editor.hpp"
 #include "surface/resolve_nonmanifold.hpp"
 
 namespace d2b::surface {
 namespace {
+
+constexpr double straight_m = 0.001;
 
 /// Outlines of a partition.
 struct PlanOutlines {
@@ -284,6 +283,25 @@ FlowReady make_flow_ready(std::span<const PartitionContour> contours, const Flow
         result.outlines = straightened(partition.plan, contours, limits, frozen, stop);
     settle(result.problems);
     return result;
+}
+
+void take_needless_corners(PartitionEditor& plan, const FlowMetric& metric,
+                           const std::function<bool(std::uint32_t)>& may_go) {
+    const double step =
+        std::max(std::hypot(metric.col_x, metric.col_y), std::hypot(metric.row_x, metric.row_y));
+    const double limit = std::max(straight_m, step);
+    std::vector<double> moved(plan.edges().size());  // distance per edge from the corners that it lost, m
+    for (std::uint32_t node = 0; node < plan.nodes().size(); ++node) {
+        if (plan.degree(node) != 2 || !may_go(node))
+            continue;
+        const std::vector<IncidentEdge> arms = plan.around(node);
+        if (arms[0].end == arms[1].end || plan.edge_between(arms[0].end, arms[1].end))
+            continue;
+        const double off = metric.distance_to(plan.at(node), plan.at(arms[0].end), plan.at(arms[1].end)) +
+                           std::max(moved[arms[0].edge], moved[arms[1].edge]);
+        if (off <= limit && plan.merge(node, arms[0].end))
+            moved[arms[1].edge] = off;
+    }
 }
 
 }  // namespace d2b::surface

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "core/stop_token.hpp"
-#include "surface/flow_limits.hpp"
-#include "surface/flow_problem.hpp"
-#include "surface/planar_partition.hpp"
+#include "surface/flow_faults.hpp"
 
 namespace d2b::surface {
 
@@ -26,5 +26,12 @@ struct FlowReady {
 /// @throws Cancelled
 [[nodiscard]] FlowReady make_flow_ready(std::span<const PartitionContour> contours, const FlowLimits& limits,
                                         const std::vector<bool>& frozen = {}, const StopToken& stop = {});
+
+/// Removes corners at which a wall goes straight on within a millimetre, or within a step of the lattice if
+/// that is longer. Corners of more than two walls stay. A wall moves by no more than that, however many
+/// corners it loses.
+/// @param may_go returns true if a node may be removed
+void take_needless_corners(PartitionEditor& plan, const FlowMetric& metric,
+                           const std::function<bool(std::uint32_t)>& may_go);
 
 }  // namespace d2b::surface

@@ -15,7 +15,6 @@
 #include "core/stop_token.hpp"
 #include "surface/flow_faults.hpp"
 #include "surface/label_contours.hpp"
-#include "surface/needless_corners.hpp"
 #include "surface/partition.hpp"
 #include "surface/resolve_nonmanifold.hpp"
 
