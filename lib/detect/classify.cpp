@@ -24,7 +24,7 @@ constexpr double compact_m2 = 150;
 constexpr double winged_m2 = 300;
 
 // Fitted by tests/accuracy/run.py --learn, see docs/accuracy.md.
-constexpr double thin_constant = -0.89;
+constexpr double sparse_constant = -0.89;
 
 /// Log compactness relative to the value that is equally common among trees; 0 if uninformative. Objects more
 /// compact than a rectangle are round, which is no evidence for a building.
@@ -53,13 +53,13 @@ struct Term {
     double value;
     CounterEvidence doubt;
     Weight usual;
-    Weight thin;
+    Weight sparse;
 
-    [[nodiscard]] double term(double thinness) const {
-        return (1 - thinness) * usual.term(value) + thinness * thin.term(value);
+    [[nodiscard]] double term(double sparseness) const {
+        return (1 - sparseness) * usual.term(value) + sparseness * sparse.term(value);
     }
-    [[nodiscard]] bool is_inactive(double thinness) const {
-        return (usual.of == 0 || thinness == 1) && (thin.of == 0 || thinness == 0);
+    [[nodiscard]] bool is_inactive(double sparseness) const {
+        return (usual.of == 0 || sparseness == 1) && (sparse.of == 0 || sparseness == 0);
     }
 };
 
@@ -95,18 +95,18 @@ std::array<Term, terms_of_a_sum> terms_of(const ObjectFeatures& features) {
 DetectedObject classify(const ObjectFeatures& features, double filled) {
     if (!has_walls(features))
         return {0, CounterEvidence::no_step, 0};
-    const double thin = thinness(filled);
+    const double sparse = sparseness(filled);
     const std::array<Term, terms_of_a_sum> model_terms = terms_of(features);
     std::array<double, terms_of_a_sum> terms{};
     std::ranges::transform(model_terms, terms.begin(),
-                           [&](const Term& model_term) { return model_term.term(thin); });
-    double sum = thin * thin_constant;
+                           [&](const Term& model_term) { return model_term.term(sparse); });
+    double sum = sparse * sparse_constant;
     for (const double term : terms)
         sum += term;
     // Ignores terms that took no part: those without weight, vegetation without (green) NDVI, and the
     // compactness of large objects.
     for (std::size_t i = 0; i < model_terms.size(); ++i)
-        if (model_terms[i].is_inactive(thin) || (i == greenness && features.green == 0) ||
+        if (model_terms[i].is_inactive(sparse) || (i == greenness && features.green == 0) ||
             (i == form && model_terms[i].value == 0))
             terms[i] = std::numeric_limits<double>::infinity();
     const auto worst = std::min_element(terms.begin(), terms.end()) - terms.begin();

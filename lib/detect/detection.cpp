@@ -83,7 +83,7 @@ Candidates detect_candidates(const Scene& scene, const DetectOptions& options, d
     if (needs_multi_threshold(scene.side(), quality.filled))
         judged = multi_threshold_candidates(scene, cells, min_area_m2, quality, std::move(judged), threads);
     std::optional<Candidates> second;
-    if (has_very_thin_points(quality.filled))
+    if (has_very_sparse_points(quality.filled))
         second = relaxed_pass(scene, cells, min_area_m2, quality, judged.regions, threads);
     apply_priors(scene, quality.filled, judged, second, threads);
     if (second)

@@ -215,7 +215,7 @@ PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects
                              std::span<DetectedObject> others) {
     const std::vector<double> ratios = ratios_of(objects);
     const bool usual_appearance = has_usual_appearance(objects);
-    if (has_very_thin_points(filled) || ratios.size() < fewest_candidates || !usual_appearance) {
+    if (has_very_sparse_points(filled) || ratios.size() < fewest_candidates || !usual_appearance) {
         const double share = lacks_certain_buildings(objects) ? max_share_of_few(ratios) : usual_share;
         replace_prior(share, objects);
         replace_prior(share, others);

@@ -12,32 +12,32 @@ namespace {
 constexpr double usual = 0.02;
 constexpr double filled_by_any = 0.04;
 constexpr double no_single_limit = 0.06;
-constexpr double thin = 0.08;
-constexpr double very_thin = 0.1;
+constexpr double sparse = 0.08;
+constexpr double very_sparse = 0.1;
 
 // Scenes of 2 pulses per m^2 on cells of 1 m have 0.23 to 0.27, and places and scenes of more pulses whose
 // slopes are planes at most 0.17; see docs/research/strict_limits.md.
-constexpr double thin_slopes_m = 0.19;
+constexpr double sparse_slopes_m = 0.19;
 constexpr double mostly_planes = 0.5;
 
 constexpr double coarse_m = 1.9;  // map cells of 2 m may be slightly smaller on the ground
 
 }  // namespace
 
-double thinness(double filled) {
-    return std::clamp((filled - filled_by_any) / (thin - filled_by_any), 0.0, 1.0);
+double sparseness(double filled) {
+    return std::clamp((filled - filled_by_any) / (sparse - filled_by_any), 0.0, 1.0);
 }
 
-bool has_thin_points(double filled) {
-    return filled > thin;
+bool has_sparse_points(double filled) {
+    return filled > sparse;
 }
 
-double thin_share() {
-    return thin;
+double sparse_share() {
+    return sparse;
 }
 
-bool has_very_thin_points(double filled) {
-    return filled > very_thin;
+bool has_very_sparse_points(double filled) {
+    return filled > very_sparse;
 }
 
 bool is_coarse(double side) {
@@ -53,18 +53,18 @@ double sampling_margin(double side, double filled) {
     return of_side * side * std::sqrt(std::max(0.0, filled - usual));
 }
 
-bool has_thin_slopes(const SlopeSampling& slopes) {
-    return slopes.error_m >= thin_slopes_m && slopes.planar_share >= mostly_planes;
+bool has_sparse_slopes(const SlopeSampling& slopes) {
+    return slopes.error_m >= sparse_slopes_m && slopes.planar_share >= mostly_planes;
 }
 
 std::vector<double> stricter_scales(double side, double filled) {
     if (!is_coarse(side))
         return {0.7, 0.5, 0.35};
-    return has_very_thin_points(filled) ? std::vector<double>{} : std::vector{0.9};
+    return has_very_sparse_points(filled) ? std::vector<double>{} : std::vector{0.9};
 }
 
 double price_of_lost_roofs(double filled) {
-    return has_very_thin_points(filled) ? 2 : 2.5;
+    return has_very_sparse_points(filled) ? 2 : 2.5;
 }
 
 }  // namespace d2b::detect

@@ -32,7 +32,7 @@ struct SurfaceQuality {
 
     /// Share of cells whose smoothness is no evidence. Rounded elevations are treated like sparse points.
     [[nodiscard]] double uninformative_share() const {
-        return rounded_to > 0 ? std::max(filled, thin_share()) : filled;
+        return rounded_to > 0 ? std::max(filled, sparse_share()) : filled;
     }
 };
 

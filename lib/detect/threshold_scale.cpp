@@ -192,7 +192,7 @@ std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectO
         step_sharpness(scene.surface, buildings, threads) < least_sharp)
         return std::nullopt;
     const std::optional<SlopeSampling> slopes = slope_sampling(scene, likely_roofs(first, threads), threads);
-    if (slopes && has_thin_slopes(*slopes))
+    if (slopes && has_sparse_slopes(*slopes))
         return std::nullopt;
     const auto find_at = [&](double factor, Trial& trial) {
         SurfaceQuality other = quality;

@@ -47,7 +47,7 @@ struct RoofSample {
 /// @param first candidates found with `quality`
 /// @return 1 or one of stricter_scales(); nullopt if there are fewer than 500
 /// such cells, without has_usual_appearance(), since certain roofs then do not speak for the others, with
-/// has_thin_slopes(), or if walls are blurred (step_sharpness() below 0.6), because blur smooths roofs and
+/// has_sparse_slopes(), or if walls are blurred (step_sharpness() below 0.6), because blur smooths roofs and
 /// crowns alike, and bends small houses
 [[nodiscard]] std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectOptions& options,
                                                              double min_area_m2,

@@ -110,10 +110,10 @@ std::string extent_warning(const std::string& dem, double width, double height) 
 }
 
 std::string sparse_points_warning(const SamplingReport& report, double side) {
-    if (!detect::has_thin_points(report.interpolated_fraction) || !report.points_per_cell)
+    if (!detect::has_sparse_points(report.interpolated_fraction) || !report.points_per_cell)
         return {};
-    return "points are thin: about " + rounded(*report.points_per_cell) + " fell into a cell of " +
-           rounded(side) + " m, and none into " + percent(report.interpolated_fraction) +
+    return "points are sparse: about " + rounded(*report.points_per_cell) + " per cell of " + rounded(side) +
+           " m, and none in " + percent(report.interpolated_fraction) +
            " of the cells, so roofs look rough, small houses may be missed, and crowns taken for houses; use "
            "a denser scan, or check the objects that -write_doubtful writes";
 }

@@ -56,7 +56,11 @@ void count_advisable(const BuildingRecord& record, RunReport& report) {
     constexpr double certain = 0.9;
     const auto& heights = record.heights_m;
     report.uncertain += record.confidence < certain ? 1 : 0;
-    report.uneven += has_several_roofs(heights[0], heights[p90_share]) ? 1 : 0;
+    report.buildings_m2 += record.area_m2;
+    if (has_several_roofs(heights[0], heights[p90_share])) {
+        ++report.uneven;
+        report.uneven_m2 += record.area_m2;
+    }
 }
 
 }  // namespace

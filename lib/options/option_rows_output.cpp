@@ -287,12 +287,13 @@ OptionRow sweep() {
         "sweep", OptionKind::text, "<option>=<from>..<to>[,<option>=<from>..<to>...]",
         {.title = "Trials",
          .help = "Try every combination of these values, and print a table; nothing else is written.",
-         .details = "Leave the destination out. Any option that takes one number and changes buildings or "
-                    "contours can vary, such as lod=1..6,min_area=10..60. The table has buildings, contours, "
-                    "points, the distance of the stack to the input (root mean square) and seconds. Below it "
-                    "are options whose larger values change nothing. With -preview the program also draws a "
-                    "contact sheet, on which differences from the first trial are blue. Of more than six "
-                    "values it tries six; a third number is the step: nf=5..60..5."});
+         .details =
+             "Leave the destination out. Any option that takes one number and changes buildings or "
+             "contours can vary, such as lod=1..6,min_area=10..60. The table has buildings, contours, "
+             "points, the distance of the stack to the input (root mean square) and seconds. Below it "
+             "are options that change nothing from some value on. With -preview the program also draws a "
+             "contact sheet, on which differences from the first trial are blue. Of more than six "
+             "values it tries six; a third number is the step: nf=5..60..5."});
     row.apply = [](Request& request, OptionValues texts) {
         request.tool.sweep_plan = parse_sweep(texts[0]);
         request.tool.sweep = texts[0];

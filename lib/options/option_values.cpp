@@ -1,6 +1,8 @@
 #include "options/option_values.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <system_error>
@@ -86,6 +88,14 @@ bool is_whole(double value) {
     return value == std::floor(value);
 }
 
+/// Rounds to 12 significant digits, because three times a tenth is more than 0.3.
+double without_rounding_error(double value) {
+    std::array<char, 32> buffer{};
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 12);
+    return *parse_all<double>({buffer.data(), end});
+}
+
 std::vector<double> reals_of(const std::string& text, const NumberRange& range) {
     std::vector<double> numbers;
     for (const std::string& part : parts_of(text, ".."))
@@ -106,7 +116,7 @@ std::vector<double> reals_of(const std::string& text, const NumberRange& range) 
         refuse(text);
     std::vector<double> values;
     for (int i = 0; i <= static_cast<int>(steps); ++i)
-        values.push_back(std::min(last, first + i * step));
+        values.push_back(std::min(last, without_rounding_error(first + i * step)));
     return values;
 }
 
@@ -120,7 +130,8 @@ const OptionRow& variable_option(const std::string& name, const std::string& tex
                            row->group == OptionGroup::contours);
     if (!shapes || !row->numbers)
         throw OptionError("-sweep cannot vary '" + name +
-                          "'; it varies options that take one number, such as min_area or lod.");
+                          "'; it varies options that change buildings or contours and take one number, such "
+                          "as min_area or lod.");
     return *row;
 }
 

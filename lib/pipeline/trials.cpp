@@ -170,7 +170,7 @@ std::vector<Saturation> saturations(const SweepPlan& plan, const std::vector<Tri
         stride /= option.values.size();
         const std::size_t first = first_saturated(trials, stride, option.values.size());
         if (first + 1 < option.values.size())
-            found.push_back({option.name, option.values[first]});
+            found.push_back({option.name, option.values[first], option.values.back()});
     }
     return found;
 }

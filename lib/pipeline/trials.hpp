@@ -42,10 +42,11 @@ using MakeView =
                                             const SweepPlan& plan, const MakeView& make_view,
                                             const Callbacks& callbacks = {});
 
-/// Option whose larger values give the same features, whatever the values of the other options.
+/// Option whose largest values give the same features, whatever the values of the other options.
 struct Saturation {
     std::string option;
-    std::string value;  ///< the largest that changes something
+    std::string first;  ///< smallest value of them
+    std::string last;   ///< largest value tried
 };
 [[nodiscard]] std::vector<Saturation> saturations(const SweepPlan& plan, const std::vector<Trial>& trials);
 

@@ -34,17 +34,9 @@ int line_count(const PageWords& words) {
     return words.credit.empty() ? 2 : 3;
 }
 
-/// Leaves out what only matters for tuning on paper.
-std::string summary(const PictureCounts& counts, const std::string& parameters, const PageLayout& layout) {
-    std::string text = count_text(counts);
-    if (!layout.on_paper) {
-        text += " · " + count_noun(counts.points, "point");
-        if (counts.stacked)
-            text += " · RMSE of the stack " + rounded_metres(counts.rmse_m);
-        text += " · " + parameters;
-    }
-    text += counts.paler ? uncertain_note : "";
-    return text + (layout.scale.empty() ? "" : " · Scale " + layout.scale);
+std::string summary(const PictureCounts& counts, const PageLayout& layout) {
+    return count_text(counts) + (counts.paler ? uncertain_note : "") +
+           (layout.scale.empty() ? "" : " · Scale " + layout.scale);
 }
 
 constexpr double mm_per_inch = 25.4;
@@ -251,12 +243,12 @@ PageLayout plan_paper(const MapArea& area, const PaperRequest& request, writing:
     return room.layout;
 }
 
-std::string draw_map_page(const MapPicture& map, const std::string& parameters, writing::PictureFormat format,
-                          const PageLayout& layout, const PageWords& words) {
+std::string draw_map_page(const MapPicture& map, writing::PictureFormat format, const PageLayout& layout,
+                          const PageWords& words) {
     const double font = layout.font;
     const double width = layout.page.width - 2 * layout.margin;
     const Footer footer(width, font, line_count(words));
-    FooterText text{map.legend, {summary(map.counts, parameters, layout)}};
+    FooterText text{map.legend, {summary(map.counts, layout)}};
     if (!words.credit.empty())
         text.lines.push_back(words.credit);
     text.lines.push_back(source_line(map.frame.area()));

@@ -44,11 +44,10 @@ struct PaperRequest {
                                     writing::PictureFormat format, const PageWords& words = {});
 
 /// Draws a map with legend, scale bar, north arrow, number of buildings and source.
-/// @param map has the size of the layout's map @param parameters options that shaped the result; not on paper
+/// @param map has the size of the layout's map
 /// @return content of the file @throws OutputError
-[[nodiscard]] std::string draw_map_page(const MapPicture& map, const std::string& parameters,
-                                        writing::PictureFormat format, const PageLayout& layout,
-                                        const PageWords& words = {});
+[[nodiscard]] std::string draw_map_page(const MapPicture& map, writing::PictureFormat format,
+                                        const PageLayout& layout, const PageWords& words = {});
 
 /// Arrangement of trials on one page: number of trials, columns, and longest side of the page.
 struct SheetPlan {

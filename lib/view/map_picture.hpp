@@ -60,12 +60,11 @@ class Relief final : public RasterSink {
 struct PictureCounts {
     std::int64_t number = 0;  ///< number of buildings written, or of contours if there are only contours
     bool contours_only = false;
-    std::int64_t points = 0;   ///< number of outline vertices
     bool stacked = false;      ///< true if contours were written
     double rmse_m = 0;         ///< RMS error of the stack
     bool paler = false;        ///< true if some colours are lightened for uncertain features
-    std::int64_t added = 0;    ///< outlines that the first of several maps does not have
-    std::int64_t missing = 0;  ///< outlines that only the first of several maps has
+    std::int64_t added = 0;    ///< outlines of the filled layer that the first of several maps does not have
+    std::int64_t missing = 0;  ///< outlines of the filled layer that only the first of several maps has
 };
 
 /// Finished map before the page layout.

@@ -25,14 +25,6 @@ CellSize cell_of(const DemInfo& dem, const Crs& crs) {
     }
 }
 
-/// Describes the options that shape a stack.
-std::string parameters_text(const Options& options) {
-    std::string text = "lod " + std::to_string(options.levels.lod);
-    if (!options.levels.fixed.empty() || options.levels.interval)
-        text = "given levels";
-    return text + ", nf " + std::to_string(options.filter.noise_factor);
-}
-
 PageLayout layout_of(const WriteOptions& write, const MapArea& area, writing::PictureFormat format,
                      const PageWords& words) {
     if (!write.preview_paper)
@@ -71,8 +63,8 @@ Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& d
     const PageWords words = page_words(options);
     const PageLayout layout = layout_of(options.write, ground, format, words);
     sink_.emplace(features, MapFrame(ground, layout.map), format,
-                  [this, format, layout, words, text = parameters_text(options)](const MapPicture& map) {
-                      file_->write(draw_map_page(map, text, format, layout, words));
+                  [this, format, layout, words](const MapPicture& map) {
+                      file_->write(draw_map_page(map, format, layout, words));
                   });
 }
 

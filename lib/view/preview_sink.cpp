@@ -43,7 +43,7 @@ std::string key_of(std::size_t layer, const FirstOutlines::Rings& rings) {
 
 void FirstOutlines::add(std::size_t layer, Rings rings) {
     std::string key = key_of(layer, rings);
-    outlines_.emplace(std::move(key), Outline{std::move(rings)});
+    outlines_.emplace(std::move(key), Outline{layer, std::move(rings)});
 }
 
 bool FirstOutlines::find(std::size_t layer, const Rings& rings) {
@@ -54,11 +54,11 @@ bool FirstOutlines::find(std::size_t layer, const Rings& rings) {
     return true;
 }
 
-std::vector<FirstOutlines::Rings> FirstOutlines::take_missing() {
-    std::vector<Rings> missing;
+std::vector<FirstOutlines::Outline> FirstOutlines::take_missing() {
+    std::vector<Outline> missing;
     for (auto& [key, outline] : outlines_)
         if (!std::exchange(outline.seen, false))
-            missing.push_back(outline.rings);
+            missing.push_back(outline);
     return missing;
 }
 
@@ -127,7 +127,7 @@ void PreviewSink::compare(std::size_t layer, const FirstOutlines::Rings& rings) 
     if (!first_->is_complete())
         first_->add(layer, rings);
     else if (!first_->find(layer, rings))
-        added_.push_back(rings);
+        added_.push_back({layer, rings});
 }
 
 void PreviewSink::mark_differences() {
@@ -137,13 +137,19 @@ void PreviewSink::mark_differences() {
         first_->complete();
         return;
     }
-    const std::vector<FirstOutlines::Rings> missing = first_->take_missing();
-    for (const FirstOutlines::Rings& rings : missing)
-        map_.footprints.mark(rings, true);
-    for (const FirstOutlines::Rings& rings : added_)
-        map_.footprints.mark(rings, false);
-    map_.counts.added = static_cast<std::int64_t>(added_.size());
-    map_.counts.missing = static_cast<std::int64_t>(missing.size());
+    const std::vector<FirstOutlines::Outline> missing = first_->take_missing();
+    for (const FirstOutlines::Outline& outline : missing)
+        map_.footprints.mark(outline.rings, true);
+    for (const FirstOutlines::Outline& outline : added_)
+        map_.footprints.mark(outline.rings, false);
+    // The contours of a building are marked but not counted, because the counts stand beside that of
+    // buildings.
+    const auto count = [this](const std::vector<FirstOutlines::Outline>& outlines) {
+        return std::ranges::count_if(
+            outlines, [this](const auto& outline) { return outline.layer == filled_layer_->layer; });
+    };
+    map_.counts.added = count(added_);
+    map_.counts.missing = count(missing);
 }
 
 void PreviewSink::add(std::size_t layer, const Feature& feature) {
@@ -159,7 +165,6 @@ void PreviewSink::take_report(const RunReport& report) {
     PictureCounts& counts = map_.counts;
     counts.contours_only = report.layers == Layers::contours;
     counts.number = counts.contours_only ? report.contours : report.buildings;
-    counts.points = report.vertices;
     counts.stacked = report.contours > 0;
     counts.rmse_m = report.stack_rmse_m;
     features_.take_report(report);

@@ -17,6 +17,11 @@ namespace d2b::view {
 class FirstOutlines {
   public:
     using Rings = std::vector<std::vector<PixelPoint>>;
+    struct Outline {
+        std::size_t layer = 0;
+        Rings rings;
+        bool seen = false;
+    };
 
     /// Returns true once the first map is complete.
     [[nodiscard]] bool is_complete() const { return complete_; }
@@ -25,13 +30,9 @@ class FirstOutlines {
     /// Marks an outline as seen on the present map. Returns false if the first map does not have it.
     [[nodiscard]] bool find(std::size_t layer, const Rings& rings);
     /// Returns the outlines that were not seen, and forgets which were.
-    [[nodiscard]] std::vector<Rings> take_missing();
+    [[nodiscard]] std::vector<Outline> take_missing();
 
   private:
-    struct Outline {
-        Rings rings;
-        bool seen = false;
-    };
     std::map<std::string, Outline> outlines_;  ///< by layer and coordinates
     bool complete_ = false;
 };
@@ -94,7 +95,7 @@ class PreviewSink final : public FeatureSink {
     FeatureSink& features_;
     OnMap on_map_;
     std::shared_ptr<FirstOutlines> first_;
-    std::vector<FirstOutlines::Rings> added_;  ///< outlines that the first map does not have
+    std::vector<FirstOutlines::Outline> added_;  ///< that the first map does not have
     std::shared_ptr<Relief> relief_;
     MapPicture map_;
     std::optional<CoordinateTransform> to_dem_;  ///< set if the features are in another CRS

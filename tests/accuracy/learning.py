@@ -130,7 +130,7 @@ def is_scene(place):
 
 
 def fit_thin(known):
-    """The weights for thin points, as the program has them."""
+    """The weights for sparse points, as the program has them."""
     weights = fit([row[1] for row in known], [SCENES_HEAVY if is_scene(row[0]) else 1 for row in known])
     weights[-1] -= CAUTION
     return weights
@@ -149,7 +149,7 @@ def with_zeros(known, weights):
 
 def learned(build, places, work, more=()):
     """Tables by name, and the places as they were left out.
-    :param more: places that only the weights for thin points are fitted to"""
+    :param more: places that only the weights for sparse points are fitted to"""
     objects = [(place, objects_of(build, place, work)) for place in [*places, *more]]
     known = [(place, seen(rows, NAMES)) for place, rows in objects[:len(places)]]
     thin = [(place, seen(rows, THIN_NAMES)) for place, rows in objects if rows and rows[0]["filled"] > THIN]

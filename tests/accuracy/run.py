@@ -12,7 +12,7 @@ tables: areas, objects, walls, places without buildings, and how often a confide
 --plot     draws how often a confidence is right (needs python3-matplotlib)
 --failures draws of each real place, and of the scenes with the lowest IoU, where most goes wrong (matplotlib as well)
 --learn    fits the weights of the judge to the real places and to scenes of another seed, and tries them on each
-           place with that place left out; those for thin points to all places and scenes as thin scans show them
+           place with that place left out; those for sparse points to all places and scenes as thin scans show them
 --least-iou  fails where the mean IoU of the scenes is less
 Needs python3-gdal and python3-scipy.
 """

@@ -70,7 +70,7 @@ TEST(AccuracyOfScenes, FarmsAmongThinPointsAreFoundByHalf) {
     EXPECT_NEAR(score.sampling.points_per_cell.value(), points, 0.25 * points);
     EXPECT_LT(score.sampling.edge_width_cells.value(), 1);
     ASSERT_EQ(score.warnings.size(), 1U);
-    EXPECT_TRUE(score.warnings[0].starts_with("Points are thin: about ")) << score.warnings[0];
+    EXPECT_TRUE(score.warnings[0].starts_with("Points are sparse: about ")) << score.warnings[0];
 }
 
 TEST(AccuracyOfScenes, ABlurIsSeenForWhatItIs) {

@@ -196,7 +196,7 @@ TEST_F(Formats, geojsonInMetresGetsAHint) {
         return result.out;
     };
     const std::string hint =
-        "The GeoJSON has coordinates of its CRS, and most programs take them for degrees: -t_srs EPSG:4326 "
+        "The GeoJSON has projected coordinates, but most programs expect degrees: -t_srs EPSG:4326 "
         "writes degrees.\n";
     const std::string file = sample("nodata.tif");
     EXPECT_TRUE(said({file, "out.geojson"}).ends_with(hint));

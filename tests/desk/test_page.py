@@ -51,7 +51,7 @@ class Page(unittest.TestCase):
         path = PICTURES / name
         picture = browser.picture()
         if os.environ.get("D2B_NEW_PICTURES"):
-            picture.quantize(256).save(path, optimize=True)
+            picture.save(path, optimize=True)
         self.assertLess(difference(picture, Image.open(path).convert("RGB")), SAME, name)
 
     def quiet(self, browser):

@@ -170,7 +170,7 @@ TEST(Classify, SmallHousesOfThinPointsAreCompact) {
     EXPECT_GT(confidence(75, 0.95, 0.2), confidence(75, 0.5, 0.2));
     house.compactness = 0.5;
     EXPECT_EQ(counter_evidence_name(classify(house, 0.2).doubt), "ragged form");
-    // Weights of thin points take over as cells are filled.
+    // Weights of sparse points take over as cells are filled.
     EXPECT_LT(confidence(75, 0.95, 0), confidence(75, 0.95, 0.05));
     EXPECT_LT(confidence(75, 0.95, 0.05), confidence(75, 0.95, 0.2));
 }

@@ -8,13 +8,13 @@ namespace d2b::detect {
 namespace {
 
 TEST(SamplingRules, ThinnessRisesFromUsualToThinPoints) {
-    EXPECT_EQ(thinness(0), 0);
-    EXPECT_EQ(thinness(0.04), 0);
-    EXPECT_NEAR(thinness(0.06), 0.5, 1e-12);
-    EXPECT_EQ(thinness(thin_share()), 1);
-    EXPECT_EQ(thinness(1), 1);
-    EXPECT_FALSE(has_thin_points(thin_share()));
-    EXPECT_TRUE(has_thin_points(0.081));
+    EXPECT_EQ(sparseness(0), 0);
+    EXPECT_EQ(sparseness(0.04), 0);
+    EXPECT_NEAR(sparseness(0.06), 0.5, 1e-12);
+    EXPECT_EQ(sparseness(sparse_share()), 1);
+    EXPECT_EQ(sparseness(1), 1);
+    EXPECT_FALSE(has_sparse_points(sparse_share()));
+    EXPECT_TRUE(has_sparse_points(0.081));
 }
 
 TEST(SamplingRules, MarginGrowsWithTheCellAndTheRootOfTheShare) {

@@ -85,10 +85,10 @@ TEST(SlopeSampling, WindowsLieWithinRoofs) {
 }
 
 TEST(SlopeSampling, ThinSlopesArePlanesFarFromTheirPoints) {
-    EXPECT_TRUE(has_thin_slopes(*sampling_of(slope_of(2, 1), 1)));
-    EXPECT_FALSE(has_thin_slopes(*sampling_of(slope_of(5, 1), 1)));
-    EXPECT_FALSE(has_thin_slopes(*sampling_of(slope_of(2, 0.5), 0.5))) << "eight points per square metre";
-    EXPECT_FALSE(has_thin_slopes({0.25, 0.4})) << "clutter, not slopes";
+    EXPECT_TRUE(has_sparse_slopes(*sampling_of(slope_of(2, 1), 1)));
+    EXPECT_FALSE(has_sparse_slopes(*sampling_of(slope_of(5, 1), 1)));
+    EXPECT_FALSE(has_sparse_slopes(*sampling_of(slope_of(2, 0.5), 0.5))) << "eight points per square metre";
+    EXPECT_FALSE(has_sparse_slopes({0.25, 0.4})) << "clutter, not slopes";
 }
 
 }  // namespace

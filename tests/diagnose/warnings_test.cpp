@@ -165,7 +165,7 @@ TEST(SamplingDoubt, IsNoneOfADenseScan) {
 
 TEST(SamplingDoubt, IsOfThinPoints) {
     EXPECT_EQ(sparse_points_warning({0.197, 1.62, 0.8, {}}, 2.5),
-              "points are thin: about 1.6 fell into a cell of 2.5 m, and none into 20 % of the cells, so "
+              "points are sparse: about 1.6 per cell of 2.5 m, and none in 20 % of the cells, so "
               "roofs look rough, small houses may be missed, and crowns taken for houses; use a denser scan, "
               "or check the objects that -write_doubtful writes");
 }

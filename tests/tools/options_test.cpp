@@ -177,6 +177,7 @@ TEST(Options, aSweepIsEveryPairOfItsNumbers) {
     EXPECT_EQ(values_of("detail=0.5..3"), (Values{"0.5", "1", "1.5", "2", "2.5", "3"}));
     EXPECT_EQ(values_of("detail=1.5"), Values{"1.5"});
     EXPECT_EQ(values_of("min_confidence=0.5..0.9..0.2"), (Values{"0.5", "0.7", "0.9"}));
+    EXPECT_EQ(values_of("wall_inset=0..0.3..0.1"), (Values{"0", "0.1", "0.2", "0.3"}));
     EXPECT_EQ(sweep_values(sweep_of("lod=1..2,min_area=10..20..10")),
               (std::vector<Values>{{"1", "10"}, {"1", "20"}, {"2", "10"}, {"2", "20"}}));
     for (const std::string wrong : {"detail=",

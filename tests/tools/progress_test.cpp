@@ -141,20 +141,31 @@ TEST(Summary, countsWhatTheReportCounts) {
               "traced; treated as no data: 12 cells outside -zrange, 2 cells far above all cells around)\n");
 }
 
-TEST(Advice, namesTheOptionThatWouldImproveMostBuildings) {
+TEST(Advice, namesTheOptionsThatWouldImproveManyBuildings) {
     const Options options;
     RunReport report;
     report.buildings = 96;
     EXPECT_EQ(advice(report, options), "");
     report.uncertain = 23;
     report.uneven = 3;
+    report.buildings_m2 = 10000;
+    report.uneven_m2 = 900;
+    const std::string uncertain =
+        "23 of 96 buildings have a confidence below 0.9: -min_confidence 0.9 -write_doubtful writes them "
+        "to a separate layer.\n";
+    EXPECT_EQ(advice(report, options), uncertain);
+    report.uneven = 5;
+    EXPECT_EQ(advice(report, options),
+              "5 of 96 buildings (9 % of their area) differ by more than 5 m inside: -split_height 3 divides "
+              "them.\n" +
+                  uncertain);
+    report.uncertain = 0;
+    report.uneven = 1;
+    report.uneven_m2 = 1000;
     EXPECT_EQ(
         advice(report, options),
-        "23 of 96 buildings have a confidence below 0.9: -min_confidence 0.9 -write_doubtful writes them "
-        "to a separate layer.\n");
-    report.uneven = 23;
-    EXPECT_EQ(advice(report, options),
-              "23 of 96 buildings differ by more than 5 m inside: -split_height 3 divides them.\n");
+        "1 of 96 buildings (10 % of their area) differs by more than 5 m inside: -split_height 3 divides "
+        "it.\n");
 }
 
 TEST(Advice, isNotGivenForLessThanOneInTwenty) {
@@ -167,10 +178,6 @@ TEST(Advice, isNotGivenForLessThanOneInTwenty) {
               "51 of 1,020 buildings have a confidence below 0.9: -min_confidence 0.9 -write_doubtful writes "
               "them to a separate layer.\n");
     EXPECT_EQ(advice({}, {}), "");
-    RunReport one;
-    one.buildings = one.uneven = 1;
-    EXPECT_EQ(advice(one, {}),
-              "1 of 1 building differs by more than 5 m inside: -split_height 3 divides it.\n");
 }
 
 TEST(Advice, namesNoOptionThatIsGivenOrRefused) {
@@ -190,7 +197,7 @@ TEST(Advice, namesDegreesForAGeoJson) {
     Options options;
     options.write.destination = "a.GeoJSON";
     const std::string hint =
-        "The GeoJSON has coordinates of its CRS, and most programs take them for degrees: -t_srs EPSG:4326 "
+        "The GeoJSON has projected coordinates, but most programs expect degrees: -t_srs EPSG:4326 "
         "writes degrees.\n";
     EXPECT_EQ(advice(report, options), hint);
     options.outline.target_crs = "EPSG:25832";

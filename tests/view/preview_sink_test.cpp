@@ -148,7 +148,7 @@ TEST_F(PreviewTest, AMapIsAPageInEveryFormat) {
          {writing::PictureFormat::png, writing::PictureFormat::svg, writing::PictureFormat::pdf}) {
         const auto draw = [&] {
             return draw_map_page(picture({layer("buildings", "")}, {{0, square(5, 10, 5, 12)}}, format),
-                                 "lod 4", format, plan_page(field(20, 20), size));
+                                 format, plan_page(field(20, 20), size));
         };
         EXPECT_EQ(draw(), draw());
     }
@@ -157,8 +157,8 @@ TEST_F(PreviewTest, AMapIsAPageInEveryFormat) {
 TEST_F(PreviewTest, ThePageIsAsLongAsAskedFor) {
     for (const int longest : {300, 601, 1600}) {
         size = longest;
-        const Pixels page(draw_map_page(picture({layer("buildings", "")}, {}), "lod 4",
-                                        writing::PictureFormat::png, plan_page(field(20, 20), longest)));
+        const Pixels page(draw_map_page(picture({layer("buildings", "")}, {}), writing::PictureFormat::png,
+                                        plan_page(field(20, 20), longest)));
         EXPECT_EQ(std::max(page.width(), page.height()), longest);
     }
 }
@@ -257,9 +257,10 @@ TEST(FirstOutlines, TellWhichAreNewAndWhichAreMissing) {
     first.complete();
     EXPECT_TRUE(first.find(0, one));
     EXPECT_FALSE(first.find(0, two));  // of another layer
-    std::vector<FirstOutlines::Rings> missing = first.take_missing();
+    const std::vector<FirstOutlines::Outline> missing = first.take_missing();
     ASSERT_EQ(missing.size(), 1U);
-    EXPECT_EQ(missing[0][0][0].x, 5);
+    EXPECT_EQ(missing[0].layer, 1U);
+    EXPECT_EQ(missing[0].rings[0][0].x, 5);
     EXPECT_EQ(first.take_missing().size(), 2U);  // nothing is seen on the next map
 }
 
@@ -271,10 +272,11 @@ TEST_F(PreviewTest, DifferencesFromTheFirstMapAreBlue) {
         PreviewSink sink(
             inner, MapFrame(ground, plan_page(ground, size).map), writing::PictureFormat::png,
             [&](MapPicture taken) { map = std::move(taken); }, first);
-        const std::vector<LayerSpec> layers{layer("buildings", "")};
+        const std::vector<LayerSpec> layers{layer("buildings", ""), layer("contours", "")};
         sink.relief().write({0, 0, 20, 20}, std::vector<float>(400, 5));
         sink.begin(layers, {});
         sink.add(0, feature);
+        sink.add(1, feature);
         sink.finish();
         return std::move(map).value();
     };
@@ -288,7 +290,7 @@ TEST_F(PreviewTest, DifferencesFromTheFirstMapAreBlue) {
     EXPECT_EQ(same.counts.added + same.counts.missing, 0);
     EXPECT_FALSE(is_blue(same, 5, 12.5));
     const MapPicture moved = draw(square(12, 10, 5, 12));
-    EXPECT_EQ(moved.counts.added, 1);
+    EXPECT_EQ(moved.counts.added, 1);  // the contour is not counted again
     EXPECT_EQ(moved.counts.missing, 1);
     EXPECT_TRUE(is_blue(moved, 12, 12.5));
 }

@@ -69,8 +69,8 @@ const std::vector<Part>& parts() {
          "building",
          "instead of the planes of its roof",
          {Reason::surface_roof_tiers}},
-        {"cut off at walls", "tree crown", "", {Reason::crown_cut}},
-        {"cut off at walls", "cell", "of tree crowns", {Reason::crown_cells}},
+        {"cut back at walls", "tree crown", "", {Reason::crown_cut}},
+        {"cut back at walls", "cell", "", {Reason::crown_cells}},
         {"merged with a neighbour", "part", "cut off by -split_by", {Reason::part_merged}},
         {"filled", "hole", "", {Reason::hole_small, Reason::hole_short}},
         {"drawn differently", "", "as traced", {Reason::outline_kept_traced}},
@@ -193,26 +193,31 @@ std::string coordinates_advice(const RunReport& report, const Options& options) 
     const auto reprojects = [](const std::string& option) { return to_lower(option) == "rfc7946=yes"; };
     if (!json || degrees || std::ranges::any_of(options.write.layer_options, reprojects))
         return "";
-    return "The GeoJSON has coordinates of its CRS, and most programs take them for degrees: -t_srs "
-           "EPSG:4326 "
-           "writes degrees.\n";
+    return "The GeoJSON has projected coordinates, but most programs expect degrees: -t_srs "
+           "EPSG:4326 writes degrees.\n";
 }
 
-/// Names the option that would improve most buildings.
+/// Names the options that would improve many buildings. Uneven ones count by their area too, because few
+/// large blocks may be most of a city.
 std::string buildings_advice(const RunReport& report, const Options& options) {
     constexpr std::int64_t one_in = 20;
-    const bool detects = options.preset == Preset::buildings;
-    const std::int64_t uneven = detects && options.detect.split_height == 0 ? report.uneven : 0;
-    const std::int64_t uncertain = detects ? report.uncertain : 0;
-    const std::int64_t most = std::max(uneven, uncertain);
-    if (most == 0 || most * one_in < report.buildings)
+    constexpr double much_of_the_area = 0.1;
+    if (options.preset != Preset::buildings || report.buildings == 0)
         return "";
-    const std::string of_all = grouped(most) + " of " + counted(report.buildings, "building");
-    if (uneven == most)
-        return of_all + (most == 1 ? " differs" : " differ") +
-               " by more than 5 m inside: -split_height 3 divides " + (most == 1 ? "it.\n" : "them.\n");
-    return of_all + (most == 1 ? " has" : " have") + " a confidence below 0.9: -min_confidence 0.9 " +
-           "-write_doubtful writes " + (most == 1 ? "it" : "them") + " to a separate layer.\n";
+    const auto many = [&](std::int64_t some) { return some > 0 && some * one_in >= report.buildings; };
+    const std::string of_all = " of " + counted(report.buildings, "building");
+    const double share = report.uneven_m2 / report.buildings_m2;
+    std::string text;
+    if (options.detect.split_height == 0 && (many(report.uneven) || share >= much_of_the_area))
+        text += grouped(report.uneven) + of_all + " (" + fixed_text(share * 100, 0) + " % of their area)" +
+                (report.uneven == 1 ? " differs" : " differ") +
+                " by more than 5 m inside: -split_height 3 divides " +
+                (report.uneven == 1 ? "it.\n" : "them.\n");
+    if (many(report.uncertain))
+        text += grouped(report.uncertain) + of_all + (report.uncertain == 1 ? " has" : " have") +
+                " a confidence below 0.9: -min_confidence 0.9 -write_doubtful writes " +
+                (report.uncertain == 1 ? "it" : "them") + " to a separate layer.\n";
+    return text;
 }
 
 }  // namespace

@@ -69,7 +69,8 @@ std::string sweep_table(const SweepPlan& plan, const std::vector<pipeline::Trial
     for (const pipeline::Trial& trial : trials)
         add_row(cells_of(trial));
     for (const pipeline::Saturation& found : pipeline::saturations(plan, trials))
-        text += "-" + found.option + " above " + found.value + " changes nothing here.\n";
+        text +=
+            "-" + found.option + " from " + found.first + " to " + found.last + " changes nothing here.\n";
     return text;
 }
 
@@ -87,10 +88,10 @@ std::string sweep_json(const SweepPlan& plan, const std::vector<pipeline::Trial>
                         {"seconds", trial.seconds}});
         rows.push_back(std::move(row));
     }
-    Json above = Json::object();
+    Json unchanged = Json::object();
     for (const pipeline::Saturation& found : pipeline::saturations(plan, trials))
-        above[found.option] = number_json(found.value);
-    return Json{{"trials", rows}, {"no_change_above", above}}.dump(2) + "\n";
+        unchanged[found.option] = Json::array({number_json(found.first), number_json(found.last)});
+    return Json{{"trials", rows}, {"no_change", unchanged}}.dump(2) + "\n";
 }
 
 void run_sweep(const Options& options, const Sources& sources, const SweepPlan& plan,

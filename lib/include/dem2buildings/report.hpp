@@ -249,6 +249,8 @@ struct RunReport : Tally {
     std::int64_t doubtful = 0;        ///< number written
     std::int64_t uncertain = 0;       ///< buildings written whose confidence is below 0.9
     std::int64_t uneven = 0;          ///< buildings written whose p90 is more than 5 m above their p50
+    double buildings_m2 = 0;          ///< area of the buildings written
+    double uneven_m2 = 0;             ///< area of the uneven ones
     /// Error of the stacked surface against the points of all buildings. The surface at a point is tier_z of
     /// the highest contour that contains it, as written, or as traced if contours are not written.
     double stack_rmse_m = 0;

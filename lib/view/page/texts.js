@@ -50,7 +50,7 @@ const en = {
   surveys: {old: 'Old', new: 'New'},
   classes:
       {new: 'new', gone: 'gone', raised: 'raised', lowered: 'lowered', grown: 'grown', shrunk: 'shrunk', same: 'same'},
-  paler: 'Paler: not certain to be a building',
+  paler: 'Paler: less certain',
   building: 'Building',
   allFields: 'All fields',
   no3d: 'This browser does not show 3D (it has no WebGL), so here is the map.',
@@ -158,7 +158,7 @@ const de = {
     shrunk: 'verkleinert',
     same: 'gleich'
   },
-  paler: 'Blasser: nicht sicher ein Gebäude',
+  paler: 'Blasser: weniger sicher',
   building: 'Gebäude',
   allFields: 'Alle Felder',
   no3d: 'Dieser Browser zeigt kein 3D (er hat kein WebGL), daher die Karte.',

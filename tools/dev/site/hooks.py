@@ -22,7 +22,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import python_interface  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-OPTION = re.compile(r"<code>(--?[a-z0-9_]+)</code>")
+OPTION = re.compile(r"<code>(--?[a-z0-9_]+)((?: [^<]*)?)</code>")
 LINK = re.compile(r"(\]\()([A-Za-z0-9_./-]+)((?:#[^)\s]*)?\))")
 PROJECT = "project/"
 WORK = None  # a folder for files that are made, as long as the site is built
@@ -166,7 +166,7 @@ def on_page_markdown(markdown, page, config, files):
 
 
 def on_page_content(html, page, config, files):
-    return OPTION.sub(r'<code class="option">\1</code>', html)
+    return OPTION.sub(r'<code><span class="option">\1</span>\2</code>', html)
 
 
 def on_post_build(config):
