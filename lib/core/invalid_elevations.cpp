@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
@@ -108,6 +109,62 @@ std::string ValueCounts::text(const std::string& raster) const {
 
 namespace {
 
+constexpr double bins_apart = 2;  // bins per distance that isolates a value
+constexpr double most_bins = 4096;
+
+}  // namespace
+
+ValueBins::ValueBins(const ElevationLimits& limits, double metres)
+    : lowest_(limits.lowest), apart_(apart_m / metres), bins_a_unit_(bins_apart / apart_) {
+    const double bins = (limits.highest - limits.lowest) * bins_a_unit_;
+    if (bins < most_bins)
+        bins_.resize(static_cast<std::size_t>(bins) + 1);
+}
+
+void ValueBins::add(double value, std::int64_t cells) {
+    if (bins_.empty())
+        return;
+    const auto at = static_cast<std::size_t>((value - lowest_) * bins_a_unit_);
+    Bin& bin = bins_[std::min(at, bins_.size() - 1)];
+    bin.cells += cells;
+    bin.lowest = std::min(bin.lowest, value);
+    bin.highest = std::max(bin.highest, value);
+}
+
+void ValueBins::load(ByteReader& reader) {
+    const auto bins = reader.take_list<Bin>();
+    if (bins.size() != bins_.size())
+        throw CorruptRecord("it is of other limits");
+    bins_ = bins;
+}
+
+void ValueBins::merge(const ValueBins& other) {
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+        bins_[i].cells += other.bins_[i].cells;
+        bins_[i].lowest = std::min(bins_[i].lowest, other.bins_[i].lowest);
+        bins_[i].highest = std::max(bins_[i].highest, other.bins_[i].highest);
+    }
+}
+
+std::vector<SharedValue> ValueBins::shared(std::int64_t cells) const {
+    constexpr std::int64_t fewest = 10;
+    constexpr std::int64_t least_share = 1000;  // one in this many
+    std::vector<Bin> some;
+    std::ranges::copy_if(bins_, std::back_inserter(some), [](const Bin& bin) { return bin.cells > 0; });
+    std::vector<SharedValue> shared;
+    for (std::size_t i = 0; i < some.size() && some.size() > 1; ++i) {
+        const Bin& bin = some[i];
+        const bool alone = bin.lowest == bin.highest &&
+                           (i == 0 || bin.lowest - some[i - 1].highest > apart_) &&
+                           (i + 1 == some.size() || some[i + 1].lowest - bin.highest > apart_);
+        if (alone && bin.cells >= fewest && bin.cells >= (cells + least_share - 1) / least_share)
+            shared.push_back({bin.lowest, bin.cells});
+    }
+    return shared;
+}
+
+namespace {
+
 constexpr std::size_t max_candidates = 8;
 constexpr std::int64_t min_cells = 50;       // of a value: equality in a few cells means nothing
 constexpr std::int64_t border_share = 1000;  // at least one of this many cells of the border
@@ -118,7 +175,6 @@ constexpr std::int64_t named_share = 100;    // at least one of this many valid 
 constexpr double max_similar = 0.2;         // share of neighbours that differ by less than a step
 constexpr double max_similar_border = 0.5;  // same for neighbours along the border, which are few
 constexpr double min_land_share = 0.8;      // share of all other cells that is in broad regions
-constexpr double min_region_share = 0.2;    // share of all other cells that one broad region has
 
 /// Differences along the boundary between a value and its neighbours.
 struct Contour {
@@ -135,6 +191,15 @@ struct Contour {
         return static_cast<double>(similar) <= most * static_cast<double>(length());
     }
 };
+
+/// Number of cells on a line away from a candidate among which a step is looked for, because cubic resampling
+/// overshoots, so that the nearest ones may be close to the candidate.
+constexpr int compared_cells = 3;
+
+/// Returns the larger difference.
+double larger(double one, double other) {
+    return std::abs(other) > std::abs(one) ? other : one;
+}
 
 /// Connected cells (4-neighbours) of one candidate value, or of none.
 struct Region {
@@ -169,23 +234,49 @@ class ValueRegions {
     void add_runs(std::span<const double> row);
     void join_rows();
     void add_contours(std::span<const double> row);
-    void add_contact(std::size_t a, std::uint8_t of_a, double value_a, std::size_t b, std::uint8_t of_b,
-                     double value_b, const std::vector<std::uint32_t>& regions_a);
+    void add_contact(std::uint32_t one, std::uint32_t other, double difference);
+    [[nodiscard]] double difference_along(std::span<const double> row, std::size_t from,
+                                          std::size_t to) const;
+    [[nodiscard]] double difference_above(double value, std::size_t col) const;
+    void add_contact_above(double value, std::size_t col);
+    void look_below(double value, std::size_t col);
     /// Returns the candidate that is land because hardly any other value occurs: a flat terrain model. 0:
     /// none.
     [[nodiscard]] std::uint8_t level_land() const;
     [[nodiscard]] bool surrounds_land(std::uint8_t level, double min_breadth) const;
+    /// Returns true if all other cells have one value as well, and are fewer: these are a hole in level land.
+    [[nodiscard]] bool is_larger_than_constant(std::int64_t cells) const {
+        return lowest_other_ == highest_other_ && 2 * cells > valid_;
+    }
 
     const std::vector<double>& candidates_;
     double step_;
     std::int64_t valid_ = 0;
+    double lowest_other_ =
+        std::numeric_limits<double>::infinity();  ///< of cells that have no candidate's value
+    double highest_other_ = -std::numeric_limits<double>::infinity();
     DisjointSets sets_;
     std::vector<Region> regions_;
     std::vector<Run> above_;
     std::vector<Run> runs_;
-    std::vector<double> values_above_;
+    /// Row above, and its candidates.
+    struct Row {
+        std::vector<double> values;
+        std::vector<std::uint8_t> classes;
+    };
+    /// Contact of a candidate with a cell below it, as long as the cells below that are compared.
+    struct OpenContact {
+        std::uint32_t candidate = 0;
+        std::uint32_t below = 0;
+        double value = 0;  ///< of the last of them
+        double difference = 0;
+        int rows_left = 0;
+    };
+    void close(OpenContact& contact);
+
+    std::array<Row, compared_cells> rows_above_;  ///< nearest first; empty if there are fewer
+    std::vector<OpenContact> open_;               ///< by column
     std::vector<std::uint8_t> classes_;
-    std::vector<std::uint8_t> classes_above_;
     std::vector<std::uint32_t> region_of_;        ///< by column
     std::vector<std::uint32_t> region_of_above_;  ///< by column
 };
@@ -205,7 +296,7 @@ void ValueRegions::add_runs(std::span<const double> row) {
             valid += std::isnan(row[end]) ? 0 : 1;
         const std::uint32_t region = sets_.add();
         regions_.push_back(
-            {classes_[begin], values_above_.empty() || begin == 0 || end == row.size(), valid, {}});
+            {classes_[begin], rows_above_[0].values.empty() || begin == 0 || end == row.size(), valid, {}});
         runs_.push_back({begin, end, region});
         std::fill(region_of_.begin() + static_cast<std::ptrdiff_t>(begin),
                   region_of_.begin() + static_cast<std::ptrdiff_t>(end), region);
@@ -228,23 +319,82 @@ void ValueRegions::join_rows() {
     }
 }
 
-/// Records two neighbours of different classes if both are valid. At least one belongs to a candidate.
-void ValueRegions::add_contact(std::size_t a, std::uint8_t of_a, double value_a, std::size_t b,
-                               std::uint8_t of_b, double value_b,
-                               const std::vector<std::uint32_t>& regions_a) {
-    if (of_a == of_b || std::isnan(value_a) || std::isnan(value_b))
+void ValueRegions::add_contact(std::uint32_t one, std::uint32_t other, double difference) {
+    regions_[sets_.find(one)].contour.add(difference, step_);
+    regions_[sets_.find(other)].contour.add(difference, step_);
+}
+
+void ValueRegions::close(OpenContact& contact) {
+    add_contact(contact.candidate, contact.below, contact.difference);
+    contact.rows_left = 0;
+}
+
+/// Returns the largest step from a cell over its neighbour in the row and those behind, up to the next
+/// candidate.
+/// @param to the neighbour
+double ValueRegions::difference_along(std::span<const double> row, std::size_t from, std::size_t to) const {
+    double difference = row[to] - row[from];
+    if (classes_[to] != 0)
+        return difference;
+    const bool right = to > from;
+    for (int i = 1; i < compared_cells && (right ? to + 1 < row.size() : to > 0); ++i) {
+        from = to;
+        to = right ? to + 1 : to - 1;
+        if (classes_[to] != 0 || std::isnan(row[to]))
+            break;
+        difference = larger(difference, row[to] - row[from]);
+    }
+    return difference;
+}
+
+/// Same for the cells above.
+double ValueRegions::difference_above(double value, std::size_t col) const {
+    double difference = 0;
+    for (const Row& row : rows_above_) {
+        if (row.values.empty() || row.classes[col] != 0 || std::isnan(row.values[col]))
+            break;
+        difference = larger(difference, row.values[col] - value);
+        value = row.values[col];
+    }
+    return difference;
+}
+
+/// Continues the line that leads down from a candidate.
+void ValueRegions::look_below(double value, std::size_t col) {
+    OpenContact& contact = open_[col];
+    if (contact.rows_left == 0)
         return;
-    const double difference = value_a - value_b;
-    regions_[sets_.find(regions_a[a])].contour.add(difference, step_);
-    regions_[sets_.find(region_of_[b])].contour.add(difference, step_);
+    const bool ends = classes_[col] != 0 || std::isnan(value);
+    if (!ends)
+        contact.difference = larger(contact.difference, value - std::exchange(contact.value, value));
+    if (ends || --contact.rows_left == 0)
+        close(contact);
+}
+
+void ValueRegions::add_contact_above(double value, std::size_t col) {
+    const double above = rows_above_[0].values[col];
+    const std::uint8_t of_above = rows_above_[0].classes[col];
+    if (classes_[col] == of_above || std::isnan(value) || std::isnan(above))
+        return;
+    if (of_above == 0)
+        add_contact(region_of_above_[col], region_of_[col], difference_above(value, col));
+    else if (classes_[col] == 0)
+        open_[col] = {region_of_above_[col], region_of_[col], value, value - above, compared_cells - 1};
+    else
+        add_contact(region_of_above_[col], region_of_[col], value - above);
 }
 
 void ValueRegions::add_contours(std::span<const double> row) {
+    open_.resize(row.size());
     for (std::size_t c = 0; c < row.size(); ++c) {
-        if (c > 0)
-            add_contact(c - 1, classes_[c - 1], row[c - 1], c, classes_[c], row[c], region_of_);
-        if (!values_above_.empty())
-            add_contact(c, classes_above_[c], values_above_[c], c, classes_[c], row[c], region_of_above_);
+        if (c > 0 && classes_[c - 1] != classes_[c] && !std::isnan(row[c - 1]) && !std::isnan(row[c])) {
+            const bool from_left = classes_[c - 1] != 0;
+            add_contact(region_of_[c - 1], region_of_[c],
+                        from_left ? difference_along(row, c - 1, c) : difference_along(row, c, c - 1));
+        }
+        look_below(row[c], c);
+        if (!rows_above_[0].values.empty())
+            add_contact_above(row[c], c);
     }
 }
 
@@ -253,13 +403,19 @@ void ValueRegions::add(std::span<const double> row) {
     region_of_.resize(row.size());
     runs_.clear();
     std::ranges::transform(row, classes_.begin(), [this](double value) { return class_of(value); });
+    for (std::size_t i = 0; i < row.size(); ++i)
+        if (classes_[i] == 0 && !std::isnan(row[i])) {
+            lowest_other_ = std::min(lowest_other_, row[i]);
+            highest_other_ = std::max(highest_other_, row[i]);
+        }
     add_runs(row);
     join_rows();
     add_contours(row);
     std::swap(above_, runs_);
-    std::swap(classes_, classes_above_);
     std::swap(region_of_, region_of_above_);
-    values_above_.assign(row.begin(), row.end());
+    std::ranges::rotate(rows_above_, rows_above_.end() - 1);
+    rows_above_[0].values.assign(row.begin(), row.end());
+    std::swap(rows_above_[0].classes, classes_);
 }
 
 std::uint8_t ValueRegions::level_land() const {
@@ -276,7 +432,7 @@ std::uint8_t ValueRegions::level_land() const {
     return static_cast<std::uint8_t>(land);
 }
 
-/// Returns true if the candidates surround land in few regions that are broader than buildings. @param level
+/// Returns true if the candidates surround land in regions that are broader than buildings. @param level
 /// a candidate that is land; 0: none
 bool ValueRegions::surrounds_land(std::uint8_t level, double min_breadth) const {
     const auto is_land = [&](const Region& region) { return region.of == 0 || region.of == level; };
@@ -291,8 +447,7 @@ bool ValueRegions::surrounds_land(std::uint8_t level, double min_breadth) const 
             continue;
         const auto cells = static_cast<double>(region.cells);
         // A square with n cells per side has a boundary of 4 n.
-        if (cells >= min_region_share * static_cast<double>(all) &&
-            4 * cells >= min_breadth * static_cast<double>(region.contour.length()))
+        if (4 * cells >= min_breadth * static_cast<double>(region.contour.length()))
             land += region.cells;
     }
     return all > 0 && static_cast<double>(land) >= min_land_share * static_cast<double>(all);
@@ -301,6 +456,9 @@ bool ValueRegions::surrounds_land(std::uint8_t level, double min_breadth) const 
 UndeclaredNodata ValueRegions::finish(double min_breadth) {
     for (const Run& run : above_)
         regions_[sets_.find(run.region)].at_edge = true;
+    for (OpenContact& contact : open_)
+        if (contact.rows_left > 0)
+            close(contact);
     UndeclaredNodata found;
     const std::uint8_t level = level_land();
     if (!surrounds_land(level, min_breadth))
@@ -312,7 +470,8 @@ UndeclaredNodata ValueRegions::finish(double min_breadth) {
         for (std::uint32_t k = 0; k < sets_.size(); ++k)
             if (sets_.is_root(k) && regions_[k].of == i + 1 && regions_[k].at_edge)
                 all.merge(regions_[k]);
-        if (all.cells < min_cells || all.contour.length() == 0 || !all.contour.is_step(max_similar))
+        if (all.cells < min_cells || all.contour.length() == 0 || !all.contour.is_step(max_similar) ||
+            is_larger_than_constant(all.cells))
             continue;
         if (taken_share * all.cells >= valid_)
             found.taken.push_back({candidates_[i], all.cells});
@@ -328,14 +487,24 @@ struct BorderCount {
 };
 
 void count_along(std::span<const double> cells, double step, std::map<double, BorderCount>& counts) {
+    const auto largest = [&](std::size_t from, std::size_t to) {
+        double difference = 0;
+        const bool right = to > from;
+        for (int i = 0; i < compared_cells && to < cells.size() && !std::isnan(cells[to]); ++i) {
+            difference = larger(difference, cells[to] - cells[from]);
+            from = to;
+            to = right ? to + 1 : to - 1;  // beyond the size if it was 0
+        }
+        return difference;
+    };
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (std::isnan(cells[i]))
             continue;
         ++counts[cells[i]].cells;
         if (i == 0 || std::isnan(cells[i - 1]) || cells[i] == cells[i - 1])
             continue;
-        counts[cells[i]].contour.add(cells[i] - cells[i - 1], step);
-        counts[cells[i - 1]].contour.add(cells[i] - cells[i - 1], step);
+        counts[cells[i]].contour.add(largest(i, i - 1), step);
+        counts[cells[i - 1]].contour.add(largest(i - 1, i), step);
     }
 }
 
@@ -350,8 +519,8 @@ std::vector<double> UndeclaredNodata::values() const {
 
 std::string undeclared_text(const SharedValue& value, const std::string& raster) {
     return cells_have(value.cells, raster) + "the elevation " + value_text(value.value) +
-           ", lie at its edge, and all around is at least " + number_text(UndeclaredNodataRules::step_m) +
-           " m higher or lower";
+           ", lie at its edge, and most cells around are at least " +
+           number_text(UndeclaredNodataRules::step_m) + " m higher or lower";
 }
 
 BorderCells read_border(const Window& window, const ReadValues& read) {

@@ -66,6 +66,61 @@ class ValueCounts {
     std::map<double, std::int64_t> counts_;  ///< empty if many_
 };
 
+/// Finds exact values that are shared by many cells and far from all others, which may be undeclared NoData.
+/// Such a value is alone in its bin, so the lowest and highest value of each bin suffice: a mergeable
+/// reduction, exact for any bands and threads.
+class ValueBins {
+  public:
+    /// @param limits limits of all values; if they are more than 100 km apart, nothing is found
+    /// @param metres metres per vertical unit
+    ValueBins(const ElevationLimits& limits, double metres);
+
+    /// Adds a stretch of cells, NaN or within the limits.
+    /// @param lowest, highest, cells range and number of those that are not NaN
+    /// @pre cells > 0
+    template <typename Values>
+    void add(const Values& values, double lowest, double highest, std::int64_t cells) {
+        if (bins_.empty())
+            return;
+        if (lowest == highest) {
+            add(lowest, cells);
+        } else if (highest - lowest <= apart_) {
+            // Adds the extremes alone, because no value between them can be far from all others.
+            add(lowest, 1);
+            add(highest, 1);
+        } else {
+            for (const double value : values)
+                if (value == value)
+                    add(value, 1);
+        }
+    }
+    /// Adds cells that have a value within the limits.
+    void add(double value, std::int64_t cells);
+    void merge(const ValueBins& other);
+    void save(ByteWriter& writer) const { writer.put_list(bins_); }
+    /// Restores bins saved with the same limits and unit.
+    void load(ByteReader& reader);
+
+    /// Returns the values shared by at least ten cells and a thousandth of all, and more than 50 m from any
+    /// other, ascending. A value that is the only one does not count.
+    /// @param cells number of valid cells
+    [[nodiscard]] std::vector<SharedValue> shared(std::int64_t cells) const;
+
+    static constexpr double apart_m = 50;
+
+  private:
+    struct Bin {
+        std::int64_t cells = 0;
+        double lowest = std::numeric_limits<double>::infinity();
+        double highest = -std::numeric_limits<double>::infinity();
+    };
+
+    double lowest_;
+    double apart_;
+    double bins_a_unit_;
+    std::vector<Bin> bins_;
+};
+
 /// Formats a value of a raster. Large ones that are exact as 32-bit floats get only the digits that a float
 /// needs.
 [[nodiscard]] std::string value_text(double value);
@@ -110,7 +165,7 @@ struct UndeclaredNodataRules {
 };
 
 /// Returns the problem as a clause without a full stop: "12 cells of 'dem.tif' have the elevation 0, lie at
-/// its edge, and all around is at least 2 m higher or lower".
+/// its edge, and most cells around are at least 2 m higher or lower".
 [[nodiscard]] std::string undeclared_text(const SharedValue& value, const std::string& raster);
 
 /// Reads the values of a part of the window; NaN if not valid.

@@ -217,14 +217,20 @@ void BandReader::mask_transparent(const Window& part, std::span<double> values, 
             values[i] = std::numeric_limits<double>::quiet_NaN();
 }
 
-void BandReader::restrict_to(const ElevationLimits& limits) {
+void BandReader::restrict_to(const ElevationLimits& limits, double metres) {
     limits_ = limits;
-    coverage_.emplace(info_.rows);
+    metres_ = metres;
+    restart_counts();
 }
 
 void BandReader::exclude(std::vector<double> undeclared) {
     undeclared_ = std::move(undeclared);
+    restart_counts();
+}
+
+void BandReader::restart_counts() {
     counts_ = {};
+    counts_.bins.emplace(limits_, metres_);
     coverage_.emplace(info_.rows);
 }
 
@@ -243,12 +249,14 @@ void BandReader::exclude(const Window& part, std::span<double> elevations) {
 }
 
 void BandReader::count(double value) {
-    if (std::ranges::find(undeclared_, value) != undeclared_.end())
+    if (std::ranges::find(undeclared_, value) != undeclared_.end()) {
         counts_.undeclared.add(value);
-    else if (limits_.hold(value))
+    } else if (limits_.hold(value)) {
         ++counts_.within;
-    else if (!std::isnan(value))
+        counts_.bins->add(value, 1);
+    } else if (!std::isnan(value)) {
         counts_.outside.add(value);
+    }
 }
 
 void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& part, void* values,

@@ -36,7 +36,8 @@ class RowCoverage {
 struct LimitCounts {
     std::int64_t within = 0;
     ValueCounts outside;
-    ValueCounts undeclared;  ///< values that stand for NoData, see UndeclaredNodata
+    ValueCounts undeclared;         ///< values that stand for NoData, see UndeclaredNodata
+    std::optional<ValueBins> bins;  ///< values within the limits
 };
 
 /// NoData value as a band of 32-bit floats would hold it. Decimal texts of the largest float may lie a little
@@ -54,8 +55,8 @@ class BandReader {
     /// zero or not finite
     BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Warnings& warnings);
 
-    /// Rejects values outside of `limits` from now on, and counts them.
-    void restrict_to(const ElevationLimits& limits);
+    /// Rejects values outside of `limits` from now on, and counts them. @param metres per unit of the values
+    void restrict_to(const ElevationLimits& limits, double metres);
     /// Also rejects `undeclared` values from now on and restarts the counts. @pre restrict_to()
     void exclude(std::vector<double> undeclared);
     /// Counts of all cells read so far. Each cell is counted once.
@@ -73,6 +74,7 @@ class BandReader {
     void drop_cached_blocks() const;
 
   private:
+    void restart_counts();
     void exclude(const Window& part, std::span<double> elevations);
     void count(double value);
     [[nodiscard]] bool is_scaled() const { return scale_ != 1 || offset_ != 0; }
@@ -95,6 +97,7 @@ class BandReader {
     std::vector<std::uint8_t> mask_;
     std::vector<double> alpha_values_;
     ElevationLimits limits_;
+    double metres_ = 1;  ///< per unit of the values
     std::vector<double> undeclared_;
     LimitCounts counts_;
     std::optional<RowCoverage> coverage_;  ///< not set if nothing is counted

@@ -49,7 +49,7 @@ class AlignedRaster {
     [[nodiscard]] double share_outside() const { return 1 - covered_; }
 
     /// Same as BandReader::restrict_to() and counts().
-    void restrict_to(const ElevationLimits& limits) { reader_.restrict_to(limits); }
+    void restrict_to(const ElevationLimits& limits, double metres) { reader_.restrict_to(limits, metres); }
     [[nodiscard]] const LimitCounts& counts() const { return reader_.counts(); }
     /// Rejects values that stand for NoData without being declared, from now on. @param step,
     /// limits in the unit of the band @throws InputError
@@ -179,7 +179,7 @@ class TerrainSource final : public WarningSource {
         if (const auto unit = vertical_unit(raster_.raster()))
             factor_ = unit->metres / dem_metres;
         limits_ = limits.times(1 / factor_);
-        raster_.restrict_to(limits_);
+        raster_.restrict_to(limits_, factor_ * dem_metres_);
         if (reading.gaps == TerrainGaps::reported)
             raster_.warn_about_gaps("there is no ground");
         const std::string here = height_reference(raster_.raster().crs_wkt);
@@ -201,7 +201,7 @@ class TerrainSource final : public WarningSource {
             for (double& elevation : elevations)
                 elevation *= factor_;
         if (is_last(part))
-            report_excluded();
+            report_values();
     }
     [[nodiscard]] double share_outside() const override { return raster_.share_outside(); }
     [[nodiscard]] std::int64_t cells_outside_range() const override {
@@ -211,12 +211,14 @@ class TerrainSource final : public WarningSource {
   private:
     /// Returns true if this part completes the window.
     [[nodiscard]] bool is_last(const Window& part);
-    void report_excluded() {
+    void report_values() {
         report_outside();
         report_undeclared();
+        report_shared();
     }
     void report_outside();
     void report_undeclared();
+    void report_shared();
     void detect_undeclared();
     /// Advice on declaring a value, in the units of the file.
     [[nodiscard]] std::string declaration_advice(double value) const {
@@ -228,6 +230,7 @@ class TerrainSource final : public WarningSource {
     double dem_metres_;
     bool undeclared_pending_;  ///< undeclared NoData values are still to be found
     std::vector<double> excluded_;
+    std::vector<SharedValue> named_;  ///< undeclared values that are kept, with a warning
     ElevationLimits limits_;
     RowCoverage read_;
     std::int64_t unread_;  ///< cells of the window
@@ -341,17 +344,47 @@ constexpr double rounding = 1e-6;  // single precision and scales such as 1/1000
 class NdviSource final : public WarningSource {
   public:
     NdviSource(const AuxiliaryRaster& raster, const DemInfo& grid, std::unique_ptr<Warnings> own)
-        : WarningSource(std::move(own)), raster_("NDVI", raster, grid, Resampling::bilinear, warnings()) {
+        : WarningSource(std::move(own)),
+          raster_("NDVI", raster, grid, Resampling::bilinear, warnings()),
+          seen_(grid.window.rows),
+          unread_(grid.window.points()) {
         raster_.warn_about_gaps("nothing is known of vegetation");
         // Reads one row, because a wrong product shows in any row and a run should not fail at its end.
         std::vector<double> row(static_cast<std::size_t>(grid.window.cols));
-        read({grid.window.row + grid.window.rows / 2, grid.window.col, 1, grid.window.cols}, row);
+        read_values({grid.window.row + grid.window.rows / 2, grid.window.col, 1, grid.window.cols}, row);
         warnings().hold();
     }
 
     [[nodiscard]] const DemInfo& info() const override { return raster_.info(); }
 
     void read(const Window& part, std::span<double> values) override {
+        read_values(part, values);
+        if (unread_ == 0)
+            return;
+        for (std::int32_t i = 0; i < part.rows; ++i)
+            seen_.add(part.row + i - info().window.row, part.col, part.end_col(),
+                      [&](std::int32_t begin, std::int32_t end) {
+                          const auto first = values.begin() + std::ptrdiff_t{i} * part.cols - part.col;
+                          missing_ += std::count_if(first + begin, first + end,
+                                                    [](double value) { return std::isnan(value); });
+                          unread_ -= end - begin;
+                      });
+        if (unread_ == 0)
+            report_missing();
+    }
+
+  private:
+    /// Warns of cells without a value, if they exceed the part outside of the raster, of which a warning
+    /// tells, and are not all. Resampling loses cells along borders.
+    void report_missing() {
+        const Window& window = info().window;
+        const double share = static_cast<double>(missing_) / static_cast<double>(window.points());
+        if (missing_ >= std::int64_t{window.rows} + window.cols && missing_ < window.points() &&
+            share > 1.02 * raster_.share_outside())
+            warnings().add(percent_text(share) + " of the cells have no value in the " + raster_.name() +
+                           "; nothing is known of vegetation there.");
+    }
+    void read_values(const Window& part, std::span<double> values) {
         raster_.read(part, values);
         for (double& value : values) {
             if (value < -1 - rounding || value > 1 + rounding)
@@ -364,8 +397,10 @@ class NdviSource final : public WarningSource {
         }
     }
 
-  private:
     AlignedRaster raster_;
+    RowCoverage seen_;
+    std::int64_t unread_;  ///< cells of the window
+    std::int64_t missing_ = 0;
 };
 
 }  // namespace
@@ -478,11 +513,20 @@ void TerrainSource::report_undeclared() {
                            ", or keep the elevation with -inodata.");
 }
 
+void TerrainSource::report_shared() {
+    for (const auto& [value, cells] : raster_.counts().bins->shared(raster_.counts().within))
+        if (std::ranges::find(named_, value, &SharedValue::value) == named_.end())
+            warnings().add(cells_have(cells, "the " + raster_.name()) + "the elevation " + value_text(value) +
+                           ", more than " + number_text(ValueBins::apart_m) +
+                           " m from any other; if it stands for no data, " + declaration_advice(value) + ".");
+}
+
 void TerrainSource::detect_undeclared() {
     const UndeclaredNodata found =
         raster_.exclude_undeclared(UndeclaredNodataRules::step_m / (factor_ * dem_metres_), limits_);
     excluded_ = found.values();
-    for (const SharedValue& named : found.named)
+    named_ = found.named;
+    for (const SharedValue& named : named_)
         warnings().add(undeclared_text(named, "the " + raster_.name()) + "; if it stands for no data, " +
                        declaration_advice(named.value) + ", and if not, give -inodata.");
 }

@@ -129,6 +129,18 @@ TEST_F(OptionEffect, lco__thatRoundsCoordinates) {
         EXPECT_TRUE(OGR_G_IsValid(record.geometry()));
     // The north-west corner of the part lies 2.25 m to the east and 2 m to the south of that of the raster.
     EXPECT_NE(stack.records[2].wkt().find("391002.4 5819998.1"), std::string::npos) << stack.records[2].wkt();
+    for (const char* file : {"out.geojsonl", "lonlat.geojson"}) {
+        Arguments converted{"-q", "-overwrite", "-lco", "COORDINATE_PRECISION=4", "fine.tif", file};
+        if (std::string(file).ends_with(".geojson"))
+            converted.insert(converted.begin(), {"-lco", "RFC7946=YES"});
+        const ToolResult late = run(converted);
+        EXPECT_EQ(late.status, 2);
+        EXPECT_NE(late.err.find("-lco COORDINATE_PRECISION=4 would round coordinates after GeoJSON"),
+                  std::string::npos)
+            << late.err;
+        EXPECT_TRUE(late.err.ends_with("; give -t_srs EPSG:4326 as well.\n")) << late.err;
+        EXPECT_FALSE(std::filesystem::exists(path(file)));
+    }
     // Whole metres keep what lies on whole metres.
     run_well({"-q", "-fl", "5", "-layers", "contours", "-lco", "COORDINATE_PRECISION=0", "blocks.tif",
               "whole.geojson"});

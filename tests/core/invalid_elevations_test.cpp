@@ -57,6 +57,42 @@ TEST(UndeclaredNodata, AreTakenAtAnyElevation) {
     EXPECT_TRUE(taken([](int, int c) { return c < 12; }, 19).empty()) << "a step of 1 m";
 }
 
+TEST(UndeclaredNodata, SurroundAnyNumberOfSurveyedAreas) {
+    // Nine squares of 28 cells.
+    const auto is_between = [](int r, int c) { return r % 33 < 4 || c % 33 < 4 || r == 99 || c == 99; };
+    EXPECT_EQ(found_in(grid([&](int r, int c) { return is_between(r, c) ? 0 : land(r, c); }), 2, 20).values(),
+              std::vector<double>{0});
+    EXPECT_TRUE(found_in(grid([&](int r, int c) { return is_between(r, c) ? 0 : 20; }), 2, 60).none())
+        << "houses in a plain";
+}
+
+TEST(UndeclaredNodata, MayBeNextToCellsThatResamplingMadeNearlyEqual) {
+    // Overshoot, as of cubic convolution: the values on a line across the edge are 0, -1.2, 9 and 20.
+    const auto resampled = [](int distance, double value) {
+        return distance < 0 ? 0 : distance == 0 ? -0.06 * value : distance == 1 ? value * 0.45 : value;
+    };
+    EXPECT_EQ(found_in(grid([&](int r, int c) {
+                  return resampled(std::min({r, c, 99 - r, 99 - c}) - 12, land(r, c));
+              })).values(),
+              std::vector<double>{0});
+    EXPECT_EQ(found_in(grid([&](int r, int c) { return resampled(r - 30, land(r, c)); })).values(),
+              std::vector<double>{0});
+    EXPECT_EQ(found_in(grid([&](int r, int c) { return resampled(69 - r, land(r, c)); })).values(),
+              std::vector<double>{0});
+}
+
+/// A hole of 0 in a level terrain is not land, although it has one value as well.
+TEST(UndeclaredNodata, AreNotLevelLandAroundAHole) {
+    const auto level = [](int least) {
+        return found_in(grid([=](int r, int c) {
+                            return r >= least && r < 100 - least && c >= least && c < 100 - least ? 0 : 50;
+                        }),
+                        2, 0);
+    };
+    EXPECT_TRUE(level(30).none());
+    EXPECT_EQ(level(10).values(), std::vector<double>{50}) << "the larger part is land";
+}
+
 TEST(UndeclaredNodata, AreCountedWhereTheyReachTheEdge) {
     const UndeclaredNodata found = found_in(
         grid([](int r, int c) { return c < 12 || (r > 90 && r < 95 && c > 90 && c < 95) ? 0 : land(r, c); }));

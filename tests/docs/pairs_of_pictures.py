@@ -28,7 +28,7 @@ TRACED = ["-regularize", "off"]
 NOTHING = ["-min_building_height", "1000"]
 # Raster (of a city: below its folder), window, options of the left and of the right half.
 PAIRS = {
-    "raster_to_map": (TOWN, (391330, 5820480, 391630, 5820720), NOTHING, []),
+    "raster_to_map": ("delft/dsm.tif", (84855, 447490, 84980, 447585), NOTHING, []),
     "walls_town": (TOWN, (391330, 5820480, 391530, 5820640), TRACED, []),
     "walls_delft": ("delft/dsm.tif", (84870, 447500, 84970, 447580), TRACED, []),
     "walls_stuttgart": ("stuttgart_csite2/dsm.tif", (513600, 5403000, 513800, 5403160), TRACED, []),
@@ -52,8 +52,9 @@ def make(program, source, dem, window, left, right):
         before = preview(program, dem, window, left, folder / "before.png").copy()
         after = preview(program, dem, window, here, folder / "after.png")
     if left == NOTHING:  # the legend and the counts belong to the result
-        frame = np.where((before < 200).all(axis=0).sum(axis=1) > SIZE * 0.9)[0]  # rows of its upper and lower border
-        before[:, frame[-1] + 1:] = 255
+        blank = (before == 255).all(axis=(0, 2))
+        top = np.argmin(blank)
+        before[:, top + np.argmax(blank[top:]):] = 255
     rows = max(before.shape[1], after.shape[1])
     halves = [np.pad(half, ((0, 0), (0, rows - half.shape[1]), (0, 0)), constant_values=255) for half in (before, after)]
     return np.concatenate([halves[0], np.full((3, rows, GAP), 255, before.dtype), halves[1]], axis=2)

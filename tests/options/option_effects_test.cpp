@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <utility>
@@ -154,7 +155,7 @@ TEST_F(OptionEffects, eachOptionShowsByItself) {
 
 /// A share of the options, so that no test takes long.
 class EachOption : public OptionEffects, public ::testing::WithParamInterface<std::size_t> {};
-constexpr std::size_t shares = 8;
+constexpr std::size_t shares = 4;
 
 /// An option that changes nothing beside another would be ignored in silence: it is refused.
 TEST_P(EachOption, showsBesideEachOther) {
@@ -162,11 +163,14 @@ TEST_P(EachOption, showsBesideEachOther) {
     for (const OptionCase& option : option_cases())
         if (shapes_the_result(option.name))
             cases.push_back(option);
+    // A quarter of the pairs, in which each option is; all of them if D2B_ALL_PAIRS is set, as .ci/long does.
+    const std::size_t one_in = std::getenv("D2B_ALL_PAIRS") != nullptr ? 1 : 4;
     int tried = 0;
     for (std::size_t i = GetParam(); i < cases.size(); i += shares)
         for (std::size_t j = 0; j < i; ++j)
-            tried += expect_both_show(cases[i], cases[j]);
-    EXPECT_GT(tried, 100);
+            if ((i + j) % one_in == 0)
+                tried += expect_both_show(cases[i], cases[j]);
+    EXPECT_GT(tried, 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shares, EachOption, ::testing::Range(std::size_t{0}, shares));

@@ -313,7 +313,7 @@ TEST_F(TerrainLimits, undeclaredNoDataIsNoElevationAndSaidSo) {
         EXPECT_EQ(
             warnings().back(),
             "60 cells of the terrain " + quoted("side.tif") +
-                " have the elevation 0, lie at its edge, and all around is at least 2 m higher or lower, so "
+                " have the elevation 0, lie at its edge, and most cells around are at least 2 m higher or lower, so "
                 "they are treated as no data; declare that with gdal_edit.py -a_nodata 0, or keep the "
                 "elevation with -inodata.");
     }
@@ -337,7 +337,7 @@ TEST_F(TerrainLimits, lessOfItIsNamedAlone) {
     EXPECT_EQ(
         warnings()[0],
         "80 cells of the terrain " + quoted("side.tif") +
-            " have the elevation 0, lie at its edge, and all around is at least 2 m higher or lower; if it "
+            " have the elevation 0, lie at its edge, and most cells around are at least 2 m higher or lower; if it "
             "stands for no data, declare that with gdal_edit.py -a_nodata 0, and if not, give -inodata.");
 }
 

@@ -180,6 +180,12 @@ TEST_F(FormatTest, LayersAreCalledAsTheDriverLaundersThem) {
         EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), laundered);
         EXPECT_EQ(name_of(options, LayerRole::contours, Layers::both), std::string(laundered) + "_contours");
     }
+    // Room for the suffixes of an index in 63 bytes, or a letter of two bytes may be cut in half.
+    options.layer_name.clear();
+    for (int i = 0; i < 40; ++i)
+        options.layer_name += "\xC3\xA4";
+    for (const LayerRole role : {LayerRole::buildings, LayerRole::contours})
+        EXPECT_LE(name_of(options, role, Layers::both).size() + std::string("_geom_geom_idx").size(), 63U);
     options.layer_options = {"LAUNDER=NO"};
     options.layer_name = "Town-2026";
     EXPECT_EQ(name_of(options, LayerRole::buildings, Layers::both), "Town-2026");

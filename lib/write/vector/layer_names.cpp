@@ -26,9 +26,14 @@ namespace d2b::writing {
 
 namespace {
 
-/// PostgreSQL truncates names after 63 bytes, and the driver names the primary key like the table plus "_pk",
-/// which must not be truncated to the name of the table.
-constexpr std::size_t max_bytes = 60;
+/// Returns the longest name of a table. PostgreSQL truncates names after 63 bytes, and the driver names the
+/// primary key like the table plus "_pk", which must not be truncated to the name of the table. Since 3.10 it
+/// shortens the name of the spatial index, the table's plus "_geom_geom_idx", by bytes, which may split a
+/// character.
+std::size_t max_bytes(const std::string& name) {
+    const bool is_ascii = std::ranges::all_of(name, [](unsigned char letter) { return letter < 0x80U; });
+    return is_ascii ? 60 : 49;
+}
 
 /// Returns eight hexadecimal digits that differ if the names differ.
 std::string hash_digits(const std::string& name) {
@@ -84,10 +89,11 @@ std::string launder_for_postgresql(const std::string& base, const std::string& s
             if (std::string_view("'-#()").find(letter) != std::string_view::npos)
                 letter = '_';
         }
-    if (name.size() + suffix.size() <= max_bytes)
+    const std::size_t longest = max_bytes(name);
+    if (name.size() + suffix.size() <= longest)
         return name + suffix;
     const std::string digits = "_" + hash_digits(base);
-    return truncate_utf8(name, max_bytes - suffix.size() - digits.size()) + digits + suffix;
+    return truncate_utf8(name, longest - suffix.size() - digits.size()) + digits + suffix;
 }
 
 /// Creates the layer in memory and returns its name.

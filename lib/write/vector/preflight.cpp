@@ -241,6 +241,16 @@ std::string cause_of(const PlannedOutput& draft, bool appends) {
     return "The format " + draft.format.name;
 }
 
+/// Refuses options that round coordinates of another CRS, because polygons cannot be checked in these.
+void refuse_rounding_after_conversion(const PlannedOutput& draft) {
+    for (const std::string& option : draft.options.layer_options)
+        for (const char* key : {"PRECISION", "SIGNIFICANT_FIGURES"})
+            if (option.substr(0, option.find('=')).find(key) != std::string::npos)
+                throw OptionError("-lco " + option + " would round coordinates after " + draft.format.name +
+                                  " has converted them to longitudes and latitudes, which may cross polygons; give "
+                                  "-t_srs EPSG:4326 as well.");
+}
+
 void write_trial(const std::string& file, const std::string& folder, const PlannedOutput& draft, bool appends,
                  const WorldRing& ring) {
     WriteOptions options = draft.options;
@@ -357,6 +367,8 @@ std::optional<CoordinateRounding> coordinate_rounding(const PlannedOutput& draft
         for (int digits = to == To::decimals ? 0 : 1; digits <= 17; ++digits)
             if (const CoordinateRounding rounding{to, digits}; there == values_of(ring, rounding))
                 return CoordinateRounding{to, digits, cause_of(draft, appends)};
+    if (!appends)
+        refuse_rounding_after_conversion(draft);
     return std::nullopt;
 }
 
