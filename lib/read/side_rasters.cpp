@@ -514,8 +514,9 @@ void TerrainSource::report_undeclared() {
 }
 
 void TerrainSource::report_shared() {
-    for (const auto& [value, cells] : raster_.counts().bins->shared(raster_.counts().within))
-        if (std::ranges::find(named_, value, &SharedValue::value) == named_.end())
+    const std::int64_t within = raster_.counts().within;
+    for (const auto& [value, cells] : raster_.counts().bins->shared(within))
+        if (2 * cells <= within && std::ranges::find(named_, value, &SharedValue::value) == named_.end())
             warnings().add(cells_have(cells, "the " + raster_.name()) + "the elevation " + value_text(value) +
                            ", more than " + number_text(ValueBins::apart_m) +
                            " m from any other; if it stands for no data, " + declaration_advice(value) + ".");

@@ -312,12 +312,12 @@ TEST_P(Collar, IsAsIfItWereDeclared) {
             EXPECT_EQ(result.report.valid_points, clean.report.valid_points);
             const std::string value = value_text(GetParam());
             ASSERT_EQ(result.report.warnings.size(), 1U);
-            EXPECT_EQ(
-                result.report.warnings[0],
-                std::to_string(TownWithCollar::cells) + " cells of 'town.tif' have the elevation " + value +
-                    ", lie at its edge, and most cells around are at least 2 m higher or lower, so they are treated "
-                    "as no data; declare that with -snodata " +
-                    value + ", or keep the elevation with -inodata.");
+            EXPECT_EQ(result.report.warnings[0], std::to_string(TownWithCollar::cells) +
+                                                     " cells of 'town.tif' have the elevation " + value +
+                                                     ", lie at its edge, and most cells around are at least "
+                                                     "2 m higher or lower, so they are treated "
+                                                     "as no data; declare that with -snodata " +
+                                                     value + ", or keep the elevation with -inodata.");
         }
 }
 
@@ -339,10 +339,10 @@ TEST(SuspiciousValues, ANarrowCollarIsNamed) {
     TownWith town(cells, 60);  // some 40 m below the ground
     const Result result(town, {});
     ASSERT_GE(result.report.warnings.size(), 1U);
-    EXPECT_EQ(
-        result.report.warnings[0],
-        "420 cells of 'town.tif' have the elevation 60, lie at its edge, and most cells around are at least 2 m "
-        "higher or lower; if it stands for no data, give -snodata 60, and if not, -inodata.");
+    EXPECT_EQ(result.report.warnings[0],
+              "420 cells of 'town.tif' have the elevation 60, lie at its edge, and most cells around are at "
+              "least 2 m "
+              "higher or lower; if it stands for no data, give -snodata 60, and if not, -inodata.");
     EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
 }
 

@@ -123,7 +123,7 @@ class Arrays(PythonCase):
         with_infinity[hole] = -numpy.inf
         with_nodata = block("int32")
         with_nodata[hole] = -9999
-        for dem, options in ((masked, {}), (with_nan, {}), (with_infinity, {}), (with_nodata, {"snodata": -9999})):
+        for dem, options in ((masked, {}), (with_nan, {}), (with_infinity, {}), (with_nodata, {"nodata": -9999})):
             with self.subTest(dtype=dem.dtype):
                 found = find(dem, **options)
                 self.assertEqual(found.report["input"]["valid_points"], 40 * 50 - 80)
@@ -133,7 +133,7 @@ class Arrays(PythonCase):
     def test_no_data_of_a_type_is_compared_as_the_type_has_it(self):
         dem = block("float32")
         dem[0, :] = -9999.9
-        self.assertEqual(find(dem, snodata=-9999.9).report["input"]["valid_points"], 39 * 50)
+        self.assertEqual(find(dem, nodata=-9999.9).report["input"]["valid_points"], 39 * 50)
 
     def test_terms_of_rasterio(self):
         affine = types.SimpleNamespace(to_gdal=lambda: PLACE["transform"])

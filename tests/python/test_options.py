@@ -44,7 +44,7 @@ class Options(PythonCase):
                          {"3d": "with_z", "if": "input_format", "a_srs": "crs", "snodata": "nodata"})
 
     def test_any_other_name_is_a_type_error(self):
-        for name in ("lodd", "q", "json", "overwrite", "arcs", "3d", "a_srs", "of"):
+        for name in ("lodd", "q", "json", "overwrite", "arcs", "3d", "a_srs", "snodata", "of"):
             with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"no argument '{name}'"):
                 find(**{name: 1})
         with self.assertRaisesRegex(TypeError, "did you mean 'min_height'"):

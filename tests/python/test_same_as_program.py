@@ -38,7 +38,7 @@ class SameAsProgram(PythonCase):
     def test_no_data_as_an_array(self):
         place = {"transform": gdal_transform("nodata"), "crs": 25833}
         written = self.program(SAMPLES / "nodata.tif")
-        found = dem2buildings.extract(sample("nodata"), snodata=-9999, **place)
+        found = dem2buildings.extract(sample("nodata"), nodata=-9999, **place)
         self.assert_same_features(found, written)
 
     def test_a_window_of_a_rotated_array(self):

@@ -329,6 +329,18 @@ TEST_F(Ndvi, otherGridsAndGaps) {
                                         quoted("side.tif") + "; nothing is known of vegetation there."}));
 }
 
+TEST_F(Ndvi, cellsWithoutAValueAreSaid) {
+    dem({.cols = 10, .rows = 10});
+    RasterSpec spec{.cols = 10, .rows = 10};
+    spec.values.assign(100, 0.1);
+    std::fill_n(spec.values.begin(), 40, none);
+    write(path("side.tif"), spec);
+    (void)ndvi();
+    EXPECT_EQ(warnings(),
+              (std::vector<std::string>{"About 40 % of the cells have no value in the NDVI " +
+                                        quoted("side.tif") + "; nothing is known of vegetation there."}));
+}
+
 TEST_F(Ndvi, otherProductsAreRefused) {
     const auto text = [this](const std::string& value) {
         return "The NDVI " + quoted("side.tif") + " has the value " + value +

@@ -310,12 +310,12 @@ TEST_F(TerrainLimits, undeclaredNoDataIsNoElevationAndSaidSo) {
             EXPECT_TRUE(std::isnan(z) || std::abs(z - 100) < 1e-9) << z;
         EXPECT_EQ(outside_range_, 60);
         ASSERT_FALSE(warnings().empty());
-        EXPECT_EQ(
-            warnings().back(),
-            "60 cells of the terrain " + quoted("side.tif") +
-                " have the elevation 0, lie at its edge, and most cells around are at least 2 m higher or lower, so "
-                "they are treated as no data; declare that with gdal_edit.py -a_nodata 0, or keep the "
-                "elevation with -inodata.");
+        EXPECT_EQ(warnings().back(),
+                  "60 cells of the terrain " + quoted("side.tif") +
+                      " have the elevation 0, lie at its edge, and most cells around are at least 2 m higher "
+                      "or lower, so "
+                      "they are treated as no data; declare that with gdal_edit.py -a_nodata 0, or keep the "
+                      "elevation with -inodata.");
     }
     terrain_with(60, 0);
     const auto kept =
@@ -323,6 +323,22 @@ TEST_F(TerrainLimits, undeclaredNoDataIsNoElevationAndSaidSo) {
     std::vector<double> row(20);
     kept->read(whole_rows(*kept, 0, 1), row);
     expect_values(row, std::vector<double>(20, 0));
+}
+
+TEST_F(TerrainLimits, aHoleFarBelowIsNamed) {
+    RasterSpec spec{
+        .cols = 40, .rows = 40, .type = GDT_Float32, .transform = {{500000, 0.5, 0, 5538650, 0, -0.5}}};
+    for (int i = 0; i < 1600; ++i) {
+        const bool hole = i / 40 >= 10 && i / 40 < 20 && i % 40 >= 10 && i % 40 < 20;
+        spec.values.push_back(hole ? 0 : 100 + 0.001 * i);
+    }
+    write(path("side.tif"), spec);
+    (void)terrain();
+    ASSERT_EQ(warnings().size(), 1U);
+    EXPECT_EQ(warnings()[0],
+              "100 cells of the terrain " + quoted("side.tif") +
+                  " have the elevation 0, more than 50 m from any other; if it stands for no data, declare "
+                  "that with gdal_edit.py -a_nodata 0.");
 }
 
 TEST_F(TerrainLimits, lessOfItIsNamedAlone) {
@@ -337,7 +353,8 @@ TEST_F(TerrainLimits, lessOfItIsNamedAlone) {
     EXPECT_EQ(
         warnings()[0],
         "80 cells of the terrain " + quoted("side.tif") +
-            " have the elevation 0, lie at its edge, and most cells around are at least 2 m higher or lower; if it "
+            " have the elevation 0, lie at its edge, and most cells around are at least 2 m higher or lower; "
+            "if it "
             "stands for no data, declare that with gdal_edit.py -a_nodata 0, and if not, give -inodata.");
 }
 

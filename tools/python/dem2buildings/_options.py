@@ -12,10 +12,6 @@ import textwrap
 from . import _core
 
 
-# Arguments that had another name; that is still taken.
-_FORMER_NAMES = {"snodata": "nodata"}
-
-
 @dataclasses.dataclass(frozen=True)
 class Option:
     """A row of the table of options."""
@@ -125,7 +121,6 @@ class OptionSet:
         """What the program would be given: pairs of names and values in bytes. None stands for what is not given."""
         pairs = []
         for argument, value in values.items():
-            argument = _FORMER_NAMES.get(argument, argument)
             if argument not in self._options:
                 near = difflib.get_close_matches(argument, self._options, 1)
                 hint = f"; did you mean {near[0]!r}?" if near else ""
