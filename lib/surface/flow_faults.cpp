@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <optional>
@@ -331,43 +332,52 @@ void FlowFaults::look_at(std::span<const std::uint32_t> edges, std::span<const s
 }
 
 void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>> changes) {
-    std::vector<bool> is_old_edge(plan_.edges().size());
-    std::vector<bool> is_old_node(plan_.nodes().size());
-    std::vector<std::uint32_t> edges;
-    std::vector<std::uint32_t> nodes;
-    const auto add = [](std::uint32_t number, std::vector<bool>& is_old, std::vector<std::uint32_t>& list) {
-        if (!is_old[number])
-            list.push_back(number);
-        is_old[number] = true;
-    };
-    reach_.resize(plan_.nodes().size(), std::max(limits_.gap, limits_.wall));
     const FlowMetric& m = limits_.metric;
-    const std::int64_t reach = m.steps_around(std::max(limits_.gap, limits_.wall));
+    reach_.resize(plan_.nodes().size(), std::max(limits_.gap, limits_.wall));
+    std::vector<bool> is_old_node(plan_.nodes().size());
+    std::vector<bool> ends_old_edge(plan_.nodes().size());
+    // Nodes look for changes, because most nodes depend on a small part of what lies within the limits.
+    EdgeGrid changed;
+    for (std::uint32_t i = 0; i < changes.size(); ++i) {
+        const auto [from, to] = changes[i];
+        changed.add(i, plan_.at(from), plan_.at(to));
+        is_old_node[from] = is_old_node[to] = true;
+    }
     constexpr double rounding = 2;  // steps
     const double more = rounding * std::max(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
-    for (const auto& [from, to] : changes) {
-        add(from, is_old_node, nodes);
-        add(to, is_old_node, nodes);
-        const FinePoint a = plan_.at(from);
-        const FinePoint b = plan_.at(to);
-        plan_.each_near(a, b, reach, [&](std::uint32_t e) {
-            for (const std::uint32_t node : {plan_.edges()[e].from, plan_.edges()[e].to}) {
-                if (is_old_edge[e] && is_old_node[node])
-                    continue;
-                const FinePoint p = plan_.at(node);
-                const double away = a == b ? m.distance(p, a) : m.distance_to(p, a, b);
-                if (away <= limits_.wall + more)
-                    add(e, is_old_edge, edges);
-                if (away <= reach_[node] + more)
-                    add(node, is_old_node, nodes);
-            }
-        });
+    for (std::uint32_t node = 0; node < plan_.nodes().size(); ++node) {
+        if (plan_.degree(node) == 0)
+            continue;
+        stop_.check();
+        const FinePoint p = plan_.at(node);
+        const auto [less, most] = std::minmax(limits_.wall, reach_[node]);
+        const std::int64_t reach = m.steps_around(most + more);
+        double nearest = std::numeric_limits<double>::infinity();
+        static_cast<void>(changed.all_in_box(
+            {p.row - reach, p.col - reach}, {p.row + reach, p.col + reach}, [&](std::uint32_t i) {
+                const FinePoint a = plan_.at(changes[i].first);
+                const FinePoint b = plan_.at(changes[i].second);
+                nearest = std::min(nearest, a == b ? m.distance(p, a) : m.distance_to(p, a, b));
+                return nearest > less + more;
+            }));
+        ends_old_edge[node] = nearest <= limits_.wall + more;
+        is_old_node[node] = is_old_node[node] || nearest <= reach_[node] + more;
     }
+    std::vector<bool> is_old_edge(plan_.edges().size());
+    std::vector<std::uint32_t> edges;
+    std::vector<std::uint32_t> nodes;
+    for (std::uint32_t e = 0; e < plan_.edges().size(); ++e)
+        if (plan_.is_edge(e) &&
+            (ends_old_edge[plan_.edges()[e].from] || ends_old_edge[plan_.edges()[e].to])) {
+            is_old_edge[e] = true;
+            edges.push_back(e);
+        }
+    for (std::uint32_t node = 0; node < is_old_node.size(); ++node)
+        if (is_old_node[node])
+            nodes.push_back(node);
     mark_removed(walls_, plan_, is_old_edge);
     erase_if_marked(walls_, is_old_edge);
     erase_if_marked(corners_, is_old_node);
-    std::ranges::sort(edges);
-    std::ranges::sort(nodes);
     look_at(edges, nodes);
 }
 
