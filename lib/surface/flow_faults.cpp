@@ -346,9 +346,10 @@ void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>>
     constexpr double rounding = 2;  // steps
     const double more = rounding * std::max(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
     for (std::uint32_t node = 0; node < plan_.nodes().size(); ++node) {
+        if (node % 1024 == 0)
+            stop_.check();
         if (plan_.degree(node) == 0)
             continue;
-        stop_.check();
         const FinePoint p = plan_.at(node);
         const auto [less, most] = std::minmax(limits_.wall, reach_[node]);
         const std::int64_t reach = m.steps_around(most + more);
