@@ -413,7 +413,7 @@ void ValueRegions::add(std::span<const double> row) {
     add_contours(row);
     std::swap(above_, runs_);
     std::swap(region_of_, region_of_above_);
-    std::ranges::rotate(rows_above_, rows_above_.end() - 1);
+    std::rotate(rows_above_.begin(), rows_above_.end() - 1, rows_above_.end());
     rows_above_[0].values.assign(row.begin(), row.end());
     std::swap(rows_above_[0].classes, classes_);
 }

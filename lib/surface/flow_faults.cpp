@@ -351,8 +351,8 @@ void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>>
         if (plan_.degree(node) == 0)
             continue;
         const FinePoint p = plan_.at(node);
-        const auto [less, most] = std::minmax(limits_.wall, reach_[node]);
-        const std::int64_t reach = m.steps_around(most + more);
+        const double less = std::min(limits_.wall, reach_[node]);
+        const std::int64_t reach = m.steps_around(std::max(limits_.wall, reach_[node]) + more);
         double nearest = std::numeric_limits<double>::infinity();
         static_cast<void>(changed.all_in_box(
             {p.row - reach, p.col - reach}, {p.row + reach, p.col + reach}, [&](std::uint32_t i) {

@@ -246,9 +246,10 @@ void refuse_rounding_after_conversion(const PlannedOutput& draft) {
     for (const std::string& option : draft.options.layer_options)
         for (const char* key : {"PRECISION", "SIGNIFICANT_FIGURES"})
             if (option.substr(0, option.find('=')).find(key) != std::string::npos)
-                throw OptionError("-lco " + option + " would round coordinates after " + draft.format.name +
-                                  " has converted them to longitudes and latitudes, which may cross polygons; give "
-                                  "-t_srs EPSG:4326 as well.");
+                throw OptionError(
+                    "-lco " + option + " would round coordinates after " + draft.format.name +
+                    " has converted them to longitudes and latitudes, which may cross polygons; give "
+                    "-t_srs EPSG:4326 as well.");
 }
 
 void write_trial(const std::string& file, const std::string& folder, const PlannedOutput& draft, bool appends,
