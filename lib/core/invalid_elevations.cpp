@@ -201,6 +201,25 @@ double larger(double one, double other) {
     return std::abs(other) > std::abs(one) ? other : one;
 }
 
+/// Returns the largest step on a line from a cell over its neighbour to the cells behind.
+/// @param ends true for a cell that ends the line if it lies behind the neighbour
+template <typename Ends>
+double largest_step(std::span<const double> cells, std::size_t from, std::size_t neighbour,
+                    const Ends& ends) {
+    const bool right = neighbour > from;
+    double step = cells[neighbour] - cells[from];
+    for (int i = 1; i < compared_cells && !ends(neighbour); ++i) {
+        from = neighbour;
+        if (right ? from + 1 == cells.size() : from == 0)
+            break;
+        neighbour = right ? from + 1 : from - 1;
+        if (ends(neighbour))
+            break;
+        step = larger(step, cells[neighbour] - cells[from]);
+    }
+    return step;
+}
+
 /// Connected cells (4-neighbours) of one candidate value, or of none.
 struct Region {
     std::uint8_t of = 0;  ///< number of the candidate, from 1; 0: any other value, or not valid
@@ -235,8 +254,6 @@ class ValueRegions {
     void join_rows();
     void add_contours(std::span<const double> row);
     void add_contact(std::uint32_t one, std::uint32_t other, double difference);
-    [[nodiscard]] double difference_along(std::span<const double> row, std::size_t from,
-                                          std::size_t to) const;
     [[nodiscard]] double difference_above(double value, std::size_t col) const;
     void add_contact_above(double value, std::size_t col);
     void look_below(double value, std::size_t col);
@@ -329,25 +346,7 @@ void ValueRegions::close(OpenContact& contact) {
     contact.rows_left = 0;
 }
 
-/// Returns the largest step from a cell over its neighbour in the row and those behind, up to the next
-/// candidate.
-/// @param to the neighbour
-double ValueRegions::difference_along(std::span<const double> row, std::size_t from, std::size_t to) const {
-    double difference = row[to] - row[from];
-    if (classes_[to] != 0)
-        return difference;
-    const bool right = to > from;
-    for (int i = 1; i < compared_cells && (right ? to + 1 < row.size() : to > 0); ++i) {
-        from = to;
-        to = right ? to + 1 : to - 1;
-        if (classes_[to] != 0 || std::isnan(row[to]))
-            break;
-        difference = larger(difference, row[to] - row[from]);
-    }
-    return difference;
-}
-
-/// Same for the cells above.
+/// Returns the largest step on the line from a candidate to the cells above.
 double ValueRegions::difference_above(double value, std::size_t col) const {
     double difference = 0;
     for (const Row& row : rows_above_) {
@@ -386,11 +385,12 @@ void ValueRegions::add_contact_above(double value, std::size_t col) {
 
 void ValueRegions::add_contours(std::span<const double> row) {
     open_.resize(row.size());
+    const auto ends = [&](std::size_t i) { return classes_[i] != 0 || std::isnan(row[i]); };
     for (std::size_t c = 0; c < row.size(); ++c) {
         if (c > 0 && classes_[c - 1] != classes_[c] && !std::isnan(row[c - 1]) && !std::isnan(row[c])) {
             const bool from_left = classes_[c - 1] != 0;
             add_contact(region_of_[c - 1], region_of_[c],
-                        from_left ? difference_along(row, c - 1, c) : difference_along(row, c, c - 1));
+                        from_left ? largest_step(row, c - 1, c, ends) : largest_step(row, c, c - 1, ends));
         }
         look_below(row[c], c);
         if (!rows_above_[0].values.empty())
@@ -487,24 +487,15 @@ struct BorderCount {
 };
 
 void count_along(std::span<const double> cells, double step, std::map<double, BorderCount>& counts) {
-    const auto largest = [&](std::size_t from, std::size_t to) {
-        double difference = 0;
-        const bool right = to > from;
-        for (int i = 0; i < compared_cells && to < cells.size() && !std::isnan(cells[to]); ++i) {
-            difference = larger(difference, cells[to] - cells[from]);
-            from = to;
-            to = right ? to + 1 : to - 1;  // beyond the size if it was 0
-        }
-        return difference;
-    };
+    const auto is_missing = [&](std::size_t i) { return std::isnan(cells[i]); };
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (std::isnan(cells[i]))
             continue;
         ++counts[cells[i]].cells;
         if (i == 0 || std::isnan(cells[i - 1]) || cells[i] == cells[i - 1])
             continue;
-        counts[cells[i]].contour.add(largest(i, i - 1), step);
-        counts[cells[i - 1]].contour.add(largest(i - 1, i), step);
+        counts[cells[i]].contour.add(largest_step(cells, i, i - 1, is_missing), step);
+        counts[cells[i - 1]].contour.add(largest_step(cells, i - 1, i, is_missing), step);
     }
 }
 
@@ -521,6 +512,11 @@ std::string undeclared_text(const SharedValue& value, const std::string& raster)
     return cells_have(value.cells, raster) + "the elevation " + value_text(value.value) +
            ", lie at its edge, and most cells around are at least " +
            number_text(UndeclaredNodataRules::step_m) + " m higher or lower";
+}
+
+std::string isolated_text(const SharedValue& value, const std::string& raster) {
+    return cells_have(value.cells, raster) + "the elevation " + value_text(value.value) + ", more than " +
+           number_text(ValueBins::apart_m) + " m from any other";
 }
 
 BorderCells read_border(const Window& window, const ReadValues& read) {

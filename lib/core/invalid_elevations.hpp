@@ -168,6 +168,10 @@ struct UndeclaredNodataRules {
 /// its edge, and most cells around are at least 2 m higher or lower".
 [[nodiscard]] std::string undeclared_text(const SharedValue& value, const std::string& raster);
 
+/// Same for a value that ValueBins finds: "12 cells of 'dem.tif' have the elevation 0, more than 50 m from
+/// any other".
+[[nodiscard]] std::string isolated_text(const SharedValue& value, const std::string& raster);
+
 /// Reads the values of a part of the window; NaN if not valid.
 using ReadValues = std::function<void(const Window&, std::span<double>)>;
 

@@ -111,9 +111,7 @@ void Strange::warn_of_shared(const SuspiciousValues& suspicious, std::int64_t ce
     for (const auto& [value, sharing] : suspicious.bins.shared(cells))
         if (info_.overridden_nodata != value &&
             std::ranges::find(told, value, &SharedValue::value) == told.end())
-            context_.warn(cells_have(sharing, name_) + "the elevation " + value_text(value) + ", more than " +
-                          number_text(ValueBins::apart_m) + " m from any other; " + nodata_advice(value) +
-                          ".");
+            context_.warn(isolated_text({value, sharing}, name_) + "; " + nodata_advice(value) + ".");
 }
 
 void Strange::warn_of_set_aside(std::int64_t cells) const {

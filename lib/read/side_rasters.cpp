@@ -165,6 +165,37 @@ std::string height_reference(const std::string& wkt) {
     return datum == nullptr ? "" : datum;
 }
 
+/// Tells which cells of a window are read for the first time, and when all of them were.
+class FirstReads {
+  public:
+    explicit FirstReads(const Window& window)
+        : window_(window), seen_(window.rows), unread_(window.points()) {}
+
+    /// Calls use(values) for runs of cells that were not read before. @param values of the part
+    /// @return true if this part completes the window
+    template <typename Use>
+    [[nodiscard]] bool add(const Window& part, std::span<const double> values, const Use& use) {
+        if (unread_ == 0)
+            return false;
+        for (std::int32_t i = 0; i < part.rows; ++i) {
+            const auto row = values.subspan(static_cast<std::size_t>(i) * static_cast<std::size_t>(part.cols),
+                                            static_cast<std::size_t>(part.cols));
+            seen_.add(part.row + i - window_.row, part.col, part.end_col(),
+                      [&](std::int32_t begin, std::int32_t end) {
+                          unread_ -= end - begin;
+                          use(row.subspan(static_cast<std::size_t>(begin - part.col),
+                                          static_cast<std::size_t>(end - begin)));
+                      });
+        }
+        return unread_ == 0;
+    }
+
+  private:
+    Window window_;
+    RowCoverage seen_;
+    std::int64_t unread_;  ///< cells
+};
+
 class TerrainSource final : public WarningSource {
   public:
     TerrainSource(const AuxiliaryRaster& raster, const DemInfo& grid, double dem_metres,
@@ -174,8 +205,7 @@ class TerrainSource final : public WarningSource {
           raster_("terrain", raster, grid, Resampling::bilinear, warnings()),
           dem_metres_(dem_metres),
           undeclared_pending_(!reading.keeps_undeclared),
-          read_(grid.window.rows),
-          unread_(grid.window.points()) {
+          first_reads_(grid.window) {
         if (const auto unit = vertical_unit(raster_.raster()))
             factor_ = unit->metres / dem_metres;
         limits_ = limits.times(1 / factor_);
@@ -200,7 +230,7 @@ class TerrainSource final : public WarningSource {
         if (factor_ != 1)
             for (double& elevation : elevations)
                 elevation *= factor_;
-        if (is_last(part))
+        if (first_reads_.add(part, elevations, [](std::span<const double>) {}))
             report_values();
     }
     [[nodiscard]] double share_outside() const override { return raster_.share_outside(); }
@@ -209,8 +239,6 @@ class TerrainSource final : public WarningSource {
     }
 
   private:
-    /// Returns true if this part completes the window.
-    [[nodiscard]] bool is_last(const Window& part);
     void report_values() {
         report_outside();
         report_undeclared();
@@ -232,18 +260,8 @@ class TerrainSource final : public WarningSource {
     std::vector<double> excluded_;
     std::vector<SharedValue> named_;  ///< undeclared values that are kept, with a warning
     ElevationLimits limits_;
-    RowCoverage read_;
-    std::int64_t unread_;  ///< cells of the window
+    FirstReads first_reads_;
 };
-
-bool TerrainSource::is_last(const Window& part) {
-    if (unread_ == 0)
-        return false;
-    for (std::int32_t row = part.row; row < part.end_row(); ++row)
-        read_.add(row - info().window.row, part.col, part.end_col(),
-                  [this](std::int32_t begin, std::int32_t end) { unread_ -= end - begin; });
-    return unread_ == 0;
-}
 
 void TerrainSource::report_outside() {
     const std::int64_t within = raster_.counts().within;
@@ -346,8 +364,7 @@ class NdviSource final : public WarningSource {
     NdviSource(const AuxiliaryRaster& raster, const DemInfo& grid, std::unique_ptr<Warnings> own)
         : WarningSource(std::move(own)),
           raster_("NDVI", raster, grid, Resampling::bilinear, warnings()),
-          seen_(grid.window.rows),
-          unread_(grid.window.points()) {
+          first_reads_(grid.window) {
         raster_.warn_about_gaps("nothing is known of vegetation");
         // Reads one row, because a wrong product shows in any row and a run should not fail at its end.
         std::vector<double> row(static_cast<std::size_t>(grid.window.cols));
@@ -359,17 +376,10 @@ class NdviSource final : public WarningSource {
 
     void read(const Window& part, std::span<double> values) override {
         read_values(part, values);
-        if (unread_ == 0)
-            return;
-        for (std::int32_t i = 0; i < part.rows; ++i)
-            seen_.add(part.row + i - info().window.row, part.col, part.end_col(),
-                      [&](std::int32_t begin, std::int32_t end) {
-                          const auto first = values.begin() + std::ptrdiff_t{i} * part.cols - part.col;
-                          missing_ += std::count_if(first + begin, first + end,
-                                                    [](double value) { return std::isnan(value); });
-                          unread_ -= end - begin;
-                      });
-        if (unread_ == 0)
+        const auto count_missing = [this](std::span<const double> cells) {
+            missing_ += std::ranges::count_if(cells, [](double value) { return std::isnan(value); });
+        };
+        if (first_reads_.add(part, values, count_missing))
             report_missing();
     }
 
@@ -398,8 +408,7 @@ class NdviSource final : public WarningSource {
     }
 
     AlignedRaster raster_;
-    RowCoverage seen_;
-    std::int64_t unread_;  ///< cells of the window
+    FirstReads first_reads_;
     std::int64_t missing_ = 0;
 };
 
@@ -517,9 +526,8 @@ void TerrainSource::report_shared() {
     const std::int64_t within = raster_.counts().within;
     for (const auto& [value, cells] : raster_.counts().bins->shared(within))
         if (2 * cells <= within && std::ranges::find(named_, value, &SharedValue::value) == named_.end())
-            warnings().add(cells_have(cells, "the " + raster_.name()) + "the elevation " + value_text(value) +
-                           ", more than " + number_text(ValueBins::apart_m) +
-                           " m from any other; if it stands for no data, " + declaration_advice(value) + ".");
+            warnings().add(isolated_text({value, cells}, "the " + raster_.name()) +
+                           "; if it stands for no data, " + declaration_advice(value) + ".");
 }
 
 void TerrainSource::detect_undeclared() {

@@ -30,14 +30,12 @@ class EdgeGrid {
                 return false;
         return true;
     }
-    /// Same for edges that may meet a triangle, or a segment if b == c. @param around distance in steps by
-    /// which the triangle is enlarged
+    /// Same for edges that may meet a triangle, or a segment if b == c.
     template <typename Visit>
-    bool all_in_triangle(FinePoint a, FinePoint b, FinePoint c, const Visit& visit,
-                         std::int64_t around = 0) const {
-        const auto [first, last] = rows_of(a, b, c, around + margin);
+    bool all_in_triangle(FinePoint a, FinePoint b, FinePoint c, const Visit& visit) const {
+        const auto [first, last] = rows_of(a, b, c, margin);
         for (std::int64_t row = first; row <= last; ++row)
-            if (const auto cols = cols_of(a, b, c, row, around + margin))
+            if (const auto cols = cols_of(a, b, c, row, margin))
                 if (!all_in_row(row, cols->first, cols->second, visit))
                     return false;
         return true;
@@ -97,18 +95,6 @@ class PartitionEditor {
     bool all_near(FinePoint low, FinePoint high, const Visit& visit) const {
         return grid_.all_in_box(low, high, [&](std::uint32_t edge) { return !is_edge(edge) || visit(edge); });
     }
-    /// Calls visit(edge) for edges that may come within a distance of a segment, in any order and possibly
-    /// repeatedly. @param reach in steps
-    template <typename Visit>
-    void each_near(FinePoint a, FinePoint b, std::int64_t reach, const Visit& visit) const {
-        const auto look = [&](std::uint32_t edge) {
-            if (is_edge(edge))
-                visit(edge);
-            return true;
-        };
-        grid_.all_in_triangle(a, b, b, look, reach);
-    }
-
     /// Returns twice the area that a node's edges sweep when it moves to a place, in square steps.
     [[nodiscard]] Int128 swept(std::uint32_t node, FinePoint place) const;
     /// Returns the same for edges next to open ground only.

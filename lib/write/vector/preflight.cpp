@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <set>
 #include <string_view>
 #include <vector>
@@ -227,13 +228,21 @@ AxisValues read_back(const VectorFormat& format, const std::string& file) {
     return values;
 }
 
+/// Returns the first layer option whose name contains one of the words, "" if there is none.
+std::string layer_option_with(const PlannedOutput& draft, std::initializer_list<const char*> words) {
+    for (const std::string& option : draft.options.layer_options)
+        for (const char* word : words)
+            if (option.substr(0, option.find('=')).find(word) != std::string::npos)
+                return "-lco " + option;
+    return {};
+}
+
 /// Names the option that causes the rounding, for messages.
 std::string cause_of(const PlannedOutput& draft, bool appends) {
     if (!appends)
-        for (const std::string& option : draft.options.layer_options)
-            for (const char* key : {"PRECISION", "SIGNIFICANT_FIGURES", "RFC7946"})
-                if (option.substr(0, option.find('=')).find(key) != std::string::npos)
-                    return "-lco " + option;
+        if (std::string option = layer_option_with(draft, {"PRECISION", "SIGNIFICANT_FIGURES", "RFC7946"});
+            !option.empty())
+            return option;
     for (const char* key : {"OGR_WKT_PRECISION", "OGR_WKT_ROUND"})
         if (const char* value = CPLGetConfigOption(key, nullptr);
             value != nullptr && draft.format.name == "CSV")
@@ -243,13 +252,11 @@ std::string cause_of(const PlannedOutput& draft, bool appends) {
 
 /// Refuses options that round coordinates of another CRS, because polygons cannot be checked in these.
 void refuse_rounding_after_conversion(const PlannedOutput& draft) {
-    for (const std::string& option : draft.options.layer_options)
-        for (const char* key : {"PRECISION", "SIGNIFICANT_FIGURES"})
-            if (option.substr(0, option.find('=')).find(key) != std::string::npos)
-                throw OptionError(
-                    "-lco " + option + " would round coordinates after " + draft.format.name +
-                    " has converted them to longitudes and latitudes, which may cross polygons; give "
-                    "-t_srs EPSG:4326 as well.");
+    if (const std::string option = layer_option_with(draft, {"PRECISION", "SIGNIFICANT_FIGURES"});
+        !option.empty())
+        throw OptionError(option + " would round coordinates after " + draft.format.name +
+                          " has converted them to longitudes and latitudes, which may cross polygons; give "
+                          "-t_srs EPSG:4326 as well.");
 }
 
 void write_trial(const std::string& file, const std::string& folder, const PlannedOutput& draft, bool appends,
