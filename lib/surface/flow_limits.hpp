@@ -23,13 +23,13 @@ struct FlowMetric {
         return static_cast<double>(to.col - from.col) * col_y +
                static_cast<double>(to.row - from.row) * row_y;
     }
-    [[nodiscard]] double distance(FinePoint a, FinePoint b) const { return std::hypot(x(a, b), y(a, b)); }
+    [[nodiscard]] double distance(FinePoint a, FinePoint b) const { return length(x(a, b), y(a, b)); }
     /// Distance from a point to the segment between two distinct points, m.
     [[nodiscard]] double distance_to(FinePoint point, FinePoint a, FinePoint b) const {
         const double along =
             (x(a, point) * x(a, b) + y(a, point) * y(a, b)) / (x(a, b) * x(a, b) + y(a, b) * y(a, b));
         const double share = std::clamp(along, 0.0, 1.0);
-        return std::hypot(x(a, point) - share * x(a, b), y(a, point) - share * y(a, b));
+        return length(x(a, point) - share * x(a, b), y(a, point) - share * y(a, b));
     }
     /// Number of steps that reaches everything within a distance in m. It is larger than distance by step if
     /// cells are not rectangles, because these extend farther along the lattice than on the ground.
@@ -39,6 +39,10 @@ struct FlowMetric {
     }
     /// Square metres per square step.
     [[nodiscard]] double area() const { return std::abs(col_x * row_y - col_y * row_x); }
+
+  private:
+    /// Not std::hypot(), because it is far slower and its guard against overflow is of no use here.
+    [[nodiscard]] static double length(double x, double y) { return std::sqrt(x * x + y * y); }
 };
 
 /// Limits of the geometry that a flow solver accepts.

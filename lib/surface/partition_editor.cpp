@@ -53,8 +53,8 @@ EdgeGrid::Range EdgeGrid::rows_of(FinePoint a, FinePoint b, FinePoint c, std::in
 
 std::optional<EdgeGrid::Range> EdgeGrid::cols_of(FinePoint a, FinePoint b, FinePoint c, std::int64_t row,
                                                  std::int64_t more) {
-    const auto low_row = static_cast<double>((row << 11) - more);
-    const auto high_row = static_cast<double>(((row + 1) << 11) + more);
+    const auto low_row = static_cast<double>((row << bucket_bits) - more);
+    const auto high_row = static_cast<double>(((row + 1) << bucket_bits) + more);
     std::optional<Cols> all;
     for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
         if (const auto cols = cols_between(from, to, low_row, high_row))
@@ -70,7 +70,7 @@ void EdgeGrid::add(std::uint32_t edge, FinePoint a, FinePoint b) {
     for (std::int64_t row = first; row <= last; ++row)
         if (const auto cols = cols_of(a, b, b, row, 0))
             for (std::int64_t col = cols->first; col <= cols->second; ++col)
-                cells_[{row, col}].push_back(edge);
+                strips_[{row, col >> strip_bits}][static_cast<std::size_t>(col & strip_mask)].push_back(edge);
 }
 
 PartitionEditor::PartitionEditor(PlanarPartition plan)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -14,7 +16,7 @@
 
 namespace d2b::surface {
 
-/// Uniform grid index of the edges of a plan, with buckets of 2 x 2 cells. Modified edges are added again and
+/// Uniform grid index of the edges of a plan, with buckets of 4 x 4 cells. Modified edges are added again and
 /// stay in their old buckets, so callers must test the edges themselves. A long edge costs its length, not
 /// the area of its box.
 class EdgeGrid {
@@ -44,12 +46,17 @@ class EdgeGrid {
   private:
     using Range =
         std::pair<std::int64_t, std::int64_t>;  // range of buckets, inclusive; also a bucket's row and column
-    struct CellHash {
-        std::size_t operator()(const Range& cell) const {
-            return static_cast<std::size_t>(cell.first * 1000003 + cell.second);
+    struct StripHash {
+        std::size_t operator()(const Range& strip) const {
+            return static_cast<std::size_t>(strip.first * 1000003 + strip.second);
         }
     };
-    [[nodiscard]] static std::int64_t cell(std::int64_t at) { return at >> 11; }
+    static constexpr int bucket_bits = 12;
+    [[nodiscard]] static std::int64_t cell(std::int64_t at) { return at >> bucket_bits; }
+    /// Buckets of a row are hashed in strips of eight, because a search visits many that are side by side.
+    static constexpr int strip_bits = 3;
+    static constexpr std::int64_t strip_mask = (1 << strip_bits) - 1;
+    using Strip = std::array<std::vector<std::uint32_t>, strip_mask + 1>;
     /// Margin of queries in steps, because a split may move an edge slightly without adding it again.
     static constexpr std::int64_t margin = 2;
     [[nodiscard]] static Range rows_of(FinePoint a, FinePoint b, FinePoint c, std::int64_t more);
@@ -59,15 +66,20 @@ class EdgeGrid {
 
     template <typename Visit>
     bool all_in_row(std::int64_t row, std::int64_t first, std::int64_t last, const Visit& visit) const {
-        for (std::int64_t col = first; col <= last; ++col)
-            if (const auto found = cells_.find({row, col}); found != cells_.end())
-                for (const std::uint32_t edge : found->second)
+        for (std::int64_t col = first; col <= last;) {
+            const auto strip = strips_.find({row, col >> strip_bits});
+            const std::int64_t end = std::min(last, col | strip_mask);
+            if (strip == strips_.end())
+                col = end + 1;
+            for (; col <= end; ++col)
+                for (const std::uint32_t edge : strip->second[static_cast<std::size_t>(col & strip_mask)])
                     if (!visit(edge))
                         return false;
+        }
         return true;
     }
 
-    std::unordered_map<Range, std::vector<std::uint32_t>, CellHash> cells_;
+    std::unordered_map<Range, Strip, StripHash> strips_;
 };
 
 /// Edits a plan in steps that keep it planar and the sides of its edges consistent; other changes are

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """What twice the cells of one large object cost, with each option that works on outlines.
 
-    doubling.py <dem2buildings> [--cells 8000] [--shape ragged]... [--only flow_ready]...
+    doubling.py <dem2buildings> [--cells 8000] [--cell_size 1] [--shape ragged]... [--only flow_ready]...
 
 A ragged block, a comb, a spiral and a checkerboard of some 8,000 cells and of twice and four times as many, each a single
 block of touching roofs on level ground. Prints the instructions in millions, as Valgrind counts them, which are the same
 on a busy machine, and by how much they grow, less those of a run on one small house with the same options, because the
 start of the program would hide what grows. Where there is no Valgrind it is milliseconds of processor, the least of five
-runs, of which nothing is taken off, because they are too uneven. The status is 1 where twice the cells cost more than
+runs, of which nothing is taken off, because they are too uneven. With cells of a metre a wall of two cells is wide enough
+for a building; with smaller ones a limit in metres reaches over more cells. The status is 1 where twice the cells cost more than
 2.5 times. Needs GDAL's Python and NumPy.
 """
 
@@ -25,7 +26,6 @@ from osgeo import gdal, osr
 
 gdal.UseExceptions()
 MOST = 2.5
-CELL = 1.0  # m, so that walls of two cells are wide enough for a building
 COMMON = ["-q", "-overwrite", "-threads", "1", "-ground", "none", "-min_confidence", "0", "-levels", "building"]
 OPTIONS = [
     ["-flow_ready", "2"], ["-min_gap", "2"], ["-min_wall", "2"], ["-flow_ready", "2", "-preset", "buildings", "-lod", "9"],
@@ -77,10 +77,10 @@ def house():
 SHAPES = {"ragged": ragged, "comb": comb, "spiral": spiral, "checkerboard": checkerboard}
 
 
-def write(path, heights):
+def write(path, heights, cell_size):
     rows, cols = heights.shape
     dataset = gdal.GetDriverByName("GTiff").Create(path, cols, rows, 1, gdal.GDT_Float32)
-    dataset.SetGeoTransform((500000, CELL, 0, 5600000, 0, -CELL))
+    dataset.SetGeoTransform((500000, cell_size, 0, 5600000, 0, -cell_size))
     crs = osr.SpatialReference()
     crs.ImportFromEPSG(25832)
     dataset.SetProjection(crs.ExportToWkt())
@@ -111,6 +111,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--cells", type=int, default=8000)
+    parser.add_argument("--cell_size", type=float, default=1, help="m")
     parser.add_argument("--shape", action="append", choices=list(SHAPES))
     parser.add_argument("--only", action="append", help="name of an option, with its dash left out")
     parser.add_argument("--time", action="store_true", help="milliseconds of processor, also where there is Valgrind")
@@ -121,13 +122,13 @@ def main():
     side = round(asked.cells**0.5)
     too_much = 0
     with tempfile.TemporaryDirectory() as folder:
-        write(f"{folder}/house.tif", house())
+        write(f"{folder}/house.tif", house(), asked.cell_size)
         starts = {}
         print(f"| shape | option | {'ms' if by_time else 'million instructions'} | twice the cells | four times |")
         print("|---|---|---:|---:|---:|")
         for shape in asked.shape or SHAPES:
             for i, size in enumerate(((side, side), (side, 2 * side), (2 * side, 2 * side))):
-                write(f"{folder}/{shape}{i}.tif", SHAPES[shape](*size))
+                write(f"{folder}/{shape}{i}.tif", SHAPES[shape](*size), asked.cell_size)
             for options in [[], *OPTIONS]:
                 if asked.only and not any(f"-{name}" in options for name in asked.only):
                     continue
