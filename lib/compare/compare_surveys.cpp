@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -161,6 +162,12 @@ ReadSurvey read_buildings(const std::string& dataset, Warnings& warnings) {
     return survey;
 }
 
+/// Returns true if a message advises an option.
+bool names_option(const std::string& message) {
+    const std::size_t dash = message.find(" -");
+    return dash != std::string::npos && dash + 2 < message.size() && std::isalpha(message[dash + 2]) != 0;
+}
+
 /// Finds the buildings of a DSM with the defaults. @throws Error as run()
 ReadSurvey find_buildings(const std::string& dsm, const Callbacks& callbacks) {
     Options options;
@@ -249,8 +256,21 @@ BothSurveys read_both(const SurveyRequest& request, const Callbacks& callbacks, 
     }
     if (old_found)
         return {read_buildings(request.old_survey, warnings), read_buildings(request.new_survey, warnings)};
-    ReadSurvey before = find_buildings(request.old_survey, part_of(callbacks, 0, 0.45));
-    return {std::move(before), find_buildings(request.new_survey, part_of(callbacks, 0.45, 0.9))};
+    // A comparison has none of the options that its rasters' warnings advise.
+    bool explained = false;
+    Callbacks explaining = callbacks;
+    if (callbacks.on_warning)
+        explaining.on_warning = [&](const std::string& text) {
+            callbacks.on_warning(text);
+            if (explained || !names_option(text))
+                return;
+            explained = true;
+            callbacks.on_warning(
+                "These options are those of dem2buildings; to use them, run it on each DSM and "
+                "compare the two results.");
+        };
+    ReadSurvey before = find_buildings(request.old_survey, part_of(explaining, 0, 0.45));
+    return {std::move(before), find_buildings(request.new_survey, part_of(explaining, 0.45, 0.9))};
 }
 
 /// Opens the destination. @return null if there is none

@@ -36,10 +36,9 @@ class CompareTool : public ScoreCase {
             layer.rows.push_back({row.wkt, {std::to_string(row.id), row.p90, row.confidence}});
         write_rows(path(file), layer);
     }
-    [[nodiscard]] ToolResult compare(const Arguments& arguments) const {
+    [[nodiscard]] ToolResult compare(const Arguments& arguments, ToolSetup setup = {}) const {
         Arguments command{D2B_COMPARE_TOOL};
         command.insert(command.end(), arguments.begin(), arguments.end());
-        ToolSetup setup;
         setup.working_directory = folder_.string();
         return run_tool(command, setup);
     }
@@ -187,6 +186,24 @@ TEST_F(CompareTool, writesAStream) {
     EXPECT_EQ(streamed["features"].size(), 11U);
 }
 
+TEST_F(CompareTool, losesItsText) {
+    write_changes();
+    const ToolSetup full{.stdout_file = "/dev/full"};
+    const std::string lost =
+        "ERROR: Cannot write to stdout; check whether the disk is full or the reader has gone.\n";
+    for (const Arguments& arguments : {both_, Arguments{"-json", "old.gpkg", "new.gpkg", "out.gpkg"},
+                                       Arguments{"-f", "GeoJSON", "old.gpkg", "new.gpkg", "/vsistdout/"}}) {
+        const ToolResult failed = compare(arguments, full);
+        EXPECT_EQ(failed.status, 1);
+        EXPECT_EQ(failed.err, lost);
+    }
+    EXPECT_EQ(entries(), (std::vector<std::string>{"new.gpkg", "old.gpkg"}));
+    const ToolResult whole = compare({"old.gpkg", "new.gpkg", "out.gpkg"}, full);
+    EXPECT_EQ(whole.status, 0);
+    EXPECT_EQ(whole.err, "Warning: The summary could not be written to stdout; the result is whole.\n");
+    EXPECT_EQ(layer("out.gpkg", "changes").records.size(), 11U);
+}
+
 TEST_F(CompareTool, findsAShift) {
     std::vector<ResultRow> before;
     std::vector<ResultRow> after;
@@ -276,6 +293,26 @@ TEST_F(CompareTool, findsTheTownTheSame) {
     EXPECT_EQ(same["new"]["layer"], nullptr);
     EXPECT_NEAR(same["new"]["cell_m"], 1, 0.05);
     EXPECT_EQ(same["shift"]["east_m"], 0);
+}
+
+/// A comparison has no -snodata.
+TEST_F(CompareTool, tellsWhereOptionsBelong) {
+    RasterSpec spec = blocks();
+    fill(spec, 15, 15, 5, 5, 5000);
+    write(path("old.tif"), spec);
+    write(path("new.tif"), spec);
+    const auto spike = [](const std::string& file) {
+        return "Warning: 1 cell of '" + file +
+               "' has the elevation 5000, more than 100 m above all cells around, and is treated as no data; "
+               "if 5000 "
+               "stands for no data, give -snodata 5000.\n";
+    };
+    EXPECT_EQ(
+        compare({"-q", "old.tif", "new.tif"}).err,
+        spike("old.tif") +
+            "Warning: These options are those of dem2buildings; to use them, run it on each DSM and compare "
+            "the two results.\n" +
+            spike("new.tif"));
 }
 
 TEST_F(CompareTool, numbersBuildingsOfRastersAsAResultDoes) {

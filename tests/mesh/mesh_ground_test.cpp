@@ -114,6 +114,16 @@ TEST_F(MeshGround, followsACliffWithinTheError) {
                 << x << " " << y;
 }
 
+TEST_F(MeshGround, keepsValuesThatLookUndeclared) {
+    city(two_boxes());
+    ground([](double x, double) { return x < 5 ? 0.0 : 8 + 0.01 * x; });
+    const ToolResult left_out = mesh(on_ground_);
+    EXPECT_NE(left_out.err.find("450 cells of the terrain 'g.tif' have the elevation 0"), std::string::npos);
+    const nlohmann::json kept =
+        mesh_well({"-overwrite", "-inodata", "-ground", "g.tif", "in.city.json", "out.obj"});
+    EXPECT_EQ(kept["ground"]["cells"], 40 * 30 - 75);
+}
+
 TEST_F(MeshGround, liftsRoofsThatTheTerrainComesNear) {
     city(two_boxes());
     ground([](double, double) { return 3.75; });

@@ -75,7 +75,7 @@ class Arrays(PythonCase):
 
     def test_what_is_no_array_of_two_dimensions(self):
         for dem in (numpy.zeros(5), numpy.zeros((2, 3, 4)), numpy.float64(3)):
-            with self.subTest(dem=dem), self.assertRaisesRegex(TypeError, "two dimensions"):
+            with self.subTest(dem=dem), self.assertRaisesRegex(ValueError, "two dimensions"):
                 find(dem)
         for dem in ([[1, 2], [3, 4]], None, 3):
             with self.subTest(dem=dem), self.assertRaisesRegex(TypeError, "a path or a NumPy array"):

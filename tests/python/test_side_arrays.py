@@ -99,10 +99,13 @@ class SideArrays(PythonCase):
         source = self.write("dem.asc", dem)
         with self.assertRaisesRegex(ValueError, r"shape \(60, 50\) and '.*dem.asc' the shape \(50, 60\)"):
             dem2buildings.extract(source, ground=ground.T)
-        with self.assertRaisesRegex(TypeError, "mask must have two dimensions"):
-            dem2buildings.extract(dem, mask=ground[0], **PLACE)
-        with self.assertRaisesRegex(TypeError, "ground must have two dimensions, rows and columns, not 0"):
-            dem2buildings.extract(dem, ground=numpy.array(5.0), **PLACE)
+        for name, wrong in (("mask", ground[0]), ("ground", numpy.array(5.0)), ("ndvi", numpy.stack([ground, ground]))):
+            with self.subTest(name=name), self.assertRaises(ValueError) as caught:
+                dem2buildings.extract(dem, **{name: wrong}, **PLACE)
+            self.assertEqual(str(caught.exception), f"{name} has the shape {wrong.shape} and the DEM the shape (50, 60); give "
+                             "an array of two dimensions, rows and columns")
+        with self.assertRaisesRegex(ValueError, r"ground has the shape \(60,\); give an array of two dimensions"):
+            dem2buildings.extract(source, ground=ground[0])
         with self.assertRaisesRegex(TypeError, "float32, float64 or integers"):
             dem2buildings.extract(dem, ground=ground.astype("complex128"), **PLACE)
 

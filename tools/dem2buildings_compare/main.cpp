@@ -27,9 +27,15 @@ void compare(const CompareCommand& request) {
     const auto text = [&request](const SurveyComparison& comparison) {
         return request.json ? comparison_json(comparison) : comparison_text(comparison, request.quiet);
     };
-    compare_surveys(request, callbacks,
-                    to_stdout ? ReportReader<SurveyComparison>() : own_stdout.reader<SurveyComparison>(text));
-    own_stdout.finish();
+    // Without a file the text is the whole result; beside one it is a summary, whose loss leaves the result.
+    const bool is_aside = !request.json && !(request.destination.empty() && request.page.empty());
+    const SurveyComparison comparison = compare_surveys(
+        request, callbacks,
+        is_aside ? ReportReader<SurveyComparison>() : own_stdout.reader<SurveyComparison>(text));
+    if (!is_aside || to_stdout)
+        return own_stdout.finish();
+    std::cout << text(comparison);
+    own_stdout.finish_aside();
 }
 
 int run_tool(const std::vector<std::string>& words) {

@@ -15,7 +15,7 @@ constexpr std::string_view program = "dem2buildings_mesh";
 constexpr std::string_view usage = "usage: dem2buildings_mesh [options] <in.city.json> <out>";
 
 /// Those that say something of the terrain.
-constexpr std::array ground_options{"ground_error", "margin", "base", "min_wall"};
+constexpr std::array ground_options{"inodata", "ground_error", "margin", "base", "min_wall"};
 
 using Apply = std::function<void(MeshCommand&, const std::string&)>;
 
@@ -54,6 +54,11 @@ std::vector<MeshOption> make_options() {
           "Elevations of the terrain, as -write_ground writes them: walls stand on it, and the surface gets "
           "sides and a plate below. Default: each block stands on its lowest ground."},
          [](MeshCommand& r, Text value) { r.ground = value; }},
+        {{"inodata", "", "switch",
+          "Keep values of the terrain that look like undeclared NoData: values that many cells along the "
+          "edge "
+          "share, far from all others."},
+         [](MeshCommand& r, Text) { r.keeps_undeclared = true; }},
         {{"ground_error", "<m>", "number",
           "How far the terrain may be from the cells outside of the footprints. A number above 0. Unit: m. "
           "Default: 0.25."},

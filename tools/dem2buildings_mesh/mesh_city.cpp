@@ -173,7 +173,7 @@ MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks,
     PlanDrawing drawing = drawing_of(plan, frame);
     std::optional<GroundGrid> ground;
     if (!request.ground.empty()) {
-        ground = read_ground(request.ground, city, crs, frame, callbacks);
+        ground = read_ground(request, city, crs, frame, callbacks);
         add_ground(request, city, frame, *ground, drawing, callbacks);
     }
     require_few_points(drawing, request, frame);

@@ -21,6 +21,7 @@ struct MeshRequest {
     double max_edge = 0;                          ///< metres; 0: no limit
     std::optional<std::array<double, 3>> origin;  ///< of local coordinates, metres; else by the city
     std::string ground;                           ///< raster of the terrain; "" for none
+    bool keeps_undeclared = false;                ///< of its values, those that seem to stand for NoData
     double ground_error = 0.25;                   ///< metres
     double margin = 0;                            ///< metres
     double base = 10;                             ///< metres

@@ -77,14 +77,16 @@ GroundGrid::Affine to_cells(const DemInfo& grid, const PlanFrame& frame) {
 
 }  // namespace
 
-GroundGrid read_ground(const std::string& path, const CityModel& city, const Crs& crs, const PlanFrame& frame,
-                       const Callbacks& callbacks) {
+GroundGrid read_ground(const MeshRequest& request, const CityModel& city, const Crs& crs,
+                       const PlanFrame& frame, const Callbacks& callbacks) {
+    const std::string& path = request.ground;
     ReadOptions options;
     options.source = path;
     const DemInfo grid = grid_of(open_dem(options)->info(), city, crs);
     const double unit = frame.surface.vertical_metres;
-    const std::unique_ptr<DemSource> source = reading::open_terrain(
-        path, grid, unit, land_elevations.times(1 / unit), callbacks, {reading::TerrainGaps::expected});
+    const std::unique_ptr<DemSource> source =
+        reading::open_terrain(path, grid, unit, land_elevations.times(1 / unit), callbacks,
+                              {reading::TerrainGaps::expected, request.keeps_undeclared});
     std::vector<double> elevations(static_cast<std::size_t>(grid.window.points()));
     source->read(grid.window, elevations);
     for (const std::string& warning : source->take_warnings())

@@ -5,6 +5,8 @@ import json
 import os
 import warnings
 
+import numpy
+
 from . import _core
 from ._dem import elevations, is_array, is_path, paths, six_terms
 from ._errors import Error
@@ -64,7 +66,7 @@ def extract(dem, *, transform=None, progress=None, **options):
     >>> found.buildings.columns["height"]
     array([12.])
     """
-    arrays = _beside(options)
+    arrays = _beside(options, dem)
     ears = _Ears(EXTRACT, progress)
     with written(options) as (frame, named), ears.errors():
         given = EXTRACT.given(options)
@@ -124,10 +126,12 @@ def score(found, reference, **options):
         return json.loads(_core.score(_side(found), _side(reference), SCORE.given(options), ears))
 
 
-def _beside(options):
+def _beside(options, dem=None):
     """The arrays among the options, as the compiled part takes them. A word stands for each: it is in messages and in
     the metadata of the result."""
-    arrays = {name: elevations(options[name], name) for name in ("ground", "mask", "ndvi") if is_array(options.get(name))}
+    of_dem = f" and the DEM the shape {numpy.shape(dem)}" if is_array(dem) else ""
+    arrays = {name: elevations(options[name], name, of_dem) for name in ("ground", "mask", "ndvi")
+              if is_array(options.get(name))}
     options.update(dict.fromkeys(arrays, "array"))
     # True and False are 1 and 0.
     return {name: (values.view("uint8") if values.dtype == bool else values, mask)
