@@ -422,11 +422,14 @@ bool SurfaceMaker::draw_plan() {
     return raise_roofs();
 }
 
-/// Sets the heights of roofs. @return false if roofs cross along an edge, or are not above their base
+/// Sets the heights of roofs. @return false if roofs cross along an edge, are not plane, or are not above
+/// their base
 bool SurfaceMaker::raise_roofs() {
     crossings_ = split_crossings(plan_, included_.contours());
     roofs_ = RoofHeights(plan_, included_.contours());
     for (const std::int32_t contour : roofs_.join_near_crossings(plan_))
+        attempt_.obstructing.push_back(included_.building(contour));
+    for (const std::int32_t contour : roofs_.uneven_roofs(plan_, included_.contours()))
         attempt_.obstructing.push_back(included_.building(contour));
     for (const PartitionEdge& edge : plan_.edges)
         for (const std::int32_t contour : {edge.left, edge.right})

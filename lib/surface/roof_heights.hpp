@@ -45,6 +45,10 @@ class RoofHeights {
     /// Makes roofs equal at the ends of edges next to which they cross. @return contours on both sides of
     /// edges on which they still cross, ascending
     [[nodiscard]] std::vector<std::int32_t> join_near_crossings(const PlanarPartition& plan);
+    /// Returns the contours whose roof has a corner more than a step from the plane that fits its corners
+    /// best, because it meets other roofs. Ascending.
+    [[nodiscard]] std::vector<std::int32_t> uneven_roofs(const PlanarPartition& plan,
+                                                         std::span<const PartitionContour> contours) const;
 
   private:
     /// Height of a slanted roof or of one that meets it.

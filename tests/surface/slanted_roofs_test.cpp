@@ -141,5 +141,22 @@ TEST(SlantedRoofs, aSlopeBelowItsBase) {
     EXPECT_TRUE(made.solids.empty());
 }
 
+/// Where a level roof is 1.15 steps lower, the slope takes its height, which is off the plane of the other
+/// corners.
+TEST(SlantedRoofs, aCornerOffThePlaneOfTheOthers) {
+    const auto beside = [](std::int64_t level) {
+        SurfaceCluster cluster{{face(rectangle(0, 0, 4, 8), plane(4, 3, 11.15, 0, 5.3), -5)},
+                               {{100, -10}, {101, -10}}};
+        for (std::int64_t col = 0; col < 8; ++col)
+            cluster.contours.push_back({rectangle(-1, col, 0, col + 1), -1, 1, 100 + 10 * (col % 2), {}});
+        for (std::int64_t col = 0; col < 8; ++col)
+            cluster.contours.push_back(
+                {rectangle(4, col, 5, col + 1), -1, 1, col == 3 ? level : 100 + 10 * (col % 2), {}});
+        return surfaces_of(cluster).left_out;
+    };
+    EXPECT_EQ(beside(10), (std::vector<std::int64_t>{100}));
+    EXPECT_EQ(beside(7), std::vector<std::int64_t>());
+}
+
 }  // namespace
 }  // namespace d2b::surface
