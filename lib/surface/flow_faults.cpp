@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "outline/fine_geometry.hpp"
@@ -42,6 +43,17 @@ void merge_in(std::vector<KnownFault>& known, std::vector<KnownFault>&& more) {
     std::ranges::merge(known, more, std::back_inserter(all), {}, &KnownFault::found_at,
                        &KnownFault::found_at);
     known = std::move(all);
+}
+
+/// Drops the second of two faults that are one narrow place, found from the corners on both sides of it.
+void drop_mirrored(std::vector<FlowFault>& faults, const PartitionEditor& plan) {
+    std::set<std::tuple<FlowKind, FinePoint, FinePoint>> known;
+    std::erase_if(faults, [&](const FlowFault& fault) {
+        if (fault.kind != FlowKind::gap && fault.kind != FlowKind::neck)
+            return false;
+        known.insert({fault.kind, plan.at(fault.node), fault.place});
+        return known.contains({fault.kind, fault.place, plan.at(fault.node)});
+    });
 }
 
 }  // namespace
@@ -271,7 +283,8 @@ void FlowFaults::Finder::look_across(std::uint32_t node, const std::vector<Incid
         };
         static_cast<void>(
             plan_.all_near({p.row - reach, p.col - reach}, {p.row + reach, p.col + reach}, look));
-        std::ranges::sort(found, {}, [](const FlowFault& fault) { return std::pair(fault.size, fault.one); });
+        std::ranges::sort(
+            found, {}, [](const FlowFault& fault) { return std::tuple(fault.size, fault.place, fault.one); });
         const auto beyond =
             std::ranges::find_if(found, [&](const FlowFault& fault) { return fault.size > share * limit; });
         for (auto fault = found.begin(); fault != beyond; ++fault) {
@@ -390,6 +403,7 @@ std::vector<FlowFault> find_faults(const PartitionEditor& plan, std::span<const 
     for (const std::vector<KnownFault>* list : {&known.walls(), &known.corners()})
         for (const KnownFault& fault : *list)
             faults.push_back(fault.fault);
+    drop_mirrored(faults, plan);
     return faults;
 }
 

@@ -83,7 +83,8 @@ class FlowFaults {
     std::vector<double> reach_;  // per node: distance within which edges affect its faults, m
 };
 
-/// Finds all faults once; walls come before angles, gaps and necks.
+/// Finds all faults; walls come before angles, gaps and necks. A gap or neck between two corners is one
+/// fault.
 [[nodiscard]] std::vector<FlowFault> find_faults(const PartitionEditor& plan,
                                                  std::span<const PartitionContour> contours,
                                                  const FlowLimits& limits, const StopToken& stop = {});
