@@ -146,7 +146,7 @@ TEST_F(Faults, readsOfTheDestination) {
 TEST_F(Faults, readsOfADestinationToAppendTo) {
     mode_ = "-append";
     use("GPKG", "contours");
-    before_ = "dem.tif";  // a layer of many pages, read one after another
+    before_ = "dem.tif";              // a layer of many pages, read one after another
     steps_ = 1000 / calls_apart(16);  // one of 1000 leaves the search for the largest id behind half way
     try_all("read", "out.gpkg", true, "out.gpkg", {"EIO-once"});
     EXPECT_GT(failed_, 0);
