@@ -40,6 +40,12 @@ FieldValue number(double value) {
 FieldValue measure(double value) {
     return number(round_to_hundredths(value));
 }
+/// Rounds an area likewise. A smaller one stays as it is, because nothing has an area of 0: without a CRS the
+/// unit may be a degree.
+FieldValue area(double square_metres) {
+    const FieldValue rounded = measure(square_metres);
+    return rounded == FieldValue{0.0} ? number(square_metres) : rounded;
+}
 FieldValue reference(std::int64_t id) {
     return id > 0 ? FieldValue{id} : FieldValue{};
 }
@@ -179,7 +185,7 @@ constexpr std::array building_table{
         [](const BuildingRecord& r) -> FieldValue { return std::int64_t{r.at_edge ? 1 : 0}; }},
     Attribute<BuildingRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre,
                               "area of the footprint without courtyards, on the ellipsoid if the CRS has one",
-                              [](const BuildingRecord& r) { return measure(r.area_m2); }},
+                              [](const BuildingRecord& r) { return area(r.area_m2); }},
     Attribute<BuildingRecord>{"volume_m3", "Volume", FieldType::real, Unit::cubic_metre,
                               "volume between its surface and the ground level",
                               [](const BuildingRecord& r) { return measure(r.area_m2 * r.mean_m); }},
@@ -275,7 +281,7 @@ constexpr std::array roof_face_table{
         "below a slope of 8 degrees",
         [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.azimuth)); }},
     Attribute<RoofFaceRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre, "area in plan",
-                              [](const RoofFaceRecord& r) { return measure(r.area_m2); }},
+                              [](const RoofFaceRecord& r) { return area(r.area_m2); }},
     Attribute<RoofFaceRecord>{"roof_m2", "Roof area", FieldType::real, Unit::square_metre,
                               "area along the slope",
                               [](const RoofFaceRecord& r) { return measure(r.roof_m2); }},

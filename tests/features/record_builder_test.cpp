@@ -396,6 +396,8 @@ TEST(FootprintRecords, AreWrittenAsFineAsTheDataCanCarry) {
     record.confidence = 0.8999;
     EXPECT_EQ(value_of(record, "ground"), FieldValue{47.123456});
     EXPECT_EQ(value_of(record, "area_m2"), FieldValue{24.23});
+    record.area_m2 = 0.00005;  // of degrees without a CRS
+    EXPECT_EQ(value_of(record, "area_m2"), FieldValue{0.00005});
     EXPECT_EQ(value_of(record, "perim_m"), FieldValue{20.02});
     EXPECT_EQ(value_of(record, "moved_m"), FieldValue{0.13});
     EXPECT_EQ(value_of(record, "confidence"), FieldValue{0.89});  // and so it is doubted
