@@ -213,7 +213,7 @@ SamplingReport sampling_report(const SurfaceSampling& sampling, double metres) {
         report.edge_width_cells =
             tenths * blur_of(static_cast<double>(sampling.falls) / static_cast<double>(sampling.steepest));
     if (const std::optional<double> step = value_step(sampling.values))
-        report.quantization_step = nearest_round_step(*step / metres);
+        report.value_step = nearest_round_step(*step / metres);
     return report;
 }
 

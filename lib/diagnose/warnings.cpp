@@ -135,7 +135,7 @@ std::string blur_warning(const SamplingReport& report, double side) {
 std::string rounding_warning(const SamplingReport& report, double metres) {
     constexpr double least_m = 0.5;
     constexpr double rounding = 1e-6;
-    const double step = report.quantization_step.value_or(0) * metres;
+    const double step = report.value_step.value_or(0) * metres;
     if (step < least_m - rounding)
         return {};
     return "elevations are rounded to steps of " + number_text(std::round(step * 100) / 100) +

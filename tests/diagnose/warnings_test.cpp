@@ -180,7 +180,7 @@ TEST(SamplingDoubt, IsOfSmearedWalls) {
 TEST(SamplingDoubt, IsOfRoundedElevations) {
     const auto doubt = [](double step, double metres) {
         SamplingReport report;
-        report.quantization_step = step;
+        report.value_step = step;
         return rounding_warning(report, metres);
     };
     EXPECT_EQ(rounding_warning({}, 1), "");

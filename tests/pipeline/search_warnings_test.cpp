@@ -130,7 +130,7 @@ TEST(SearchWarnings, ElevationsThatWereRounded) {
         each = std::floor(each);
     TownRun rounded(z);
     rounded.run();
-    EXPECT_EQ(rounded.report.sampling.value().quantization_step, 1);
+    EXPECT_EQ(rounded.report.sampling.value().value_step, 1);
     EXPECT_TRUE(std::ranges::any_of(rounded.report.warnings, [](const std::string& said) {
         return said.starts_with("Elevations are rounded to steps of 1 m");
     }));

@@ -77,7 +77,7 @@ void expect_same(const RunReport& a, const RunReport& b) {
         EXPECT_EQ(a.sampling->interpolated_fraction, b.sampling->interpolated_fraction);
         EXPECT_EQ(a.sampling->points_per_cell, b.sampling->points_per_cell);
         EXPECT_EQ(a.sampling->edge_width_cells, b.sampling->edge_width_cells);
-        EXPECT_EQ(a.sampling->quantization_step, b.sampling->quantization_step);
+        EXPECT_EQ(a.sampling->value_step, b.sampling->value_step);
     }
     ASSERT_EQ(a.footprints.has_value(), b.footprints.has_value());
     if (a.footprints) {

@@ -203,7 +203,7 @@ TEST(JsonReport, readsBackAsItWas) {
     EXPECT_EQ(
         json["sampling"],
         Json::parse(
-            R"({"interpolated_fraction":0.25,"points_per_cell":1.5,"edge_width_cells":null,"quantization_step":0.25})"));
+            R"({"interpolated_fraction":0.25,"points_per_cell":1.5,"edge_width_cells":null,"value_step":0.25})"));
     EXPECT_FALSE(Json::parse(json_report({})).contains("sampling"));
     EXPECT_EQ(json["input"], (Json{{"name", "in \"quoted\".tif"},
                                    {"driver", "GTiff"},

@@ -131,7 +131,7 @@ Json sampling_of(const SamplingReport& sampling) {
     return {{"interpolated_fraction", sampling.interpolated_fraction},
             {"points_per_cell", number_of(sampling.points_per_cell)},
             {"edge_width_cells", number_of(sampling.edge_width_cells)},
-            {"quantization_step", number_of(sampling.quantization_step)}};
+            {"value_step", number_of(sampling.value_step)}};
 }
 
 Json dropped_of(const RunReport& report) {

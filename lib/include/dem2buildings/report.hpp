@@ -198,11 +198,11 @@ struct CorrectionReport {
 struct SamplingReport {
     double interpolated_fraction =
         0;  ///< share of cells without a point of their own, which have a neighbour's height
-    std::optional<double> points_per_cell;    ///< nothing if too many to estimate
-    std::optional<double> edge_width_cells;   ///< distance over which a wall falls from nine tenths of its
-                                              ///< height to one tenth; nothing if there are too few walls
-    std::optional<double> quantization_step;  ///< rounding step of elevations, in the raster's vertical unit;
-                                              ///< nothing if they were not rounded
+    std::optional<double> points_per_cell;   ///< nothing if too many to estimate
+    std::optional<double> edge_width_cells;  ///< distance over which a wall falls from nine tenths of its
+                                             ///< height to one tenth; nothing if there are too few walls
+    std::optional<double> value_step;        ///< rounding step of elevations, in the raster's vertical unit;
+                                             ///< nothing if they were not rounded
 };
 
 /// Counters of stages, one per thread, merged afterwards.
