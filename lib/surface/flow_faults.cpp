@@ -237,13 +237,8 @@ std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::
     const double share = std::clamp(along, 0.0, 1.0);
     const FinePoint place{a.row + std::llround(share * static_cast<double>(b.row - a.row)),
                           a.col + std::llround(share * static_cast<double>(b.col - a.col))};
-    const double far = std::max(limits_.gap, limits_.wall);
-    const double x = m.x(p, place);
-    const double y = m.y(p, place);
-    if (x * x + y * y > far * far * 1.0001 || place == p)
-        return std::nullopt;
     const double width = m.distance(p, place);
-    if (!(width < far))
+    if (!(width < std::max(limits_.gap, limits_.wall)) || place == p)
         return std::nullopt;
     for (const IncidentEdge& arm : arms) {
         if (arm.end == e.from || arm.end == e.to)

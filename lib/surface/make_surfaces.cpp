@@ -429,7 +429,7 @@ bool SurfaceMaker::raise_roofs() {
     roofs_ = RoofHeights(plan_, included_.contours());
     for (const std::int32_t contour : roofs_.join_near_crossings(plan_))
         attempt_.obstructing.push_back(included_.building(contour));
-    for (const std::int32_t contour : roofs_.uneven_roofs(plan_, included_.contours()))
+    for (const std::int32_t contour : roofs_.uneven_roofs(included_.contours()))
         attempt_.obstructing.push_back(included_.building(contour));
     for (const PartitionEdge& edge : plan_.edges)
         for (const std::int32_t contour : {edge.left, edge.right})

@@ -242,24 +242,18 @@ std::vector<std::int32_t> RoofHeights::join_near_crossings(const PlanarPartition
     return left;
 }
 
-std::vector<std::int32_t> RoofHeights::uneven_roofs(const PlanarPartition& plan,
-                                                    std::span<const PartitionContour> contours) const {
+std::vector<std::int32_t> RoofHeights::uneven_roofs(std::span<const PartitionContour> contours) const {
     constexpr double most = 1;  // step
-    std::vector<std::pair<std::int32_t, FinePoint>> corners;
-    for (const PartitionEdge& edge : plan.edges)
-        for (const std::int32_t contour : {edge.left, edge.right})
-            if (has_plane(contour, contours))
-                for (const std::uint32_t node : {edge.from, edge.to})
-                    corners.emplace_back(contour, plan.nodes[node]);
-    std::ranges::sort(corners);
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    std::vector<Entry> corners = entries_;
+    std::erase_if(corners, [&](const Entry& entry) { return !has_plane(entry.contour, contours); });
+    std::ranges::stable_sort(corners, {}, &Entry::contour);
     std::vector<std::int32_t> uneven;
     std::vector<std::array<double, 3>> points;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const auto [contour, node] = corners[i];
-        points.push_back({static_cast<double>(node.row), static_cast<double>(node.col),
-                          static_cast<double>(at(contour, node))});
-        if (i + 1 < corners.size() && corners[i + 1].first == contour)
+        const auto& [node, contour, height] = corners[i];
+        points.push_back(
+            {static_cast<double>(node.row), static_cast<double>(node.col), static_cast<double>(height)});
+        if (i + 1 < corners.size() && corners[i + 1].contour == contour)
             continue;
         const RoofPlane fit = fit_plane(points);
         const double cosine = contours[static_cast<std::size_t>(contour)].plane->cosine;

@@ -47,8 +47,7 @@ class RoofHeights {
     [[nodiscard]] std::vector<std::int32_t> join_near_crossings(const PlanarPartition& plan);
     /// Returns the contours whose roof has a corner more than a step from the plane that fits its corners
     /// best, because it meets other roofs. Ascending.
-    [[nodiscard]] std::vector<std::int32_t> uneven_roofs(const PlanarPartition& plan,
-                                                         std::span<const PartitionContour> contours) const;
+    [[nodiscard]] std::vector<std::int32_t> uneven_roofs(std::span<const PartitionContour> contours) const;
 
   private:
     /// Height of a slanted roof or of one that meets it.

@@ -304,8 +304,7 @@ TEST_F(CompareTool, tellsWhereOptionsBelong) {
     const auto spike = [](const std::string& file) {
         return "Warning: 1 cell of '" + file +
                "' has the elevation 5000, more than 100 m above all cells around, and is treated as no data; "
-               "if 5000 "
-               "stands for no data, give -snodata 5000.\n";
+               "if 5000 stands for no data, give -snodata 5000.\n";
     };
     EXPECT_EQ(
         compare({"-q", "old.tif", "new.tif"}).err,

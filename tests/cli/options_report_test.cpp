@@ -33,8 +33,8 @@ TEST_F(OptionEffect, q__leavesTheAdviceOut) {
     fill(spec, 20, 27, 20, 43, 19);
     write(path("step.tif"), spec);
     const std::string advice =
-        "1 of 1 building (100 % of their area) differs by more than 5 m inside: -split_height 3 divides "
-        "it.\n";
+        "1 of 1 building (100 % of their area) differs by more than 5 m inside: "
+        "-split_height 3 divides it.\n";
     EXPECT_TRUE(run_well({"step.tif", "out.gpkg"}).ends_with(advice));
     EXPECT_EQ(run_well({"-q", "-overwrite", "step.tif", "out.gpkg"}), "");
     const std::string divided = run_well({"-overwrite", "-split_height", "3", "step.tif", "out.gpkg"});

@@ -343,8 +343,7 @@ TEST_P(Cities, areSearchedForBuildingsByDefault) {
         const bool of_terrain_model = line.find("as in a terrain model (DTM)") != std::string::npos;
         EXPECT_EQ(line.starts_with("Warning: No building was found: "), !surface) << line;
         const bool of_sampling = line.starts_with("Warning: Points are sparse: ");
-        // Points are sparse in two places, and seem to be where cells were doubled on the way to another
-        // grid.
+        // Points are sparse in two places, and seem to be where cells were doubled for another grid.
         EXPECT_TRUE(!of_sampling || dem_.find("rochelle") != std::string::npos ||
                     dem_.find("stuttgart") != std::string::npos || dem_.find("4326") != std::string::npos)
             << line;

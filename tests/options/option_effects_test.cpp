@@ -163,8 +163,7 @@ TEST_P(EachOption, showsBesideEachOther) {
     for (const OptionCase& option : option_cases())
         if (shapes_the_result(option.name))
             cases.push_back(option);
-    // A sixteenth of the pairs, in which each option is; all of them if D2B_ALL_PAIRS is set, as .ci/long
-    // does.
+    // A sixteenth of the pairs, in which each option is; all of them if D2B_ALL_PAIRS is set, as in .ci/long.
     const std::size_t one_in = std::getenv("D2B_ALL_PAIRS") != nullptr ? 1 : 16;
     int tried = 0;
     for (std::size_t i = GetParam(); i < cases.size(); i += shares)

@@ -55,9 +55,8 @@ std::vector<MeshOption> make_options() {
           "sides and a plate below. Default: each block stands on its lowest ground."},
          [](MeshCommand& r, Text value) { r.ground = value; }},
         {{"inodata", "", "switch",
-          "Keep values of the terrain that look like undeclared NoData: values that many cells along the "
-          "edge "
-          "share, far from all others."},
+          "Keep values of the terrain that look like undeclared NoData: values that many cells along "
+          "the edge share, far from all others."},
          [](MeshCommand& r, Text) { r.keeps_undeclared = true; }},
         {{"ground_error", "<m>", "number",
           "How far the terrain may be from the cells outside of the footprints. A number above 0. Unit: m. "

@@ -25,14 +25,15 @@ def is_array(value):
     return hasattr(value, "__array__") and not isinstance(value, numpy.generic)
 
 
-def elevations(dem, argument="dem", beside=""):
+def elevations(dem, argument="dem", beside=None):
     """The values and the mask of an array; the mask is None where nothing is masked. Copies nothing unless the bytes
-    of the values are in the order of another machine."""
+    of the values are in the order of another machine. beside: the DEM, whose shape an error names"""
     if not hasattr(dem, "__array__"):
         raise TypeError(f"{argument} must be a path or a NumPy array, not {type(dem).__name__}")
     array = numpy.asanyarray(dem)
     if array.ndim != 2:
-        raise ValueError(f"{argument} has the shape {array.shape}{beside}; give an array of two dimensions, rows and "
+        of_dem = f" and the DEM the shape {numpy.shape(beside)}" if is_array(beside) else ""
+        raise ValueError(f"{argument} has the shape {array.shape}{of_dem}; give an array of two dimensions, rows and "
                          "columns")
     mask = numpy.ma.getmask(array)
     values = numpy.ma.getdata(array)

@@ -5,8 +5,6 @@ import json
 import os
 import warnings
 
-import numpy
-
 from . import _core
 from ._dem import elevations, is_array, is_path, paths, six_terms
 from ._errors import Error
@@ -129,8 +127,7 @@ def score(found, reference, **options):
 def _beside(options, dem=None):
     """The arrays among the options, as the compiled part takes them. A word stands for each: it is in messages and in
     the metadata of the result."""
-    of_dem = f" and the DEM the shape {numpy.shape(dem)}" if is_array(dem) else ""
-    arrays = {name: elevations(options[name], name, of_dem) for name in ("ground", "mask", "ndvi")
+    arrays = {name: elevations(options[name], name, dem) for name in ("ground", "mask", "ndvi")
               if is_array(options.get(name))}
     options.update(dict.fromkeys(arrays, "array"))
     # True and False are 1 and 0.
