@@ -65,7 +65,7 @@ def draw(axes, title, measured):
             axes.plot([row[1] for row in bins], [row[2] for row in bins], marker="o",
                       label=f"{name} ({len(objects)})", **style)
     axes.set(xlabel="confidence", ylabel="share that is a building", xlim=(0, 1.01), ylim=(0, 1.02), title=title)
-    axes.legend(fontsize=7)
+    axes.legend(fontsize=7, ncol=3, loc="upper center", bbox_to_anchor=(0.5, -0.12))  # clear of the curves
 
 
 def plot(path, groups):
@@ -74,7 +74,7 @@ def plot(path, groups):
     matplotlib.use("Agg")
     from matplotlib import pyplot
     known = {title: measured for title, measured in groups.items() if measured}
-    figure, axes = pyplot.subplots(1, len(known), figsize=(6 * len(known), 5.5), squeeze=False)
+    figure, axes = pyplot.subplots(1, len(known), figsize=(6 * len(known), 7), squeeze=False)
     for one, (title, measured) in zip(axes[0], known.items()):
         draw(one, title, measured)
     figure.tight_layout()

@@ -52,15 +52,16 @@ def scene(folder, name):
 
 
 def title_of(folder):
-    """Name of a place in the heading of its note, up to the first comma or bracket, else that of the folder."""
+    """Name of a place in the heading of its note, up to the first comma or bracket, else that of the folder in words."""
     name = os.path.basename(folder)
+    words = name.replace("_", " ").capitalize()
     note = os.path.join(folder, "NOTE.md")
     if not os.path.exists(note):
-        return name
+        return words
     with open(note, encoding="utf-8") as lines:
         heading = lines.readline().lstrip("# ").removeprefix(f"{name}: ")
     title = re.split(r"[,(]", heading)[0].strip()
-    return name if title[:1].islower() else title  # a sentence is not a name
+    return words if title[:1].islower() else title  # a sentence is not a name
 
 
 def polygons(path, names):
