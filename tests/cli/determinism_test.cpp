@@ -137,8 +137,8 @@ class Repeat : public CliTest {
         return metadata;
     }
     /// Has a shell run what a result says.
-    void repeat(const std::string& file, const std::string& again) const {
-        const Metadata said = metadata_of(file);
+    void repeat(const std::string& file, const char* layer, const std::string& again) const {
+        const Metadata said = metadata_of(file, layer);
         const std::string command = D2B_TOOL " -q " + said.at("D2B_OPTIONS") + " -- \"$0\" \"$1\"";
         const ToolResult result = run_tool({"/bin/sh", "-c", command, said.at("D2B_SOURCE"), again},
                                            {.environment = {dated}, .working_directory = folder_.string()});
@@ -154,10 +154,10 @@ TEST_F(Repeat, whatAResultSaysMakesItAgainByteForByte) {
     arguments.insert(arguments.end(), {"-nln", "bob's roofs", "-lco", "DESCRIPTION=a $HOME; `b` \"c\" \\d",
                                        "bob's blocks.tif", "out.gpkg"});
     run_well(arguments, {.environment = {dated}});
-    EXPECT_EQ(metadata_of("out.gpkg").at("D2B_OPTIONS"),
+    EXPECT_EQ(metadata_of("out.gpkg", "bob's roofs").at("D2B_OPTIONS"),
               "-snodata 6 -srcwin 0 0 24 20 -preset thesis -fl 5 15 -nf 0 -3d -lco 'DESCRIPTION=a $HOME; `b` "
               "\"c\" \\d' -nln 'bob'\\''s roofs' -write_rejected");
-    repeat("out.gpkg", "again.gpkg");
+    repeat("out.gpkg", "bob's roofs", "again.gpkg");
     EXPECT_EQ(read_bytes(path("again.gpkg")), read_bytes(path("out.gpkg")));
 }
 
@@ -171,12 +171,13 @@ TEST_F(Repeat, rastersBesideTheLayersSayItToo) {
 TEST_F(Repeat, nothingIsLeftOfWhatIsReplaced) {
     write(path("blocks.tif"), blocks());
     run_well({"-q", "-lod", "3", "-min_area", "2", "blocks.tif", "out.gpkg"});
-    EXPECT_EQ(metadata_of("out.gpkg").at("D2B_LOD"), "3");
+    EXPECT_EQ(metadata_of("out.gpkg", "buildings").at("D2B_LOD"), "3");
     run_well({"-q", "-overwrite", "-fl", "5", "blocks.tif", "out.gpkg"});
     const Metadata said = metadata_of("out.gpkg", "buildings");
     EXPECT_FALSE(said.contains("D2B_LOD"));
     EXPECT_EQ(said.at("D2B_OPTIONS"), "-preset thesis -fl 5");
     EXPECT_EQ(said.at("D2B_MIN_AREA_M2"), "0");
+    EXPECT_FALSE(metadata_of("out.gpkg").contains("D2B_LOD")) << "the file as a whole has what one run said";
 }
 
 using Transform = std::array<double, 6>;

@@ -17,9 +17,10 @@ TEST_F(CreateTest, GeoPackageHoldsWhatWasAdded) {
     const Dataset dataset = open_dataset(path("a.gpkg"));
     ASSERT_TRUE(dataset);
     EXPECT_EQ(layer_names(dataset.get()), (Names{"buildings", "contours"}));
-    EXPECT_STREQ(GDALGetMetadataItem(dataset.get(), "source", nullptr), "dem.tif");
+    EXPECT_EQ(GDALGetMetadataItem(dataset.get(), "source", nullptr), nullptr);
     OGRLayerH layer = GDALDatasetGetLayerByName(dataset.get(), "buildings");
     EXPECT_EQ(OGR_L_GetGeomType(layer), wkbMultiPolygon);
+    EXPECT_STREQ(GDALGetMetadataItem(layer, "source", nullptr), "dem.tif");
     EXPECT_STREQ(GDALGetMetadataItem(layer, "thresholds", nullptr), "1, 2");
     EXPECT_STREQ(GDALGetMetadataItem(layer, "IDENTIFIER", nullptr), "Title of buildings");
     EXPECT_STREQ(GDALGetMetadataItem(layer, "DESCRIPTION", nullptr), "What buildings are.");
