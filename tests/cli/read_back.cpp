@@ -132,8 +132,7 @@ Layer read_layer(const std::string& path, const std::string& name) {
     OGRFeatureDefnH fields = OGR_L_GetLayerDefn(layer);
     for (int i = 0; i < OGR_FD_GetFieldCount(fields); ++i)
         result.fields.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(fields, i)));
-    for (CSLConstList item = GDALGetMetadata(layer, nullptr); item != nullptr && *item != nullptr;
-         ++item) {
+    for (CSLConstList item = GDALGetMetadata(layer, nullptr); item != nullptr && *item != nullptr; ++item) {
         const std::string pair(*item);
         result.metadata[pair.substr(0, pair.find('='))] = pair.substr(pair.find('=') + 1);
     }

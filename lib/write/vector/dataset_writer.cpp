@@ -190,8 +190,8 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
         first_id_ = largest_id(target_, dataset_.get(), specs) + 1;
     if (mode == Mode::replace)
         remove_layers();
-    // Layers of a GeoPackage have metadata of their own. Its dataset has none, because GDAL 3.6 keeps the old values
-    // if a later run replaces the layers.
+    // Layers of a GeoPackage have metadata of their own. Its dataset has none, because GDAL 3.6 keeps the old
+    // values if a later run replaces the layers.
     if (mode == Mode::create && format_.name != "GPKG")
         describe(dataset_.get());
     // Formats such as KML write layers sequentially, so later layers wait in memory.
