@@ -192,9 +192,9 @@ std::optional<surface::RoofPlane> SurfaceLattice::place_plane(const FinePolygon&
         corners.push_back({row, col, elevations[i] / millimetre});
     }
     surface::RoofPlane plane = surface::fit_plane(corners);
-    plane.cosine =
-        1 / std::hypot(1, plane.per_row * millimetre / (frame_.scale[1] * frame_.horizontal_metres),
-                       plane.per_col * millimetre / (frame_.scale[0] * frame_.horizontal_metres));
+    plane.row_step = frame_.scale[1] * frame_.horizontal_metres / millimetre;
+    plane.col_step = frame_.scale[0] * frame_.horizontal_metres / millimetre;
+    plane.cosine = 1 / std::hypot(1, plane.per_row / plane.row_step, plane.per_col / plane.col_step);
     return plane;
 }
 

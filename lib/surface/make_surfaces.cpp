@@ -365,6 +365,7 @@ class SurfaceMaker {
     [[nodiscard]] std::vector<Edges> edges_by(const std::vector<std::uint32_t>& group) const;
     [[nodiscard]] ExtrusionInput standing(const Edges& edges, const std::vector<std::uint32_t>& group,
                                           std::uint32_t which) const;
+    void divide_twisted_roofs(Extrusion& extrusion, const ExtrusionInput& standing) const;
     void make_solids();
     void make_shell();
 
@@ -487,6 +488,32 @@ ExtrusionInput SurfaceMaker::standing(const Edges& edges, const std::vector<std:
     return result;
 }
 
+/// Divides slanted roofs into triangles where programs would refuse the polygon as not planar (val3dity if a
+/// triangle turns 20 degrees away from it): half a step of height is enough if corners are nearly on a line.
+void SurfaceMaker::divide_twisted_roofs(Extrusion& extrusion, const ExtrusionInput& standing) const {
+    std::vector<CoverFace> roofs;
+    for (CoverFace& roof : extrusion.roofs) {
+        std::optional<std::vector<PartitionTriangle>> triangles;
+        if (is_slanted(roof.contour) &&
+            (triangles = triangulate_face(roof.face, standing.plan, triangulate_))) {
+            const RoofPlane& plane = *included_.contours()[static_cast<std::size_t>(roof.contour)].plane;
+            const auto corner = [&](std::uint32_t node) {
+                const FinePoint at = standing.plan.nodes[node];
+                return RoofCorner{static_cast<double>(at.row), static_cast<double>(at.col),
+                                  static_cast<double>(standing.height(roof.contour, node))};
+            };
+            if (!is_twisted(plane, roof.face, *triangles, corner))
+                triangles.reset();
+        }
+        if (!triangles)
+            roofs.push_back(std::move(roof));
+        else
+            for (const PartitionTriangle& triangle : *triangles)
+                roofs.push_back({roof.building, roof.contour, {{triangle.begin(), triangle.end()}, {}}});
+    }
+    extrusion.roofs = std::move(roofs);
+}
+
 void SurfaceMaker::make_solids() {
     std::vector<std::uint32_t> each(cluster_.buildings.size());
     for (std::uint32_t i = 0; i < each.size(); ++i)
@@ -497,7 +524,10 @@ void SurfaceMaker::make_solids() {
             continue;
         stop_.check();
         const ExtrusionInput alone = standing(edges[i], each, i);
-        SurfacePart& part = attempt_.made.solids.emplace_back(assemble_faces(extrude(alone), alone, ids_));
+        Extrusion extrusion = extrude(alone);
+        if (roofs_.are_slanted())
+            divide_twisted_roofs(extrusion, alone);
+        SurfacePart& part = attempt_.made.solids.emplace_back(assemble_faces(extrusion, alone, ids_));
         for (SurfaceFace& face : part.buildings.front().faces)
             if (face.roof >= 0)
                 face.roof = is_slanted(face.roof) ? included_.number(face.roof) : -1;

@@ -17,10 +17,12 @@ namespace d2b::surface {
 /// Plane of a slanted roof, in steps of height.
 struct RoofPlane {
     FinePoint at;
-    double height = 0;   ///< at this point
-    double per_row = 0;  ///< rise per step southwards
-    double per_col = 0;  ///< rise per step eastwards
-    double cosine = 1;   ///< of its slope on the ground
+    double height = 0;    ///< at this point
+    double per_row = 0;   ///< rise per step southwards
+    double per_col = 0;   ///< rise per step eastwards
+    double cosine = 1;    ///< of its slope on the ground
+    double row_step = 1;  ///< length of a step southwards on the ground, in steps of height
+    double col_step = 1;  ///< and of one eastwards
 
     [[nodiscard]] double height_at(double row, double col) const {
         return height + (row - static_cast<double>(at.row)) * per_row +

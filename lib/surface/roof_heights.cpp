@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <numbers>
 #include <utility>
 
 #include "surface/partition_editor.hpp"
@@ -60,6 +61,27 @@ struct Differences {
     [[nodiscard]] bool cross() const { return (from < 0 && to > 0) || (from > 0 && to < 0); }
 };
 
+/// Returns the way between two corners to the east, to the north and upwards.
+std::array<double, 3> way(const RoofPlane& plane, const RoofCorner& from, const RoofCorner& to) {
+    return {(to[1] - from[1]) * plane.col_step, (from[0] - to[0]) * plane.row_step, to[2] - from[2]};
+}
+
+/// Returns true if a corner is on the line between its neighbours in plan, to within a step of height, but
+/// not in space. A Delaunay triangulation in the plane of the face then has a triangle of the three, if they
+/// are so near each other that no other corner is in their circumcircle.
+bool bends_shortly(const RoofPlane& plane, const RoofCorner& from, const RoofCorner& corner,
+                   const RoofCorner& to) {
+    constexpr double shortest = 200;  // steps
+    const std::array<double, 3> all = way(plane, from, to);
+    const double length = std::hypot(all[0], all[1]);
+    if (length == 0 || length > shortest)
+        return false;
+    const std::array<double, 3> part = way(plane, from, corner);
+    const double off = (all[0] * part[1] - all[1] * part[0]) / length;
+    const double along = (all[0] * part[0] + all[1] * part[1]) / (length * length);
+    return std::abs(off) < 1 && part[2] != along * all[2];
+}
+
 Differences differences(const PartitionEdge& edge, const PlanarPartition& plan, const RoofHeights& heights) {
     if (edge.left == open_ground || edge.right == open_ground)
         return {};
@@ -102,6 +124,39 @@ RoofPlane fit_plane(std::span<const std::array<double, 3>> points) {
     plane.height += (static_cast<double>(at.row) - mean[0]) * plane.per_row +
                     (static_cast<double>(at.col) - mean[1]) * plane.per_col;
     return plane;
+}
+
+double angle_between(const RoofPlane& plane, const std::array<RoofCorner, 3>& corners) {
+    const std::array<double, 3> a = way(plane, corners[0], corners[1]);
+    const std::array<double, 3> b = way(plane, corners[0], corners[2]);
+    const double area = a[0] * b[1] - a[1] * b[0];
+    // Rise per unit of length.
+    const double east = (a[2] * b[1] - a[1] * b[2]) / area;
+    const double north = (a[0] * b[2] - a[2] * b[0]) / area;
+    const double plane_east = plane.per_col / plane.col_step;
+    const double plane_north = -plane.per_row / plane.row_step;
+    const double cosine = (1 + east * plane_east + north * plane_north) /
+                          (std::hypot(1, east, north) * std::hypot(1, plane_east, plane_north));
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
+bool is_twisted(const RoofPlane& plane, const PartitionFace& face,
+                std::span<const PartitionTriangle> triangles,
+                const std::function<RoofCorner(std::uint32_t node)>& corner_at) {
+    constexpr double most_degrees = 10;
+    const auto turns_away = [&](const PartitionTriangle& triangle) {
+        return angle_between(plane, {corner_at(triangle[0]), corner_at(triangle[1]),
+                                     corner_at(triangle[2])}) > most_degrees;
+    };
+    const auto bends = [&](const std::vector<std::uint32_t>& ring) {
+        for (std::size_t i = 0; i < ring.size(); ++i)
+            if (bends_shortly(plane, corner_at(ring[i]), corner_at(ring[(i + 1) % ring.size()]),
+                              corner_at(ring[(i + 2) % ring.size()])))
+                return true;
+        return false;
+    };
+    return std::ranges::any_of(triangles, turns_away) || bends(face.exterior) ||
+           std::ranges::any_of(face.interiors, bends);
 }
 
 std::vector<std::int64_t> heights_at(double row, double col, std::span<const std::int32_t> around,

@@ -3,10 +3,12 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "surface/faces.hpp"
 #include "surface/planar_partition.hpp"
 
 namespace d2b::surface {
@@ -16,6 +18,19 @@ inline constexpr std::int64_t no_height = std::numeric_limits<std::int64_t>::min
 
 /// Returns the plane that fits points best. @param points rows, columns and heights, at least three
 [[nodiscard]] RoofPlane fit_plane(std::span<const std::array<double, 3>> points);
+
+/// Row, column and height.
+using RoofCorner = std::array<double, 3>;
+
+/// Returns the angle between a plane and a triangle on the ground, in degrees. @param corners not on a line
+/// in plan
+[[nodiscard]] double angle_between(const RoofPlane& plane, const std::array<RoofCorner, 3>& corners);
+
+/// Returns true if a program that divides a face into triangles may get one that turns away from its plane.
+/// @param triangles Delaunay triangulation of the face in plan @param corner_at place of a node
+[[nodiscard]] bool is_twisted(const RoofPlane& plane, const PartitionFace& face,
+                              std::span<const PartitionTriangle> triangles,
+                              const std::function<RoofCorner(std::uint32_t node)>& corner_at);
 
 /// Returns the height of each contour's roof at a node. Planes that nearly meet there get one height,
 /// because rounding has moved the corners in which they meet; others are at least two millimetres apart.
