@@ -2,6 +2,7 @@
 """The pictures of the documents that show two previews of one window beside each other.
 
     pairs_of_pictures.py <dem2buildings> <source folder> <folder of the cities> [--write]
+    pairs_of_pictures.py --compare <picture> <picture of docs/pictures>
 
 Both halves are drawn by the program with options of their own. Ends with status 1 if a picture of docs/pictures differs
 in more than 2 % of its cells; with --write they are made anew. A city that is not in the folder is left out, because
@@ -74,6 +75,12 @@ def share_of_difference(made, path):
     return float((abs(kept.astype(int) - made) > A_SHADE).any(axis=0).mean())
 
 
+def differs(made, path):
+    share = share_of_difference(made, path)
+    print(f"{path.name}: {share:.4f} of the cells differ")
+    return share > MOST
+
+
 def main(program, source, cities, anew):
     differ = 0
     for name, (raster, window, left, right) in PAIRS.items():
@@ -86,13 +93,13 @@ def main(program, source, cities, anew):
         if anew:
             write(path, made)
             continue
-        share = share_of_difference(made, path)
-        print(f"{name}: {share:.4f} of the cells differ")
-        if share > MOST:
+        if differs(made, path):
             print(f"{path} is not what the program draws now; --write makes it anew.")
             differ += 1
     return 1 if differ else 0
 
 
 if __name__ == "__main__":
+    if sys.argv[1] == "--compare":
+        sys.exit(differs(gdal.Open(sys.argv[2]).ReadAsArray()[:3], pathlib.Path(sys.argv[3])))
     sys.exit(main(sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), "--write" in sys.argv[4:]))
