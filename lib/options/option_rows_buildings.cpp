@@ -105,7 +105,7 @@ std::vector<OptionRow> exclusion() {
     rows.push_back(
         text_row("exclude", OptionKind::polygons, "<polygons>",
                  [](auto& r) -> auto& { return r.options.detect.exclude; },
-                 {.title = "Polygons of what is no building",
+                 {.title = "Polygons of objects that are not buildings",
                   .section = DialogSection::detail,
                   .help = "Leave out objects of which half lies in these polygons, such as bridges.",
                   .details = "In any CRS: bridges, water, ships, tanks. The number is reported. "
@@ -114,12 +114,12 @@ std::vector<OptionRow> exclusion() {
                   .item = "EXCLUDE"}));
     rows.push_back(text_row("exclude_layer", OptionKind::text, "<layer>",
                             [](auto& r) -> auto& { return r.options.detect.exclude_layer; },
-                            {.title = "Layer of what is no building",
+                            {.title = "Layer of objects that are not buildings",
                              .help = "Layer of -exclude; by default the first with geometries.",
                              .scope = detection_scope()}));
     rows.push_back(number_row("exclude_buffer", "<m>", {.lowest = 0},
                               [](auto& r) -> auto& { return r.options.detect.exclude_buffer; },
-                              {.title = "Margin around what is no building",
+                              {.title = "Margin around objects that are not buildings",
                                .help = "Widen the polygons of -exclude on all sides.",
                                .details = "For polygons that are drawn inside the edges of the object.",
                                .unit = "m",
@@ -135,7 +135,7 @@ std::vector<OptionRow> corrections() {
                  [](auto& r) -> auto& { return r.options.detect.corrections; },
                  {.title = "Corrections of an editor",
                   .section = DialogSection::detail,
-                  .help = "Obey an editor's decisions: what is a building, what is none, and cuts.",
+                  .help = "Obey an editor's decisions: buildings, objects that are not buildings, and cuts.",
                   .details = "The field kind is 'building', 'no building' (points or polygons) or "
                              "'cut' (lines). In any CRS. Corrections without effect are named. "
                              "Beside -footprints they concern the layer missing alone.",

@@ -241,7 +241,7 @@ std::vector<OptionRow> on_paper() {
                                .repeats = false}));
     rows.push_back(number_row("preview_scale", "<denominator>", {.lowest = 1, .highest = 1e8},
                               [](auto& r) -> auto& { return r.options.write.preview_scale; },
-                              {.title = "Scale of the map on paper, 1 to",
+                              {.title = "Scale of the map on paper, such as 1000 for 1:1000",
                                .section = DialogSection::output,
                                .help = "Scale of the map on -preview_paper: 1000 for 1:1000.",
                                .details = "By default the largest round scale at which the area fits.",

@@ -41,6 +41,13 @@ constexpr std::size_t max_trials = 400;
     refuse_value("sweep", "such as lod=1..6,nf=5..60", text);
 }
 
+[[noreturn]] void refuse_values(const std::string& name, const std::string& text) {
+    throw OptionError("-sweep cannot take '" + text + "' for " + name +
+                      "; give one value, first..last, or "
+                      "first..last..step with a step above 0 and at most " +
+                      std::to_string(max_trials) + " values.");
+}
+
 std::vector<std::string> parts_of(const std::string& text, const std::string& separator) {
     std::vector<std::string> parts;
     std::size_t from = 0;
@@ -62,22 +69,22 @@ std::vector<int> spread(std::int64_t first, std::int64_t last) {
     return spread;
 }
 
-std::vector<int> values_of(const std::string& text, const NumberRange& range) {
+std::vector<int> values_of(const std::string& name, const std::string& text, const NumberRange& range) {
     const std::vector<std::string> parts = parts_of(text, "..");
     if (parts.size() > 3)
-        refuse(text);
+        refuse_values(name, text);
     std::vector<int> numbers;
     numbers.reserve(parts.size());
     for (const std::string& part : parts)
-        numbers.push_back(parse_integer("sweep", range, part));
+        numbers.push_back(parse_integer(name, range, part));
     if (parts.size() == 1)
         return numbers;
     if (numbers[1] < numbers[0])
-        refuse(text);
+        refuse_values(name, text);
     if (parts.size() == 2)
         return spread(numbers[0], numbers[1]);
     if (numbers[2] < 1)
-        refuse(text);
+        refuse_values(name, text);
     std::vector<int> stepped;
     for (std::int64_t at = numbers[0]; at <= numbers[1] && stepped.size() <= max_trials; at += numbers[2])
         stepped.push_back(static_cast<int>(at));
@@ -96,16 +103,16 @@ double without_rounding_error(double value) {
     return *parse_all<double>({buffer.data(), end});
 }
 
-std::vector<double> reals_of(const std::string& text, const NumberRange& range) {
+std::vector<double> reals_of(const std::string& name, const std::string& text, const NumberRange& range) {
     std::vector<double> numbers;
     for (const std::string& part : parts_of(text, ".."))
-        numbers.push_back(parse_number("sweep", range, part));
+        numbers.push_back(parse_number(name, range, part));
     if (numbers.size() == 1)
         return numbers;
     const double first = numbers[0];
     const double last = numbers[1];
     if (numbers.size() > 3 || last < first || (numbers.size() == 3 && !(numbers[2] > 0)))
-        refuse(text);
+        refuse_values(name, text);
     const bool all = is_whole(first) && is_whole(last) && last - first < max_default_values;
     const double step = numbers.size() == 3    ? numbers[2]
                         : all || last == first ? 1
@@ -113,7 +120,7 @@ std::vector<double> reals_of(const std::string& text, const NumberRange& range) 
     // Add a tolerance, because ten times a tenth is less than one.
     const double steps = std::floor((last - first) / step + 1e-9);
     if (steps > static_cast<double>(max_trials))
-        refuse(text);
+        refuse_values(name, text);
     std::vector<double> values;
     for (int i = 0; i <= static_cast<int>(steps); ++i)
         values.push_back(std::min(last, without_rounding_error(first + i * step)));
@@ -128,7 +135,8 @@ const OptionRow& variable_option(const std::string& name, const std::string& tex
     const bool shapes =
         row != nullptr && (row->group == OptionGroup::buildings || row->group == OptionGroup::levels ||
                            row->group == OptionGroup::contours);
-    if (!shapes || !row->numbers)
+    // A sweep takes its levels from -lod.
+    if (!shapes || !row->numbers || row->name == "i" || row->name == "off")
         throw OptionError("-sweep cannot vary '" + name +
                           "'; it varies options that change buildings or contours and take one number, such "
                           "as min_area or lod.");
@@ -144,10 +152,10 @@ SweptOption parse_swept(const std::string& part, const std::string& text) {
     SweptOption option{row.name, {}};
     const std::string values = part.substr(equals + 1);
     if (row.kind == OptionKind::whole)
-        for (const int value : values_of(values, *row.numbers))
+        for (const int value : values_of(row.name, values, *row.numbers))
             option.values.push_back(std::to_string(value));
     else
-        for (const double value : reals_of(values, *row.numbers))
+        for (const double value : reals_of(row.name, values, *row.numbers))
             option.values.push_back(number_text(value));
     return option;
 }
@@ -223,7 +231,7 @@ SweepPlan parse_sweep(const std::string& text) {
     for (const std::string& part : parts_of(text, ",")) {
         SweptOption option = parse_swept(part, text);
         if (std::ranges::find(plan.options, option.name, &SweptOption::name) != plan.options.end())
-            refuse(text);
+            throw OptionError("-sweep varies '" + option.name + "' twice; name it once.");
         plan.options.push_back(std::move(option));
         if (plan.trials() > max_trials)
             throw OptionError("-sweep names " + std::to_string(plan.trials()) +

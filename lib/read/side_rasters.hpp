@@ -63,14 +63,14 @@ struct TerrainReadOptions {
 [[nodiscard]] std::unique_ptr<DemSource> open_mask(const AuxiliaryRaster& mask, const std::string& layer,
                                                    const DemInfo& grid, const Callbacks& callbacks = {});
 
-/// Polygons of things that are no buildings.
+/// Polygons of objects that are not buildings.
 struct ExclusionChoice {
     std::string dataset;  ///< anything with polygons that GDAL opens
     std::string layer;    ///< "": first layer with geometries, with a warning if there are several
     double buffer_m = 0;  ///< the polygons are widened by this
 };
 
-/// Opens polygons of things that are no buildings: 1 in cells whose centres they contain, otherwise 0. Warns
+/// Opens polygons of objects that are not buildings: 1 in cells whose centres they contain, otherwise 0. Warns
 /// if none of them is in the window, because one dataset may serve many rasters.
 /// @throws InputError also without polygons. @throws OptionError: no such layer
 [[nodiscard]] std::unique_ptr<DemSource> open_exclusion(const ExclusionChoice& choice, const DemInfo& grid,

@@ -84,7 +84,7 @@ TEST_F(Messages, aVrtIsNotDamagedWhereItsSourcesAreMissing) {
 
 TEST_F(Messages, formatsThatCannotHoldTheLayers) {
     refused(2,
-            "-f CityGML is no format of layers; -surface writes CityJSON (.city.json), and citygml-tools "
+            "-f CityGML is not a format of layers; -surface writes CityJSON (.city.json), and citygml-tools "
             "from-cityjson makes CityGML of it.",
             {"-f", "CityGML", "dem.tif", "out.gml"});
     refused(

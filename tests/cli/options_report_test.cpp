@@ -114,6 +114,14 @@ TEST_F(OptionEffect, sweep__saysWhichValuesChangeNothing) {
     EXPECT_EQ(report["no_change"], (json{{"min_area", {20, 60}}}));
     expect_has(table, "-min_area from 20 to 60 changes nothing here.\n");
     expect_error(2, "-sweep cannot vary 'threads'", {"-sweep", "threads=1..2", "blocks.tif"});
+    expect_error(2, "-sweep cannot vary 'i'", {"-sweep", "i=2..6..2", "blocks.tif"});
+    expect_error(2, "-sweep varies 'lod' twice; name it once.", {"-sweep", "lod=1..2,lod=3", "blocks.tif"});
+    expect_error(
+        2, "-sweep cannot take '60..10' for min_area; give one value, first..last, or first..last..step",
+        {"-sweep", "min_area=60..10", "blocks.tif"});
+    expect_error(2, "-sweep cannot take '1..2..3..4' for lod;", {"-sweep", "lod=1..2..3..4", "blocks.tif"});
+    expect_error(2, "-min_confidence must be a number from 0 to 1, not '1.5'.",
+                 {"-sweep", "min_confidence=0.5..1.5..0.5", "blocks.tif"});
 }
 
 TEST_F(OptionEffect, sweep__overwritesItsSheet) {

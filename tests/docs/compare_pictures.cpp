@@ -3,8 +3,8 @@
 // Letters and noise may differ by a little; a picture of something else may not. Pictures that QGIS and a
 // browser have made (qgis_*, page_*) are compared by the tests in tests/desk, those of the page on Python
 // (python_*) in tests/python. pairs_of_pictures.py compares those of two previews (walls_*, crowns_*,
-// houses_* and raster_to_map), tests/bench/thesis those of the thesis (thesis_*), and .ci/flow that of wind
-// (wind_*).
+// houses_* and raster_to_map), tests/bench/thesis those of the thesis (thesis_*), .ci/flow that of wind
+// (wind_*), and .ci/long those of accuracy (accuracy_*).
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>

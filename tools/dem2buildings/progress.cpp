@@ -201,6 +201,7 @@ std::string coordinates_advice(const RunReport& report, const Options& options) 
 /// large blocks may be most of a city.
 std::string buildings_advice(const RunReport& report, const Options& options) {
     constexpr std::int64_t one_in = 20;
+    constexpr double some_of_the_area = 0.05;
     constexpr double much_of_the_area = 0.1;
     if (options.preset != Preset::buildings || report.buildings == 0)
         return "";
@@ -208,7 +209,8 @@ std::string buildings_advice(const RunReport& report, const Options& options) {
     const std::string of_all = " of " + counted(report.buildings, "building");
     const double share = report.uneven_m2 / report.buildings_m2;
     std::string text;
-    if (options.detect.split_height == 0 && (many(report.uneven) || share >= much_of_the_area))
+    if (options.detect.split_height == 0 &&
+        ((many(report.uneven) && share >= some_of_the_area) || share >= much_of_the_area))
         text += grouped(report.uneven) + of_all + " (" + fixed_text(share * 100, 0) + " % of their area)" +
                 (report.uneven == 1 ? " differs" : " differ") +
                 " by more than 5 m inside: -split_height 3 divides " +

@@ -11,7 +11,7 @@ namespace d2b {
 /// Decision of an editor that a run obeys.
 enum class CorrectionKind : std::uint8_t {
     building,     ///< a building stands here
-    no_building,  ///< the object here is no building
+    no_building,  ///< the object here is not a building
     cut,          ///< a line that divides a building
 };
 /// Words of a dataset, by kind.

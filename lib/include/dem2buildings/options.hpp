@@ -52,7 +52,7 @@ struct DetectOptions {
     double min_confidence = 0.5;     ///< less certain objects are doubtful
     std::string mask;                ///< raster or polygons: restricts the search for buildings
     std::string mask_layer;          ///< layer of the polygons; "": the first with geometries
-    std::string exclude;             ///< polygons of what is no building, such as bridges
+    std::string exclude;             ///< polygons of objects that are not buildings, such as bridges
     std::string exclude_layer;       ///< its layer; "": the first with geometries
     double exclude_buffer = 0;       ///< m: widens these polygons
     std::string corrections;         ///< an editor's decisions: points, polygons and lines

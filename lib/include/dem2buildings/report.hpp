@@ -54,8 +54,8 @@ enum class Reason {
     flow_unchanged,               ///< a wall, gap or corner unsuitable for flow solvers was left
     roof_face_doubtful,           ///< no plane suits a face of a roof, or it is too narrow for a slope
     part_merged,        ///< cut off by parcels, but too small or narrow, so merged with its neighbour
-    building_excluded,  ///< half of it lies in polygons of what is no building
-    building_denied,    ///< an editor has decided that it is no building
+    building_excluded,  ///< half of it lies in polygons of objects that are not buildings
+    building_denied,    ///< an editor has decided that it is not a building
 };
 inline constexpr std::array<std::string_view, 34> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",

@@ -23,7 +23,7 @@ struct Sources {
     DemSource* ndvi = nullptr;
     ParcelSource* parcels = nullptr;          ///< cut buildings
     FootprintSource* footprints = nullptr;    ///< get heights, instead of outlines of found buildings
-    DemSource* exclusion = nullptr;           ///< objects half of whose cells are not 0 here are no buildings
+    DemSource* exclusion = nullptr;           ///< objects half of whose cells are not 0 here are not buildings
     CorrectionSource* corrections = nullptr;  ///< an editor's decisions
 };
 

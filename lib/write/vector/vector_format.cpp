@@ -150,7 +150,7 @@ GDALDriverH driver_by_name(const std::string& name) {
     GDALDriverH driver = GDALGetDriverByName(name.c_str());
     if (EQUAL(name.c_str(), "CityGML") || EQUAL(name.c_str(), "CityJSON"))
         throw OptionError("-f " + name +
-                          " is no format of layers; -surface writes CityJSON (.city.json), and citygml-tools "
+                          " is not a format of layers; -surface writes CityJSON (.city.json), and citygml-tools "
                           "from-cityjson makes CityGML of it.");
     if (driver == nullptr || !can_create(driver))
         throw OptionError("Format \"" + name +
