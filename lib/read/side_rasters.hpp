@@ -70,8 +70,8 @@ struct ExclusionChoice {
     double buffer_m = 0;  ///< the polygons are widened by this
 };
 
-/// Opens polygons of objects that are not buildings: 1 in cells whose centres they contain, otherwise 0. Warns
-/// if none of them is in the window, because one dataset may serve many rasters.
+/// Opens polygons of objects that are not buildings: 1 in cells whose centres they contain, otherwise 0.
+/// Warns if none of them is in the window, because one dataset may serve many rasters.
 /// @throws InputError also without polygons. @throws OptionError: no such layer
 [[nodiscard]] std::unique_ptr<DemSource> open_exclusion(const ExclusionChoice& choice, const DemInfo& grid,
                                                         const Callbacks& callbacks = {});

@@ -96,6 +96,22 @@ TEST_F(Formats, geoPackage) {
               sql_value(path("reference.gpkg"), "SELECT count(*) FROM contours"));
 }
 
+/// GDAL counts the rows of a view that is listed in the GeoPackage, also while its table is away.
+TEST_F(Formats, aListedViewOfAGeoPackageStays) {
+    const OpenDataset before(GDALOpenEx(path("reference.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE,
+                                        nullptr, nullptr, nullptr));
+    for (const char* statement :
+         {"CREATE VIEW tall AS SELECT fid, id, geom FROM buildings",
+          "INSERT INTO gpkg_contents (table_name, data_type, identifier, srs_id) VALUES ('tall', 'features', "
+          "'tall', 25833)",
+          "INSERT INTO gpkg_geometry_columns VALUES ('tall', 'geom', 'MULTIPOLYGON', 25833, 0, 0)"})
+        GDALDatasetExecuteSQL(before.get(), statement, nullptr, nullptr);
+    GDALFlushCache(before.get());
+    run_well({"-q", "-overwrite", "-fl", "34", "--", sample("nodata.tif"), "reference.gpkg"});
+    EXPECT_EQ(layer("reference.gpkg", "tall").records.size(),
+              layer("reference.gpkg", "buildings").records.size());
+}
+
 TEST_F(Formats, spatiaLite) {
     run_well({"-q", "-fl", "34", "--", sample("nodata.tif"), "out.sqlite"});
     EXPECT_EQ(layer_names(path("out.sqlite")), (std::vector<std::string>{"buildings", "contours"}));

@@ -21,9 +21,9 @@ struct Sources {
     DemSource* terrain = nullptr;  ///< needed for GroundMode::given, in the DEM's vertical unit
     DemSource* mask = nullptr;     ///< buildings are searched in cells that are neither 0 nor invalid
     DemSource* ndvi = nullptr;
-    ParcelSource* parcels = nullptr;          ///< cut buildings
-    FootprintSource* footprints = nullptr;    ///< get heights, instead of outlines of found buildings
-    DemSource* exclusion = nullptr;           ///< objects half of whose cells are not 0 here are not buildings
+    ParcelSource* parcels = nullptr;        ///< cut buildings
+    FootprintSource* footprints = nullptr;  ///< get heights, instead of outlines of found buildings
+    DemSource* exclusion = nullptr;         ///< objects half of whose cells are not 0 here are not buildings
     CorrectionSource* corrections = nullptr;  ///< an editor's decisions
 };
 

@@ -149,9 +149,10 @@ bool extension_fits(GDALDriverH driver, const std::string& name) {
 GDALDriverH driver_by_name(const std::string& name) {
     GDALDriverH driver = GDALGetDriverByName(name.c_str());
     if (EQUAL(name.c_str(), "CityGML") || EQUAL(name.c_str(), "CityJSON"))
-        throw OptionError("-f " + name +
-                          " is not a format of layers; -surface writes CityJSON (.city.json), and citygml-tools "
-                          "from-cityjson makes CityGML of it.");
+        throw OptionError(
+            "-f " + name +
+            " is not a format of layers; -surface writes CityJSON (.city.json), and citygml-tools "
+            "from-cityjson makes CityGML of it.");
     if (driver == nullptr || !can_create(driver))
         throw OptionError("Format \"" + name +
                           "\" cannot hold a new vector dataset; -f takes, among others: " + some_formats() +
