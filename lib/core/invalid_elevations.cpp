@@ -234,6 +234,13 @@ struct Region {
     }
 };
 
+/// Values found, and candidates that are elevations. Those are listed only if no land was found, because they
+/// may be the land: the ground in whole metres.
+struct Verdict {
+    UndeclaredNodata found;
+    std::vector<double> elevations;
+};
+
 /// Connected components of equal values, fed row by row from first to last.
 class ValueRegions {
   public:
@@ -241,7 +248,7 @@ class ValueRegions {
 
     void add(std::span<const double> row);
     /// @param min_breadth see UndeclaredNodataRules
-    [[nodiscard]] UndeclaredNodata finish(double min_breadth);
+    [[nodiscard]] Verdict finish(double min_breadth);
 
   private:
     struct Run {
@@ -261,6 +268,8 @@ class ValueRegions {
     /// none.
     [[nodiscard]] std::uint8_t level_land() const;
     [[nodiscard]] bool surrounds_land(std::uint8_t level, double min_breadth) const;
+    /// Merges the regions of a candidate that reach the edge.
+    [[nodiscard]] Region at_edge(std::size_t candidate) const;
     /// Returns true if all other cells have one value as well, and are fewer: these are a hole in level land.
     [[nodiscard]] bool is_larger_than_constant(std::int64_t cells) const {
         return lowest_other_ == highest_other_ && 2 * cells > valid_;
@@ -453,32 +462,39 @@ bool ValueRegions::surrounds_land(std::uint8_t level, double min_breadth) const 
     return all > 0 && static_cast<double>(land) >= min_land_share * static_cast<double>(all);
 }
 
-UndeclaredNodata ValueRegions::finish(double min_breadth) {
+Region ValueRegions::at_edge(std::size_t candidate) const {
+    Region all;
+    for (std::uint32_t i = 0; i < sets_.size(); ++i)
+        if (sets_.is_root(i) && regions_[i].of == candidate + 1 && regions_[i].at_edge)
+            all.merge(regions_[i]);
+    return all;
+}
+
+Verdict ValueRegions::finish(double min_breadth) {
     for (const Run& run : above_)
         regions_[sets_.find(run.region)].at_edge = true;
     for (OpenContact& contact : open_)
         if (contact.rows_left > 0)
             close(contact);
-    UndeclaredNodata found;
+    Verdict verdict;
     const std::uint8_t level = level_land();
-    if (!surrounds_land(level, min_breadth))
-        return found;
+    const bool land = surrounds_land(level, min_breadth);
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
-        if (i + 1 == level)
+        const Region all = at_edge(i);
+        if (!land) {
+            if (!all.contour.is_step(max_similar))
+                verdict.elevations.push_back(candidates_[i]);
             continue;
-        Region all;
-        for (std::uint32_t k = 0; k < sets_.size(); ++k)
-            if (sets_.is_root(k) && regions_[k].of == i + 1 && regions_[k].at_edge)
-                all.merge(regions_[k]);
-        if (all.cells < min_cells || all.contour.length() == 0 || !all.contour.is_step(max_similar) ||
-            is_larger_than_constant(all.cells))
+        }
+        if (i + 1 == level || all.cells < min_cells || all.contour.length() == 0 ||
+            !all.contour.is_step(max_similar) || is_larger_than_constant(all.cells))
             continue;
         if (taken_share * all.cells >= valid_)
-            found.taken.push_back({candidates_[i], all.cells});
+            verdict.found.taken.push_back({candidates_[i], all.cells});
         else if (named_share * all.cells >= valid_)
-            found.named.push_back({candidates_[i], all.cells});
+            verdict.found.named.push_back({candidates_[i], all.cells});
     }
-    return found;
+    return verdict;
 }
 
 struct BorderCount {
@@ -558,22 +574,28 @@ std::vector<double> border_candidates(const BorderCells& border, double step) {
 UndeclaredNodata find_undeclared_nodata(const Window& window, const BorderCells& border,
                                         const UndeclaredNodataRules& rules, const ReadValues& read) {
     constexpr std::int64_t cells_at_once = 1 << 20;
-    const std::vector<double> candidates = border_candidates(border, rules.step);
-    if (candidates.empty())
-        return {};
-    ValueRegions regions(candidates, rules.step);
+    std::vector<double> candidates = border_candidates(border, rules.step);
     const auto cols = static_cast<std::size_t>(window.cols);
     const auto rows =
-        static_cast<std::int32_t>(std::clamp<std::int64_t>(cells_at_once / window.cols, 1, 256));
+        static_cast<std::int32_t>(std::clamp<std::int64_t>(cells_at_once / std::max(window.cols, 1), 1, 256));
     std::vector<double> values;
-    for (std::int32_t row = window.row; row < window.end_row(); row += rows) {
-        const Window part{row, window.col, std::min(rows, window.end_row() - row), window.cols};
-        values.resize(static_cast<std::size_t>(part.points()));
-        read(part, values);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(part.rows); ++i)
-            regions.add(std::span<const double>(values).subspan(i * cols, cols));
+    while (!candidates.empty()) {
+        ValueRegions regions(candidates, rules.step);
+        for (std::int32_t row = window.row; row < window.end_row(); row += rows) {
+            const Window part{row, window.col, std::min(rows, window.end_row() - row), window.cols};
+            values.resize(static_cast<std::size_t>(part.points()));
+            read(part, values);
+            for (std::size_t i = 0; i < static_cast<std::size_t>(part.rows); ++i)
+                regions.add(std::span<const double>(values).subspan(i * cols, cols));
+        }
+        const Verdict verdict = regions.finish(rules.min_breadth);
+        if (verdict.elevations.empty())
+            return verdict.found;
+        std::erase_if(candidates, [&](double candidate) {
+            return std::ranges::find(verdict.elevations, candidate) != verdict.elevations.end();
+        });
     }
-    return regions.finish(rules.min_breadth);
+    return {};
 }
 
 }  // namespace d2b

@@ -57,6 +57,18 @@ TEST(UndeclaredNodata, AreTakenAtAnyElevation) {
     EXPECT_TRUE(taken([](int, int c) { return c < 12; }, 19).empty()) << "a step of 1 m";
 }
 
+TEST(UndeclaredNodata, AreTakenBesideElevationsInWholeMetres) {
+    // The border of the land has one elevation and two houses, so it looks like no data there, too.
+    const auto whole = [](int r, int c) {
+        const bool house = r < 5 && c > 30 && c < 84 && c / 9 % 2 == 0;
+        const bool border = r < 3 || r > 96 || c > 96;
+        return house ? 48.0 : border || (r / 5 + c / 5) % 2 == 0 ? 40.0 : 41.0;
+    };
+    const std::vector<double> values = grid([&](int r, int c) { return c < 20 ? 0 : whole(r, c); });
+    EXPECT_EQ(found_in(values, 2, 20).values(), std::vector<double>{0});
+    EXPECT_TRUE(found_in(grid(whole), 2, 20).values().empty());
+}
+
 TEST(UndeclaredNodata, SurroundAnyNumberOfSurveyedAreas) {
     // Nine squares of 28 cells.
     const auto is_between = [](int r, int c) { return r % 33 < 4 || c % 33 < 4 || r == 99 || c == 99; };
