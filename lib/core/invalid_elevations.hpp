@@ -1,16 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/byte_stream.hpp"
-#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 
@@ -131,61 +128,8 @@ class ValueBins {
 /// Returns "1 cell of 'dem.tif' has " or "12 cells of 'dem.tif' have ".
 [[nodiscard]] std::string cells_have(std::int64_t cells, const std::string& raster);
 
-/// Values that mark missing data without being declared as NoData: many cells share exactly this value, they
-/// reach the edge of the raster, and all neighbours differ by a step. Each comes with its number of cells in
-/// regions at the edge.
-struct UndeclaredNodata {
-    std::vector<SharedValue> taken;  ///< treated as NoData: at least a tenth of the cells
-    std::vector<SharedValue> named;  ///< at least a hundredth: kept as elevations, with a warning
-
-    [[nodiscard]] bool none() const { return taken.empty() && named.empty(); }
-    /// Returns the values that are treated as NoData.
-    [[nodiscard]] std::vector<double> values() const;
-};
-
-/// Outermost cells of a window; NaN if they are not valid.
-struct BorderCells {
-    std::vector<double> top;
-    std::vector<double> bottom;
-    std::vector<double> left;   ///< first row first
-    std::vector<double> right;  ///< first row first
-};
-
-/// Thresholds for detecting undeclared NoData.
-struct UndeclaredNodataRules {
-    /// Smallest step, in m, because a lower one is not a wall, and buildings do not rise that little above
-    /// their surroundings.
-    static constexpr double step_m = 2;
-
-    double step = step_m;  ///< smallest step in units of the values
-    /// Smallest breadth in cells of the regions that the value surrounds, which must be wider than buildings:
-    /// in a plain model with exactly equal elevations only the houses differ. 0 if nothing stands on the
-    /// surface.
-    double min_breadth = 0;
-};
-
-/// Returns the problem as a clause without a full stop: "12 cells of 'dem.tif' have the elevation 0, lie at
-/// its edge, and most cells around are at least 2 m higher or lower".
-[[nodiscard]] std::string undeclared_text(const SharedValue& value, const std::string& raster);
-
-/// Same for a value that ValueBins finds: "12 cells of 'dem.tif' have the elevation 0, more than 50 m from
-/// any other".
+/// Returns the problem of a value that ValueBins finds as a clause without a full stop: "12 cells of
+/// 'dem.tif' have the elevation 0, more than 50 m from any other".
 [[nodiscard]] std::string isolated_text(const SharedValue& value, const std::string& raster);
-
-/// Reads the values of a part of the window; NaN if not valid.
-using ReadValues = std::function<void(const Window&, std::span<double>)>;
-
-/// Reads the outermost cells of a window.
-[[nodiscard]] BorderCells read_border(const Window& window, const ReadValues& read);
-
-/// Returns values that may be undeclared NoData, judged by the border alone; most rasters have none. At most
-/// the eight most frequent ones.
-[[nodiscard]] std::vector<double> border_candidates(const BorderCells& border, double step);
-
-/// Reads the whole window, if the border has candidates, and checks them by the connected regions of their
-/// cells. @param border of the window
-[[nodiscard]] UndeclaredNodata find_undeclared_nodata(const Window& window, const BorderCells& border,
-                                                      const UndeclaredNodataRules& rules,
-                                                      const ReadValues& read);
 
 }  // namespace d2b

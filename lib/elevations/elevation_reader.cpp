@@ -173,29 +173,12 @@ ElevationSurvey ElevationReader::survey(const ValidityRules& rules,
             if (!std::exchange(first, false))
                 decide_spikes(before, shapes_[settled++].first_row, counted, survey);
             if (!of)
-                add_border(band, survey.border);
+                survey.border.add_rows(band.shape.rows, [&](std::int32_t i) { return band.row(i); });
             done(band);
         });
     decide_spikes(seams.finish(), settled < shapes_.size() ? shapes_[settled].first_row : 0, counted, survey);
     remove_spikes();
     return survey;
-}
-
-void ElevationReader::add_border(const ElevationBand& band, BorderCells& border) const {
-    const Window& window = source_.info().window;
-    const auto whole_row = [&](std::int32_t i) {
-        return std::vector(band.row(i).begin(), band.row(i).end());
-    };
-    if (band.shape.rows == 0 || band.shape.cols == 0)
-        return;
-    if (band.shape.first_row == window.row)
-        border.top = whole_row(0);
-    if (band.shape.first_row + band.shape.rows == window.end_row())
-        border.bottom = whole_row(band.shape.rows - 1);
-    for (std::int32_t i = 0; i < band.shape.rows; ++i) {
-        border.left.push_back(band.row(i).front());
-        border.right.push_back(band.row(i).back());
-    }
 }
 
 void ElevationReader::decide_spikes(const std::vector<Spike>& spikes, std::int32_t first_row,

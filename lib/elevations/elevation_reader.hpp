@@ -12,7 +12,7 @@
 #include "core/band.hpp"
 #include "core/context.hpp"
 #include "core/grid.hpp"
-#include "core/invalid_elevations.hpp"
+#include "core/undeclared_nodata.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "elevations/elevation_cache.hpp"
 #include "elevations/filter_invalid.hpp"
@@ -160,7 +160,6 @@ class ElevationReader {
     void decide_spikes(const std::vector<Spike>& spikes, std::int32_t first_row, const Window& counted,
                        ElevationSurvey& survey);
     void remove_spikes();
-    void add_border(const ElevationBand& band, BorderCells& border) const;
 
     DemSource& source_;
     Context& context_;

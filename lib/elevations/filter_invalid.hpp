@@ -10,7 +10,7 @@
 #include "core/band.hpp"
 #include "core/byte_stream.hpp"
 #include "core/context.hpp"
-#include "core/invalid_elevations.hpp"
+#include "core/undeclared_nodata.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 

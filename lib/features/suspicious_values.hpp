@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/invalid_elevations.hpp"
+#include "core/undeclared_nodata.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "elevations/filter_invalid.hpp"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/invalid_elevations.hpp"
+#include "core/undeclared_nodata.hpp"
 #include "core/warnings.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"

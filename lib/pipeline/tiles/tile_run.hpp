@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/context.hpp"
-#include "core/invalid_elevations.hpp"
 #include "core/lattice.hpp"
+#include "core/undeclared_nodata.hpp"
 #include "dem2buildings/run.hpp"
 #include "detect/units.hpp"
 #include "elevations/filter_invalid.hpp"

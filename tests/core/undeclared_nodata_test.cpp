@@ -1,4 +1,4 @@
-#include "core/invalid_elevations.hpp"
+#include "core/undeclared_nodata.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +67,23 @@ TEST(UndeclaredNodata, AreTakenBesideElevationsInWholeMetres) {
     const std::vector<double> values = grid([&](int r, int c) { return c < 20 ? 0 : whole(r, c); });
     EXPECT_EQ(found_in(values, 2, 20).values(), std::vector<double>{0});
     EXPECT_TRUE(found_in(grid(whole), 2, 20).values().empty());
+}
+
+TEST(UndeclaredNodata, AreTakenInsideDeclaredNodata) {
+    const auto from_edge = [](int r, int c) { return std::min({r, c, 99 - r, 99 - c}); };
+    EXPECT_EQ(found_in(grid([&](int r, int c) {
+                  return from_edge(r, c) < 6 ? none : from_edge(r, c) < 14 ? 0 : land(r, c);
+              })).values(),
+              std::vector<double>{0});
+    EXPECT_EQ(found_in(grid([&](int r, int c) { return c < 10   ? none
+                                                       : c < 22 ? 0
+                                                                : land(r, c); })).values(),
+              std::vector<double>{0});
+    // A pond of one elevation around a gap that does not reach the edge.
+    EXPECT_TRUE(found_in(grid([&](int r, int c) {
+                    const double away = std::hypot(r - 50, c - 50);
+                    return from_edge(r, c) < 2 ? none : away < 5 ? none : away < 22 ? 12 : land(r, c);
+                })).none());
 }
 
 TEST(UndeclaredNodata, SurroundAnyNumberOfSurveyedAreas) {

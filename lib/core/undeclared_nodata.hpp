@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/invalid_elevations.hpp"
+#include "dem2buildings/dem_source.hpp"
+
+namespace d2b {
+
+/// Values that mark missing data without being declared as NoData: many cells share exactly this value, they
+/// reach the edge of the raster, and all neighbours differ by a step. Each comes with its number of cells in
+/// regions at the edge.
+struct UndeclaredNodata {
+    std::vector<SharedValue> taken;  ///< treated as NoData: at least a tenth of the cells
+    std::vector<SharedValue> named;  ///< at least a hundredth: kept as elevations, with a warning
+
+    [[nodiscard]] bool none() const { return taken.empty() && named.empty(); }
+    /// Returns the values that are treated as NoData.
+    [[nodiscard]] std::vector<double> values() const;
+};
+
+/// Outermost valid cells of a window, because a raster may be surrounded by declared NoData.
+struct BorderCells {
+    std::vector<double> top;     ///< first row with a valid cell; NaN if not valid
+    std::vector<double> bottom;  ///< last row with a valid cell
+    std::vector<double> left;    ///< of each row that has a valid cell
+    std::vector<double> right;
+
+    /// Adds rows below the others. @param row_at returns a row by its number from 0; NaN if not valid
+    void add_rows(std::int32_t rows, const std::function<std::span<const double>(std::int32_t)>& row_at);
+};
+
+/// Thresholds for detecting undeclared NoData.
+struct UndeclaredNodataRules {
+    /// Smallest step, in m, because a lower one is not a wall, and buildings do not rise that little above
+    /// their surroundings.
+    static constexpr double step_m = 2;
+
+    double step = step_m;  ///< smallest step in units of the values
+    /// Smallest breadth in cells of the regions that the value surrounds, which must be wider than buildings:
+    /// in a plain model with exactly equal elevations only the houses differ. 0 if nothing stands on the
+    /// surface.
+    double min_breadth = 0;
+};
+
+/// Returns the problem as a clause without a full stop: "12 cells of 'dem.tif' have the elevation 0, lie at
+/// its edge, and most cells around are at least 2 m higher or lower".
+[[nodiscard]] std::string undeclared_text(const SharedValue& value, const std::string& raster);
+
+/// Reads the values of a part of the window; NaN if not valid.
+using ReadValues = std::function<void(const Window&, std::span<double>)>;
+
+/// Reads the outermost cells of a window: all of it if some at its edge are not valid.
+[[nodiscard]] BorderCells read_border(const Window& window, const ReadValues& read);
+
+/// Returns values that may be undeclared NoData, judged by the border alone; most rasters have none. At most
+/// the eight most frequent ones.
+[[nodiscard]] std::vector<double> border_candidates(const BorderCells& border, double step);
+
+/// Reads the whole window, if the border has candidates, and checks them by the connected regions of their
+/// cells. @param border of the window
+[[nodiscard]] UndeclaredNodata find_undeclared_nodata(const Window& window, const BorderCells& border,
+                                                      const UndeclaredNodataRules& rules,
+                                                      const ReadValues& read);
+
+}  // namespace d2b
