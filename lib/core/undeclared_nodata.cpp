@@ -343,9 +343,14 @@ Verdict ValueRegions::finish(double min_breadth) {
     for (OpenContact& contact : open_)
         if (contact.rows_left > 0)
             close(contact);
-    for (const auto& [candidate, gap] : touches_)
-        if (regions_[sets_.find(gap)].at_edge)
-            regions_[sets_.find(candidate)].at_edge = true;
+    // Missing cells may be those outside of a cutline, which also cuts flat roofs; but these are not the
+    // lowest.
+    const double lowest = std::min(lowest_other_, *std::ranges::min_element(candidates_));
+    for (const auto& [candidate, gap] : touches_) {
+        Region& region = regions_[sets_.find(candidate)];
+        if (regions_[sets_.find(gap)].at_edge && candidates_[region.of - 1U] == lowest)
+            region.at_edge = true;
+    }
     Verdict verdict;
     const std::uint8_t level = level_land();
     const bool land = surrounds_land(level, min_breadth);

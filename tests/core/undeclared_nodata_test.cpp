@@ -79,6 +79,10 @@ TEST(UndeclaredNodata, AreTakenInsideDeclaredNodata) {
                                                        : c < 22 ? 0
                                                                 : land(r, c); })).values(),
               std::vector<double>{0});
+    // A flat roof at a cutline.
+    EXPECT_TRUE(found_in(grid([&](int r, int c) {
+                    return from_edge(r, c) < 6 ? none : r < 40 && c < 40 ? 31 : land(r, c);
+                })).none());
     // A pond of one elevation around a gap that does not reach the edge.
     EXPECT_TRUE(found_in(grid([&](int r, int c) {
                     const double away = std::hypot(r - 50, c - 50);
