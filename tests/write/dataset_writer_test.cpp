@@ -17,7 +17,7 @@ TEST_F(CreateTest, GeoPackageHoldsWhatWasAdded) {
     const Dataset dataset = open_dataset(path("a.gpkg"));
     ASSERT_TRUE(dataset);
     EXPECT_EQ(layer_names(dataset.get()), (Names{"buildings", "contours"}));
-    EXPECT_EQ(GDALGetMetadataItem(dataset.get(), "source", nullptr), nullptr);
+    EXPECT_STREQ(GDALGetMetadataItem(dataset.get(), "source", nullptr), "dem.tif");
     OGRLayerH layer = GDALDatasetGetLayerByName(dataset.get(), "buildings");
     EXPECT_EQ(OGR_L_GetGeomType(layer), wkbMultiPolygon);
     EXPECT_STREQ(GDALGetMetadataItem(layer, "source", nullptr), "dem.tif");

@@ -1,6 +1,9 @@
 #include "write/geopackage/geopackage_tables.hpp"
 
+#include <memory>
+
 #include <cpl_conv.h>
+#include <cpl_minixml.h>
 #include <gdal_version.h>
 
 #include "write/sql.hpp"
@@ -156,6 +159,40 @@ void GeopackageTables::data_columns() const {
 }
 
 }  // namespace
+
+void replace_dataset_metadata(GDALDatasetH dataset, const Provenance& provenance, const WriteTarget& target) {
+    if (!has_table(dataset, "gpkg_metadata"))
+        return;
+    const std::string row =
+        "(SELECT md.id FROM gpkg_metadata md JOIN gpkg_metadata_reference mdr ON md.id = mdr.md_file_id "
+        "WHERE "
+        "mdr.reference_scope = 'geopackage' AND md.md_standard_uri = 'http://gdal.org' AND md.mime_type = "
+        "'text/xml' LIMIT 1)";
+    const auto text = sql_value(dataset, "SELECT metadata FROM gpkg_metadata WHERE id = " + row);
+    const std::unique_ptr<CPLXMLNode, decltype(&CPLDestroyXMLNode)> tree(
+        text ? CPLParseXMLString(text->c_str()) : nullptr, &CPLDestroyXMLNode);
+    CPLXMLNode* const items = tree ? CPLGetXMLNode(tree.get(), "Metadata") : nullptr;
+    if (items == nullptr || CPLGetXMLValue(items, "domain", nullptr) != nullptr)
+        return;
+    for (CPLXMLNode* item = items->psChild; item != nullptr;) {
+        CPLXMLNode* const next = item->psNext;
+        const std::string name = CPLGetXMLValue(item, "key", "");
+        if (name.starts_with("D2B_") || provenance.metadata.contains(name)) {
+            CPLRemoveXMLChild(items, item);
+            CPLDestroyXMLNode(item);
+        }
+        item = next;
+    }
+    for (const auto& [name, value] : provenance.metadata) {
+        CPLXMLNode* const item = CPLCreateXMLNode(items, CXT_Element, "MDI");
+        CPLAddXMLAttributeAndValue(item, "key", name.c_str());
+        CPLCreateXMLNode(item, CXT_Text, value.c_str());
+    }
+    const std::unique_ptr<char, decltype(&VSIFree)> made(CPLSerializeXMLTree(tree.get()), &VSIFree);
+    sql_run_or_throw(dataset, target,
+                     "UPDATE gpkg_metadata SET metadata = " + sql_literal(made.get()) + " WHERE id = " + row,
+                     "writing the metadata");
+}
 
 void write_geopackage_tables(GDALDatasetH dataset, const NewLayer& layer, const Provenance& provenance,
                              const WriteTarget& target) {

@@ -12,4 +12,9 @@ namespace d2b::writing {
 void write_geopackage_tables(GDALDatasetH dataset, const NewLayer& layer, const Provenance& provenance,
                              const WriteTarget& target);
 
+/// Replaces our items in the metadata of the file as a whole, if it has some, and keeps those of others. By
+/// SQL, because GDAL 3.6 reads the items again before it writes them, and then keeps old values. @throws
+/// OutputError
+void replace_dataset_metadata(GDALDatasetH dataset, const Provenance& provenance, const WriteTarget& target);
+
 }  // namespace d2b::writing

@@ -190,9 +190,7 @@ void DatasetWriter::begin(const std::string& path, Mode mode, std::span<const La
         first_id_ = largest_id(target_, dataset_.get(), specs) + 1;
     if (mode == Mode::replace)
         remove_layers();
-    // Layers of a GeoPackage have metadata of their own. Its dataset has none, because GDAL 3.6 keeps the old
-    // values if a later run replaces the layers.
-    if (mode == Mode::create && format_.name != "GPKG")
+    if (mode == Mode::create)
         describe(dataset_.get());
     // Formats such as KML write layers sequentially, so later layers wait in memory.
     const bool one_by_one =
@@ -312,6 +310,8 @@ void DatasetWriter::add_layer_tables() {
         OgrCall call(target_);
         GDALFlushCache(dataset_.get());
         call.check(true, "writing the layers");
+        if (mode_ == Mode::replace)
+            replace_dataset_metadata(dataset_.get(), provenance_, target_);
     }
     for (std::size_t i = 0; i < layers_.size(); ++i) {
         if (!layers_[i].is_new())
