@@ -172,9 +172,9 @@ std::uint8_t ValueRegions::class_of(double value) const {
 void ValueRegions::add_runs(std::span<const double> row) {
     for (std::size_t begin = 0; begin < row.size();) {
         std::size_t end = begin;
-        std::int64_t valid = 0;
-        for (; end < row.size() && classes_[end] == classes_[begin]; ++end)
-            valid += std::isnan(row[end]) ? 0 : 1;
+        while (end < row.size() && classes_[end] == classes_[begin])
+            ++end;
+        const auto valid = classes_[begin] == missing ? 0 : static_cast<std::int64_t>(end - begin);
         const std::uint32_t region = sets_.add();
         regions_.push_back(
             {classes_[begin], rows_above_[0].values.empty() || begin == 0 || end == row.size(), valid, {}});
@@ -222,7 +222,7 @@ void ValueRegions::close(OpenContact& contact) {
 double ValueRegions::difference_above(double value, std::size_t col) const {
     double difference = 0;
     for (const Row& row : rows_above_) {
-        if (row.values.empty() || row.classes[col] != 0 || std::isnan(row.values[col]))
+        if (row.values.empty() || row.classes[col] != 0)
             break;
         difference = larger(difference, row.values[col] - value);
         value = row.values[col];
@@ -235,7 +235,7 @@ void ValueRegions::look_below(double value, std::size_t col) {
     OpenContact& contact = open_[col];
     if (contact.rows_left == 0)
         return;
-    const bool ends = classes_[col] != 0 || std::isnan(value);
+    const bool ends = classes_[col] != 0;
     if (!ends)
         contact.difference = larger(contact.difference, value - std::exchange(contact.value, value));
     if (ends || --contact.rows_left == 0)
@@ -247,7 +247,7 @@ void ValueRegions::add_contact_above(double value, std::size_t col) {
     const std::uint8_t of_above = rows_above_[0].classes[col];
     if (classes_[col] == of_above)
         return;
-    if (std::isnan(value) || std::isnan(above))
+    if (classes_[col] == missing || of_above == missing)
         add_touch(region_of_above_[col], region_of_[col]);
     else if (of_above == 0)
         add_contact(region_of_above_[col], region_of_[col], difference_above(value, col));
@@ -259,11 +259,12 @@ void ValueRegions::add_contact_above(double value, std::size_t col) {
 
 void ValueRegions::add_contours(std::span<const double> row) {
     open_.resize(row.size());
-    const auto ends = [&](std::size_t i) { return classes_[i] != 0 || std::isnan(row[i]); };
+    const auto ends = [&](std::size_t i) { return classes_[i] != 0; };
     for (std::size_t c = 0; c < row.size(); ++c) {
-        if (c > 0 && classes_[c - 1] != classes_[c] && (std::isnan(row[c - 1]) || std::isnan(row[c]))) {
+        const bool changes = c > 0 && classes_[c - 1] != classes_[c];
+        if (changes && (classes_[c - 1] == missing || classes_[c] == missing)) {
             add_touch(region_of_[c - 1], region_of_[c]);
-        } else if (c > 0 && classes_[c - 1] != classes_[c]) {
+        } else if (changes) {
             const bool from_left = classes_[c - 1] != 0;
             add_contact(region_of_[c - 1], region_of_[c],
                         from_left ? largest_step(row, c - 1, c, ends) : largest_step(row, c, c - 1, ends));
@@ -280,7 +281,7 @@ void ValueRegions::add(std::span<const double> row) {
     runs_.clear();
     std::ranges::transform(row, classes_.begin(), [this](double value) { return class_of(value); });
     for (std::size_t i = 0; i < row.size(); ++i)
-        if (classes_[i] == 0 && !std::isnan(row[i])) {
+        if (classes_[i] == 0) {
             lowest_other_ = std::min(lowest_other_, row[i]);
             highest_other_ = std::max(highest_other_, row[i]);
         }
@@ -457,11 +458,9 @@ BorderCells read_border(const Window& window, const ReadValues& read) {
                        strip({window.end_row() - 1, window.col, 1, window.cols}),
                        strip({window.row, window.col, window.rows, 1}),
                        strip({window.row, window.end_col() - 1, window.rows, 1})};
-    const auto all_valid = [](const std::vector<double>& cells) {
-        return std::ranges::none_of(cells, [](double value) { return std::isnan(value); });
-    };
-    if (all_valid(border.top) && all_valid(border.bottom) && all_valid(border.left) &&
-        all_valid(border.right))
+    if (std::ranges::all_of(border.sides(), [](const std::vector<double>* side) {
+            return std::ranges::none_of(*side, [](double value) { return std::isnan(value); });
+        }))
         return border;
     border = {};
     for_each_row(window, read,
@@ -472,7 +471,7 @@ BorderCells read_border(const Window& window, const ReadValues& read) {
 std::vector<double> border_candidates(const BorderCells& border, double step) {
     std::map<double, BorderCount> counts;
     std::size_t all = 0;
-    for (const std::vector<double>* side : {&border.top, &border.bottom, &border.left, &border.right}) {
+    for (const std::vector<double>* side : border.sides()) {
         count_along(*side, step, counts);
         all += side->size();
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -30,6 +31,9 @@ struct BorderCells {
     std::vector<double> left;    ///< of each row that has a valid cell
     std::vector<double> right;
 
+    [[nodiscard]] std::array<const std::vector<double>*, 4> sides() const {
+        return {&top, &bottom, &left, &right};
+    }
     /// Adds rows below the others. @param row_at returns a row by its number from 0; NaN if not valid
     void add_rows(std::int32_t rows, const std::function<std::span<const double>(std::int32_t)>& row_at);
 };

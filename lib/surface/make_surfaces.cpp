@@ -365,6 +365,8 @@ class SurfaceMaker {
     [[nodiscard]] std::vector<Edges> edges_by(const std::vector<std::uint32_t>& group) const;
     [[nodiscard]] ExtrusionInput standing(const Edges& edges, const std::vector<std::uint32_t>& group,
                                           std::uint32_t which) const;
+    [[nodiscard]] std::optional<std::vector<PartitionTriangle>> divide_twisted(
+        const CoverFace& roof, const ExtrusionInput& standing) const;
     void divide_twisted_roofs(Extrusion& extrusion, const ExtrusionInput& standing) const;
     void make_solids();
     void make_shell();
@@ -488,29 +490,32 @@ ExtrusionInput SurfaceMaker::standing(const Edges& edges, const std::vector<std:
     return result;
 }
 
-/// Divides slanted roofs into triangles where programs would refuse the polygon as not planar (val3dity if a
+/// Divides a slanted roof into triangles where programs would refuse the polygon as not planar (val3dity if a
 /// triangle turns 20 degrees away from it): half a step of height is enough if corners are nearly on a line.
+/// @return nullopt for other roofs
+std::optional<std::vector<PartitionTriangle>> SurfaceMaker::divide_twisted(
+    const CoverFace& roof, const ExtrusionInput& standing) const {
+    if (!is_slanted(roof.contour))
+        return std::nullopt;
+    auto triangles = triangulate_face(roof.face, standing.plan, triangulate_);
+    const auto corner = [&](std::uint32_t node) {
+        const FinePoint at = standing.plan.nodes[node];
+        return RoofCorner{static_cast<double>(at.row), static_cast<double>(at.col),
+                          static_cast<double>(standing.height(roof.contour, node))};
+    };
+    const RoofPlane& plane = *included_.contours()[static_cast<std::size_t>(roof.contour)].plane;
+    return triangles && is_twisted(plane, roof.face, *triangles, corner) ? std::move(triangles)
+                                                                         : std::nullopt;
+}
+
 void SurfaceMaker::divide_twisted_roofs(Extrusion& extrusion, const ExtrusionInput& standing) const {
     std::vector<CoverFace> roofs;
-    for (CoverFace& roof : extrusion.roofs) {
-        std::optional<std::vector<PartitionTriangle>> triangles;
-        if (is_slanted(roof.contour) &&
-            (triangles = triangulate_face(roof.face, standing.plan, triangulate_))) {
-            const RoofPlane& plane = *included_.contours()[static_cast<std::size_t>(roof.contour)].plane;
-            const auto corner = [&](std::uint32_t node) {
-                const FinePoint at = standing.plan.nodes[node];
-                return RoofCorner{static_cast<double>(at.row), static_cast<double>(at.col),
-                                  static_cast<double>(standing.height(roof.contour, node))};
-            };
-            if (!is_twisted(plane, roof.face, *triangles, corner))
-                triangles.reset();
-        }
-        if (!triangles)
-            roofs.push_back(std::move(roof));
-        else
+    for (CoverFace& roof : extrusion.roofs)
+        if (const auto triangles = divide_twisted(roof, standing))
             for (const PartitionTriangle& triangle : *triangles)
                 roofs.push_back({roof.building, roof.contour, {{triangle.begin(), triangle.end()}, {}}});
-    }
+        else
+            roofs.push_back(std::move(roof));
     extrusion.roofs = std::move(roofs);
 }
 

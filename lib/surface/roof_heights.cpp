@@ -95,7 +95,7 @@ Differences differences(const PartitionEdge& edge, const PlanarPartition& plan, 
 }  // namespace
 
 /// Least squares, because corners are not exactly on a plane.
-RoofPlane fit_plane(std::span<const std::array<double, 3>> points) {
+RoofPlane fit_plane(std::span<const RoofCorner> points) {
     std::array<double, 3> mean{};
     for (const auto& point : points)
         for (std::size_t i = 0; i < point.size(); ++i)
@@ -303,7 +303,7 @@ std::vector<std::int32_t> RoofHeights::uneven_roofs(std::span<const PartitionCon
     std::erase_if(corners, [&](const Entry& entry) { return !has_plane(entry.contour, contours); });
     std::ranges::stable_sort(corners, {}, &Entry::contour);
     std::vector<std::int32_t> uneven;
-    std::vector<std::array<double, 3>> points;
+    std::vector<RoofCorner> points;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto& [node, contour, height] = corners[i];
         points.push_back(
@@ -312,7 +312,7 @@ std::vector<std::int32_t> RoofHeights::uneven_roofs(std::span<const PartitionCon
             continue;
         const RoofPlane fit = fit_plane(points);
         const double cosine = contours[static_cast<std::size_t>(contour)].plane->cosine;
-        if (std::ranges::any_of(points, [&](const std::array<double, 3>& point) {
+        if (std::ranges::any_of(points, [&](const RoofCorner& point) {
                 return std::abs(point[2] - fit.height_at(point[0], point[1])) * cosine > most;
             }))
             uneven.push_back(contour);

@@ -16,11 +16,11 @@ namespace d2b::surface {
 /// Height of open ground: below all roofs.
 inline constexpr std::int64_t no_height = std::numeric_limits<std::int64_t>::min();
 
-/// Returns the plane that fits points best. @param points rows, columns and heights, at least three
-[[nodiscard]] RoofPlane fit_plane(std::span<const std::array<double, 3>> points);
-
 /// Row, column and height.
 using RoofCorner = std::array<double, 3>;
+
+/// Returns the plane that fits points best. @param points at least three
+[[nodiscard]] RoofPlane fit_plane(std::span<const RoofCorner> points);
 
 /// Returns the angle between a plane and a triangle on the ground, in degrees. @param corners not on a line
 /// in plan

@@ -210,7 +210,7 @@ std::string buildings_advice(const RunReport& report, const Options& options) {
     const double share = report.uneven_m2 / report.buildings_m2;
     std::string text;
     if (options.detect.split_height == 0 &&
-        ((many(report.uneven) && share >= some_of_the_area) || share >= much_of_the_area))
+        share >= (many(report.uneven) ? some_of_the_area : much_of_the_area))
         text += grouped(report.uneven) + of_all + " (" + fixed_text(share * 100, 0) + " % of their area)" +
                 (report.uneven == 1 ? " differs" : " differ") +
                 " by more than 5 m inside: -split_height 3 divides " +

@@ -1,7 +1,5 @@
 #include "write/geopackage/geopackage_tables.hpp"
 
-#include <memory>
-
 #include <cpl_conv.h>
 #include <cpl_minixml.h>
 #include <gdal_version.h>
@@ -165,12 +163,11 @@ void replace_dataset_metadata(GDALDatasetH dataset, const Provenance& provenance
         return;
     const std::string row =
         "(SELECT md.id FROM gpkg_metadata md JOIN gpkg_metadata_reference mdr ON md.id = mdr.md_file_id "
-        "WHERE "
-        "mdr.reference_scope = 'geopackage' AND md.md_standard_uri = 'http://gdal.org' AND md.mime_type = "
-        "'text/xml' LIMIT 1)";
+        "WHERE mdr.reference_scope = 'geopackage' AND md.md_standard_uri = 'http://gdal.org' AND "
+        "md.mime_type = 'text/xml' LIMIT 1)";
     const auto text = sql_value(dataset, "SELECT metadata FROM gpkg_metadata WHERE id = " + row);
-    const std::unique_ptr<CPLXMLNode, decltype(&CPLDestroyXMLNode)> tree(
-        text ? CPLParseXMLString(text->c_str()) : nullptr, &CPLDestroyXMLNode);
+    const reading::GdalOwner<CPLXMLNode*, CPLDestroyXMLNode> tree(text ? CPLParseXMLString(text->c_str())
+                                                                       : nullptr);
     CPLXMLNode* const items = tree ? CPLGetXMLNode(tree.get(), "Metadata") : nullptr;
     if (items == nullptr || CPLGetXMLValue(items, "domain", nullptr) != nullptr)
         return;
@@ -188,7 +185,7 @@ void replace_dataset_metadata(GDALDatasetH dataset, const Provenance& provenance
         CPLAddXMLAttributeAndValue(item, "key", name.c_str());
         CPLCreateXMLNode(item, CXT_Text, value.c_str());
     }
-    const std::unique_ptr<char, decltype(&VSIFree)> made(CPLSerializeXMLTree(tree.get()), &VSIFree);
+    const std::unique_ptr<char, reading::GdalRelease<void*, VSIFree>> made(CPLSerializeXMLTree(tree.get()));
     sql_run_or_throw(dataset, target,
                      "UPDATE gpkg_metadata SET metadata = " + sql_literal(made.get()) + " WHERE id = " + row,
                      "writing the metadata");

@@ -237,12 +237,13 @@ void DatasetWriter::remove_layers() {
     for (const LayerSpec& spec : specs_)
         if (OGRLayerH layer = GDALDatasetGetLayerByName(dataset_.get(), spec.name.c_str()))
             there.emplace_back(OGR_L_GetName(layer));
-    if (in_transaction_ && GDALGetInternalHandle(dataset_.get(), "SQLITE_HANDLE") != nullptr)
+    if (in_transaction_ && GDALGetInternalHandle(dataset_.get(), "SQLITE_HANDLE") != nullptr) {
         dependents_.emplace(dataset_.get(), there);
-    // Have GDAL read the definitions of views first, because it could not read those of views on a removed
-    // layer.
-    for (int i = 0; i < GDALDatasetGetLayerCount(dataset_.get()); ++i)
-        GDALGetMetadataItem(GDALDatasetGetLayer(dataset_.get(), i), "IDENTIFIER", nullptr);
+        // Have GDAL read the metadata of listed views now, because it counts their rows first, which it could
+        // not without their table.
+        for (int i = 0; i < GDALDatasetGetLayerCount(dataset_.get()); ++i)
+            GDALGetMetadataItem(GDALDatasetGetLayer(dataset_.get(), i), "IDENTIFIER", nullptr);
+    }
     for (const std::string& name : there)
         remove_layer(name);
 }
