@@ -85,17 +85,37 @@ struct Region {
     }
 };
 
+/// Differences between neighbours, because a surface that was rounded to large steps has hardly any other
+/// difference than its step.
+class Differences {
+  public:
+    void add(double difference, double step);
+    void merge(const Differences& other, std::int64_t sign);
+    /// Returns the step of a surface that was rounded to at least `step`. 0: it was not.
+    [[nodiscard]] double rounding() const;
+
+  private:
+    static constexpr double unit = 1e-4;  // of a difference, because floats are slightly off
+    static constexpr double largest = 1e9;
+    static constexpr std::size_t many = 4096;
+
+    std::int64_t small_ = 0;                      ///< less than the step
+    std::map<std::int64_t, std::int64_t> large_;  ///< pairs by difference; not all if these are many
+};
+
 /// Values found, and candidates that are elevations. Those are listed only if no land was found, because they
 /// may be the land: the ground in whole metres.
 struct Verdict {
     UndeclaredNodata found;
     std::vector<double> elevations;
+    double rounding = 0;  ///< step to which the other values were rounded; 0: less than that of the rules
 };
 
 /// Connected components of equal values, fed row by row from first to last.
 class ValueRegions {
   public:
-    ValueRegions(const std::vector<double>& candidates, double step) : candidates_(candidates), step_(step) {}
+    ValueRegions(const std::vector<double>& candidates, double step)
+        : candidates_(candidates), step_(step), differences_(candidates.size() + 1) {}
 
     void add(std::span<const double> row);
     /// @param min_breadth see UndeclaredNodataRules
@@ -110,6 +130,8 @@ class ValueRegions {
     [[nodiscard]] std::uint8_t class_of(double value) const;
     void add_runs(std::span<const double> row);
     void join_rows();
+    void add_differences(std::span<const double> row);
+    void add_difference(std::uint8_t of_one, std::uint8_t of_other, double difference);
     void add_contours(std::span<const double> row);
     void add_contact(std::uint32_t one, std::uint32_t other, double difference);
     void add_touch(std::uint32_t one, std::uint32_t other);
@@ -120,6 +142,8 @@ class ValueRegions {
     /// none.
     [[nodiscard]] std::uint8_t level_land() const;
     [[nodiscard]] bool surrounds_land(std::uint8_t level, double min_breadth) const;
+    /// Returns the step to which all values but a candidate were rounded. 0: less than that of the rules.
+    [[nodiscard]] double rounding_beside(std::size_t candidate) const;
     /// Merges the regions of a candidate that reach the edge.
     [[nodiscard]] Region at_edge(std::size_t candidate) const;
     /// Returns true if all other cells have one value as well, and are fewer: these are a hole in level land.
@@ -133,6 +157,7 @@ class ValueRegions {
     double lowest_other_ =
         std::numeric_limits<double>::infinity();  ///< of cells that have no candidate's value
     double highest_other_ = -std::numeric_limits<double>::infinity();
+    std::vector<Differences> differences_;  ///< of pairs with a candidate by its number, and [0] of all
     DisjointSets sets_;
     std::vector<Region> regions_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> touches_;  ///< candidates and missing cells
@@ -159,6 +184,35 @@ class ValueRegions {
     std::vector<std::uint32_t> region_of_;        ///< by column
     std::vector<std::uint32_t> region_of_above_;  ///< by column
 };
+
+void Differences::add(double difference, double step) {
+    const double size = std::abs(difference);
+    if (size == 0)
+        return;
+    if (size < step)
+        ++small_;
+    else if (large_.size() < many)
+        ++large_[std::llround(std::min(size, largest) / unit)];
+}
+
+/// @param sign -1: takes pairs away
+void Differences::merge(const Differences& other, std::int64_t sign) {
+    small_ += sign * other.small_;
+    for (const auto& [size, pairs] : other.large_)
+        large_[size] += sign * pairs;
+}
+
+double Differences::rounding() const {
+    std::int64_t large = 0;
+    std::pair<std::int64_t, std::int64_t> most;  // pairs, difference
+    for (const auto& [size, pairs] : large_) {
+        large += pairs;
+        most = std::max(most, {pairs, size});
+    }
+    const bool is_rounded = large > 0 && large_.size() < many && 2 * most.first >= large &&
+                            static_cast<double>(small_) <= max_similar * static_cast<double>(small_ + large);
+    return is_rounded ? static_cast<double>(most.second) * unit : 0;
+}
 
 std::uint8_t ValueRegions::class_of(double value) const {
     if (std::isnan(value))
@@ -257,6 +311,26 @@ void ValueRegions::add_contact_above(double value, std::size_t col) {
         add_contact(region_of_above_[col], region_of_[col], value - above);
 }
 
+void ValueRegions::add_difference(std::uint8_t of_one, std::uint8_t of_other, double difference) {
+    if (of_one == missing || of_other == missing)
+        return;
+    differences_[0].add(difference, step_);
+    if (of_one != 0)
+        differences_[of_one].add(difference, step_);
+    if (of_other != 0 && of_other != of_one)
+        differences_[of_other].add(difference, step_);
+}
+
+void ValueRegions::add_differences(std::span<const double> row) {
+    const Row& above = rows_above_[0];
+    for (std::size_t c = 0; c < row.size(); ++c) {
+        if (c > 0)
+            add_difference(classes_[c - 1], classes_[c], row[c] - row[c - 1]);
+        if (!above.values.empty())
+            add_difference(above.classes[c], classes_[c], row[c] - above.values[c]);
+    }
+}
+
 void ValueRegions::add_contours(std::span<const double> row) {
     open_.resize(row.size());
     const auto ends = [&](std::size_t i) { return classes_[i] != 0; };
@@ -287,6 +361,7 @@ void ValueRegions::add(std::span<const double> row) {
         }
     add_runs(row);
     join_rows();
+    add_differences(row);
     add_contours(row);
     std::swap(above_, runs_);
     std::swap(region_of_, region_of_above_);
@@ -338,6 +413,12 @@ Region ValueRegions::at_edge(std::size_t candidate) const {
     return all;
 }
 
+double ValueRegions::rounding_beside(std::size_t candidate) const {
+    Differences others = differences_[0];
+    others.merge(differences_[candidate + 1], -1);
+    return others.rounding();
+}
+
 Verdict ValueRegions::finish(double min_breadth) {
     for (const Run& run : above_)
         regions_[sets_.find(run.region)].at_edge = true;
@@ -365,6 +446,7 @@ Verdict ValueRegions::finish(double min_breadth) {
         if (i + 1 == level || all.cells < min_cells || all.contour.length() == 0 ||
             !all.contour.is_step(max_similar) || is_larger_than_constant(all.cells))
             continue;
+        verdict.rounding = std::max(verdict.rounding, rounding_beside(i));
         if (taken_share * all.cells >= valid_)
             verdict.found.taken.push_back({candidates_[i], all.cells});
         else if (named_share * all.cells >= valid_)
@@ -408,6 +490,30 @@ void count_along(std::span<const double> cells, double step, std::map<double, Bo
         counts[cells[i]].contour.add(largest_step(cells, i, i - 1, is_missing), step);
         counts[cells[i - 1]].contour.add(largest_step(cells, i - 1, i, is_missing), step);
     }
+}
+
+/// Finds the values next to the outermost cells.
+UndeclaredNodata find_at_border(const Window& window, const BorderCells& border,
+                                const UndeclaredNodataRules& rules, const ReadValues& read) {
+    double step = rules.step;
+    std::vector<double> candidates = border_candidates(border, step);
+    while (!candidates.empty()) {
+        ValueRegions regions(candidates, step);
+        for_each_row(window, read, [&](std::span<const double> row) { regions.add(row); });
+        const Verdict verdict = regions.finish(rules.min_breadth);
+        if (verdict.rounding > 0) {
+            // Each value of a surface that was rounded to large steps is a large step away from the others.
+            step = 1.5 * verdict.rounding;
+            candidates = border_candidates(border, step);
+        } else if (verdict.elevations.empty()) {
+            return verdict.found;
+        } else {
+            std::erase_if(candidates, [&](double candidate) {
+                return std::ranges::find(verdict.elevations, candidate) != verdict.elevations.end();
+            });
+        }
+    }
+    return {};
 }
 
 }  // namespace
@@ -492,18 +598,20 @@ std::vector<double> border_candidates(const BorderCells& border, double step) {
 
 UndeclaredNodata find_undeclared_nodata(const Window& window, const BorderCells& border,
                                         const UndeclaredNodataRules& rules, const ReadValues& read) {
-    std::vector<double> candidates = border_candidates(border, rules.step);
-    while (!candidates.empty()) {
-        ValueRegions regions(candidates, rules.step);
-        for_each_row(window, read, [&](std::span<const double> row) { regions.add(row); });
-        const Verdict verdict = regions.finish(rules.min_breadth);
-        if (verdict.elevations.empty())
-            return verdict.found;
-        std::erase_if(candidates, [&](double candidate) {
-            return std::ranges::find(verdict.elevations, candidate) != verdict.elevations.end();
-        });
+    UndeclaredNodata found = find_at_border(window, border, rules, read);
+    for (UndeclaredNodata outer = found; !outer.taken.empty();) {
+        // Another value may surround the rest, because rasters are cut out and warped more than once.
+        const std::vector<double> values = found.values();
+        const ReadValues read_rest = [&](const Window& part, std::span<double> cells) {
+            read(part, cells);
+            for (const double value : values)
+                std::ranges::replace(cells, value, std::numeric_limits<double>::quiet_NaN());
+        };
+        outer = find_at_border(window, read_border(window, read_rest), rules, read_rest);
+        found.taken.insert(found.taken.end(), outer.taken.begin(), outer.taken.end());
+        found.named = outer.named;
     }
-    return {};
+    return found;
 }
 
 }  // namespace d2b

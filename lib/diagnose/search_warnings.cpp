@@ -32,6 +32,12 @@ std::string doubt_of_given(const detect::GroundFit& fit, const std::string& terr
            (median < 0 ? "above" : "below") + " the surface where nothing stands on it (median)" + see;
 }
 
+/// Warns of elevations that -ground none takes for heights.
+std::string elevations_warning(const detect::GroundFit& fit) {
+    return "-ground none takes elevations as heights above the ground, and their median is " +
+           rounded(fit.median()) + " m, with NoData around; give a terrain model with -ground";
+}
+
 constexpr double least_length_m = 150;   // length of cuts next to walls: a street has less by chance
 constexpr double least_share = 1.0 / 3;  // share of all cuts: walls next to fewer of them are chance
 // Limits if no move stands out. Parcels of Delft have 0.5 m; the same parcels moved by 2 or 3 m have 1.5 m,
@@ -114,8 +120,11 @@ std::string search_ground_warning(Search search) {
     if (std::string text = missing_ground_warning(islands, mode, search.dem.name); !text.empty())
         return text;
     // A raster with NoData as ground contains roofs alone, whose heights are those of buildings.
+    constexpr double tall_m = 20;
+    constexpr double nearly_all = 0.95;
     if (mode == GroundMode::none && islands.narrow_most())
-        return {};
+        return search.scene.fit.share_above(tall_m) < nearly_all ? std::string()
+                                                                 : elevations_warning(search.scene.fit);
     return ground_warning(search.scene.fit, mode, search.plan.asked.ground.terrain);
 }
 

@@ -152,10 +152,9 @@ void warn_of_remaining(Context& context) {
     const std::int64_t left = context.report.counted(Reason::flow_unchanged);
     if (left == 0)
         return;
-    context.warn(std::to_string(left) + (left == 1 ? " place falls" : " places fall") +
-                 " short of -flow_ready and " + (left == 1 ? "is" : "are") +
-                 " left, because a repair would change more than 1 % of a block, or cross a neighbour or the "
-                 "border of the terrain; -write_problems shows where.");
+    context.warn(std::to_string(left) + (left == 1 ? " place is" : " places are") +
+                 " still too narrow or too short, because a repair would change more than 1 % of a block, or "
+                 "cross a neighbour or the border of the terrain; -write_problems shows where.");
 }
 
 constexpr std::array<std::string_view, 6> kind_names{"flow_wall", "flow_angle", "flow_gap",

@@ -51,11 +51,16 @@ class AlignedRaster {
     /// Same as BandReader::restrict_to() and counts().
     void restrict_to(const ElevationLimits& limits, double metres) { reader_.restrict_to(limits, metres); }
     [[nodiscard]] const LimitCounts& counts() const { return reader_.counts(); }
-    /// Rejects values that stand for NoData without being declared, from now on. @param step,
-    /// limits in the unit of the band @throws InputError
-    /// @return all undeclared values found, including those that are kept
-    UndeclaredNodata exclude_undeclared(double step, const ElevationLimits& limits);
-    [[nodiscard]] double stored(double value) const { return reader_.stored(value); }
+    /// Finds values that stand for NoData without being declared. @param step, limits in the unit of the band
+    /// @throws InputError
+    [[nodiscard]] UndeclaredNodata find_undeclared(double step, const ElevationLimits& limits);
+    /// Same as BandReader::exclude().
+    void exclude(std::vector<double> undeclared) { reader_.exclude(std::move(undeclared)); }
+    /// Returns the advice for a value that stands for no data: "declare that with gdal_edit.py -a_nodata 0".
+    [[nodiscard]] std::string declaration_advice(double value) const {
+        return is_array_ ? "set these cells to NaN"
+                         : "declare that with gdal_edit.py -a_nodata " + value_text(reader_.stored(value));
+    }
 
     /// Same as DemSource::read(), in the unit of the band, with scale and offset applied. @throws InputError
     void read(const Window& part, std::span<double> values);
@@ -67,6 +72,7 @@ class AlignedRaster {
 
     Warnings& warnings_;
     std::string name_;
+    bool is_array_;
     std::string dem_;                                    ///< name of the DEM, for messages
     std::unique_ptr<StandardInputCopy> standard_input_;  // first, as the dataset must be closed before it
     OpenRaster file_;
@@ -248,10 +254,6 @@ class TerrainSource final : public WarningSource {
     void report_undeclared();
     void report_shared();
     void detect_undeclared();
-    /// Advice on declaring a value, in the units of the file.
-    [[nodiscard]] std::string declaration_advice(double value) const {
-        return "declare that with gdal_edit.py -a_nodata " + value_text(raster_.stored(value));
-    }
 
     AlignedRaster raster_;
     double factor_ = 1;
@@ -275,16 +277,18 @@ void TerrainSource::report_outside() {
                          " and more than half of all; correct its unit with gdal_edit.py -units or its "
                          "NoData value with gdal_edit.py -a_nodata, or give the range with -zrange.");
     const auto most = outside.most();
-    warnings().add(what + ", and " + (outside.cells() == 1 ? "is" : "are") + " treated as no data; declare " +
-                   (most ? "that with gdal_edit.py -a_nodata " + value_text(raster_.stored(most->value))
-                         : "it with gdal_edit.py -a_nodata") +
-                   ", or give the range with -zrange.");
+    warnings().add(
+        what + ", and " + (outside.cells() == 1 ? "is" : "are") + " treated as no data; " +
+        (most ? raster_.declaration_advice(most->value) : "declare it with gdal_edit.py -a_nodata") +
+        ", or give the range with -zrange.");
 }
 
 class RasterMask final : public WarningSource {
   public:
     RasterMask(const AuxiliaryRaster& mask, const DemInfo& grid, std::unique_ptr<Warnings> own)
-        : WarningSource(std::move(own)), raster_("mask", mask, grid, Resampling::nearest, warnings()) {
+        : WarningSource(std::move(own)),
+          raster_("mask", mask, grid, Resampling::nearest, warnings()),
+          first_reads_(grid.window) {
         warnings().hold();
     }
 
@@ -292,12 +296,36 @@ class RasterMask final : public WarningSource {
 
     void read(const Window& part, std::span<double> inside) override {
         raster_.read(part, inside);
+        const auto count = [this](std::span<const double> cells) {
+            for (const double value : cells)
+                if (is_unusual(value))
+                    unusual_.add(value);
+                else if (value > 0)
+                    marked_ = true;
+        };
+        const bool complete = first_reads_.add(part, inside, count);
         for (double& value : inside)
             value = std::isnan(value) || value == 0 ? 0 : 1;
+        if (complete)
+            report_unusual();
     }
 
   private:
+    /// Returns true for a value that often stands for no data, and hardly for a class.
+    [[nodiscard]] static bool is_unusual(double value) { return value < 0 || value >= 255; }
+    /// Warns of an unusual value beside others that mark the inside.
+    void report_unusual() {
+        if (const auto most = unusual_.most(); marked_ && most)
+            warnings().add(cells_have(most->cells, "the " + raster_.name()) + "the value " +
+                           value_text(most->value) + (most->cells == 1 ? " and counts" : " and count") +
+                           " as inside; if it stands for no data, " +
+                           raster_.declaration_advice(most->value) + ".");
+    }
+
     AlignedRaster raster_;
+    FirstReads first_reads_;
+    ValueCounts unusual_;
+    bool marked_ = false;  ///< other values mark cells as inside
 };
 
 class PolygonMask final : public WarningSource {
@@ -366,6 +394,7 @@ class NdviSource final : public WarningSource {
           raster_("NDVI", raster, grid, Resampling::bilinear, warnings()),
           first_reads_(grid.window) {
         raster_.warn_about_gaps("nothing is known of vegetation");
+        exclude_undeclared();
         // Reads one row, because a wrong product shows in any row and a run should not fail at its end.
         std::vector<double> row(static_cast<std::size_t>(grid.window.cols));
         read_values({grid.window.row + grid.window.rows / 2, grid.window.col, 1, grid.window.cols}, row);
@@ -384,6 +413,23 @@ class NdviSource final : public WarningSource {
     }
 
   private:
+    /// Takes values for no data that lie at the edge of the raster and are no index.
+    void exclude_undeclared() {
+        constexpr double step = 0.5;  // to the index around
+        raster_.restrict_to({}, 1);
+        const UndeclaredNodata found = raster_.find_undeclared(step, {});
+        std::vector<double> excluded;
+        for (const std::vector<SharedValue>& some : {found.taken, found.named})
+            for (const auto& [value, cells] : some)
+                if (std::abs(value) > 1 + rounding) {
+                    excluded.push_back(value);
+                    warnings().add(cells_have(cells, "the " + raster_.name()) + "the value " +
+                                   value_text(value) +
+                                   " and lie at its edge, so they are treated as no data; " +
+                                   raster_.declaration_advice(value) + ".");
+                }
+        raster_.exclude(std::move(excluded));
+    }
     /// Warns of cells without a value, if they exceed the part outside of the raster, of which a warning
     /// tells, and are not all. Resampling loses cells along borders.
     void report_missing() {
@@ -400,9 +446,10 @@ class NdviSource final : public WarningSource {
             if (value < -1 - rounding || value > 1 + rounding)
                 throw InputError(
                     "The " + raster_.name() + " has the value " + number_text(value) +
-                    ", and an NDVI lies between -1 and 1; set the scale of a scaled product, for "
-                    "example with gdal_edit.py -scale 0.0001, or compute it as (NIR - red) / (NIR "
-                    "+ red) and clamp it.");
+                    ", and an NDVI lies between -1 and 1; if it stands for no data, " +
+                    raster_.declaration_advice(value) +
+                    ", else set the scale of a scaled product, for example with gdal_edit.py -scale 0.0001, "
+                    "or compute it as (NIR - red) / (NIR + red) and clamp it.");
             value = value < -1 ? -1 : value > 1 ? 1 : value;  // NaN stays NaN
         }
     }
@@ -418,6 +465,7 @@ AlignedRaster::AlignedRaster(const std::string& role, const AuxiliaryRaster& ras
                              Resampling resampling, Warnings& warnings)
     : warnings_(warnings),
       name_(role + " '" + raster.path + "'"),
+      is_array_(raster.array != nullptr),
       dem_("'" + grid.name + "'"),
       standard_input_(raster.array == nullptr ? copy_standard_input(raster.path) : nullptr),
       file_(raster.array != nullptr
@@ -455,7 +503,7 @@ void AlignedRaster::place(const DemInfo& grid, Resampling resampling) {
                                                 warnings_);
 }
 
-UndeclaredNodata AlignedRaster::exclude_undeclared(double step, const ElevationLimits& limits) {
+UndeclaredNodata AlignedRaster::find_undeclared(double step, const ElevationLimits& limits) {
     if (used_.points() == 0)
         return {};
     const ReadValues read = [&](const Window& part, std::span<double> values) {
@@ -463,9 +511,7 @@ UndeclaredNodata AlignedRaster::exclude_undeclared(double step, const ElevationL
         for (double& value : values)
             value = limits.hold(value) ? value : std::numeric_limits<double>::quiet_NaN();
     };
-    UndeclaredNodata found = find_undeclared_nodata(used_, read_border(used_, read), {step, 0}, read);
-    reader_.exclude(found.values());
-    return found;
+    return find_undeclared_nodata(used_, read_border(used_, read), {step, 0}, read);
 }
 
 void AlignedRaster::throw_no_overlap() const {
@@ -518,7 +564,7 @@ void TerrainSource::report_undeclared() {
     for (const double value : excluded_)
         if (const std::int64_t cells = undeclared.cells_of(value).value_or(0); cells > 0)
             warnings().add(undeclared_text({value, cells}, "the " + raster_.name()) +
-                           ", so they are treated as no data; " + declaration_advice(value) +
+                           ", so they are treated as no data; " + raster_.declaration_advice(value) +
                            ", or keep the elevation with -inodata.");
 }
 
@@ -527,17 +573,18 @@ void TerrainSource::report_shared() {
     for (const auto& [value, cells] : raster_.counts().bins->shared(within))
         if (2 * cells <= within && std::ranges::find(named_, value, &SharedValue::value) == named_.end())
             warnings().add(isolated_text({value, cells}, "the " + raster_.name()) +
-                           "; if it stands for no data, " + declaration_advice(value) + ".");
+                           "; if it stands for no data, " + raster_.declaration_advice(value) + ".");
 }
 
 void TerrainSource::detect_undeclared() {
     const UndeclaredNodata found =
-        raster_.exclude_undeclared(UndeclaredNodataRules::step_m / (factor_ * dem_metres_), limits_);
+        raster_.find_undeclared(UndeclaredNodataRules::step_m / (factor_ * dem_metres_), limits_);
     excluded_ = found.values();
+    raster_.exclude(excluded_);
     named_ = found.named;
     for (const SharedValue& named : named_)
         warnings().add(undeclared_text(named, "the " + raster_.name()) + "; if it stands for no data, " +
-                       declaration_advice(named.value) + ", and if not, give -inodata.");
+                       raster_.declaration_advice(named.value) + ", and if not, give -inodata.");
 }
 
 std::unique_ptr<DemSource> open_terrain(const AuxiliaryRaster& raster, const DemInfo& grid,

@@ -90,6 +90,16 @@ TEST(UndeclaredNodata, AreTakenInsideDeclaredNodata) {
                 })).none());
 }
 
+TEST(UndeclaredNodata, AreTakenInsideOthers) {
+    const std::vector<double> values = grid([](int r, int c) {
+        const int from_edge = std::min({r, c, 99 - r, 99 - c});
+        return from_edge < 6 ? -99 : from_edge < 14 ? 0 : land(r, c);
+    });
+    const UndeclaredNodata found = found_in(values);
+    EXPECT_EQ(found.values(), (std::vector<double>{-99, 0}));
+    EXPECT_EQ(found.taken[1].cells, 88 * 88 - 72 * 72);
+}
+
 TEST(UndeclaredNodata, SurroundAnyNumberOfSurveyedAreas) {
     // Nine squares of 28 cells.
     const auto is_between = [](int r, int c) { return r % 33 < 4 || c % 33 < 4 || r == 99 || c == 99; };
@@ -211,6 +221,18 @@ TEST(UndeclaredNodata, ALevelTerrainIsLand) {
 
 TEST(UndeclaredNodata, RoundedElevationsHaveNone) {
     EXPECT_TRUE(found_in(grid([](int r, int c) { return std::floor(20 + 0.05 * r + 0.03 * c); })).none());
+}
+
+TEST(UndeclaredNodata, ElevationsRoundedToLargeStepsAreLand) {
+    const auto rounded = [](int r, int c) { return 5 * std::floor((20 + 0.4 * r + 0.1 * c) / 5); };
+    const auto bands = [](int r, int) { return 5 * std::floor((20 + 0.4 * r) / 5); };
+    EXPECT_TRUE(found_in(grid(rounded), 2, 0).none());
+    EXPECT_TRUE(found_in(grid(rounded), 2, 20).none());
+    EXPECT_TRUE(found_in(grid(bands), 2, 0).none());
+    const std::vector<double> surrounded = grid([&](int r, int c) {
+        return std::min({r, c, 99 - r, 99 - c}) < 10 ? 0 : rounded(r, c);
+    });
+    EXPECT_EQ(found_in(surrounded, 2, 0).values(), std::vector<double>{0});
 }
 
 }  // namespace

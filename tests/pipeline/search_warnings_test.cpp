@@ -122,6 +122,12 @@ TEST(SearchWarnings, ARasterWhoseGroundIsNoData) {
     right.run();
     EXPECT_EQ(right.report.warnings, Texts{});
     EXPECT_EQ(right.count(), 3U);
+    for (double& height : z)
+        height += 100;  // elevations of roofs
+    TownRun elevations(z);
+    elevations.options.ground.mode = GroundMode::none;
+    expect_warning(elevations,
+                   "-ground none takes elevations as heights above the ground, and their median is 10");
 }
 
 TEST(SearchWarnings, ElevationsThatWereRounded) {

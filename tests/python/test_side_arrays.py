@@ -127,6 +127,16 @@ class SideArrays(PythonCase):
         self.assertEqual(found.report["input"]["valid_points"], 50 * 60 - 225)
         with self.assertRaisesRegex(dem2buildings.OptionError, "^nodata="):
             dem2buildings.extract(dem, nodata="x", **PLACE)
+        dem[dem == -3] = numpy.nan
+        for nodata in (numpy.nan, numpy.float32("nan")):
+            self.assertEqual(len(dem2buildings.extract(dem, nodata=nodata, **PLACE).buildings), 1)
+
+    def test_advice_on_undeclared_nodata(self):
+        dem, ground = scene()
+        ground[:8] = 0
+        advice = "treated as no data; set these cells to NaN, or keep the elevation with inodata="
+        with self.assertWarnsRegex(UserWarning, advice):
+            dem2buildings.extract(dem, ground=ground, **PLACE)
 
 
 if __name__ == "__main__":

@@ -207,6 +207,26 @@ TEST_F(Mask, anyValueButZeroAndNoData) {
     expect_values(mask(), {0, 1, 1, 1, 0, 0, 1, 0});
 }
 
+TEST_F(Mask, valuesThatHardlyMarkAnythingAreNamed) {
+    const auto warned = [this](const std::vector<double>& values) {
+        write(path("side.tif"),
+              {.cols = 4, .rows = 2, .type = GDT_Float32, .values = values, .transform = grid_.transform});
+        warnings_.clear();
+        (void)mask();
+        return warnings().empty() ? "" : warnings().front();
+    };
+    EXPECT_EQ(warned({-9999, -9999, 0, 1, 0, 1, 0, 1}),
+              "2 cells of the mask " + quoted("side.tif") +
+                  " have the value -9999 and count as inside; if it stands for no data, declare that with "
+                  "gdal_edit.py -a_nodata -9999.");
+    EXPECT_EQ(warned({255, 0, 0, 1, 0, 1, 0, 1}),
+              "1 cell of the mask " + quoted("side.tif") +
+                  " has the value 255 and counts as inside; if it stands for no data, declare that with "
+                  "gdal_edit.py -a_nodata 255.");
+    EXPECT_EQ(warned({255, 0, 0, 255, 0, 255, 0, 0}), "") << "the usual mask";
+    EXPECT_EQ(warned({5, 0, 11, 3, 0, 7, 0, 0}), "") << "classes";
+}
+
 TEST_F(Mask, theCellAroundTheCentre) {
     // Cells of 2 m from 499999.6 on: centres at .5, 1.5 lie in the first, 2.5 and 3.5 in the second.
     write(path("side.tif"), {.cols = 2,
@@ -341,11 +361,35 @@ TEST_F(Ndvi, cellsWithoutAValueAreSaid) {
                                         quoted("side.tif") + "; nothing is known of vegetation there."}));
 }
 
+TEST_F(Ndvi, undeclaredNodataIsNoIndex) {
+    constexpr int side = 40;
+    dem({.cols = side, .rows = side});
+    for (const double collar : {-9999.0, 255.0}) {
+        RasterSpec spec{.cols = side, .rows = side};
+        for (int i = 0; i < side * side; ++i)
+            spec.values.push_back(i / side < 12 ? collar : i / 1600.0);
+        write(path("side.tif"), spec);
+        const std::vector<double> values = ndvi();
+        EXPECT_EQ(std::ranges::count_if(values, [](double value) { return std::isnan(value); }), 12 * side);
+        EXPECT_EQ(values.back(), 1599 / 1600.0);
+        ASSERT_EQ(warnings().size(), 2U);
+        EXPECT_EQ(warnings()[0], "480 cells of the NDVI " + quoted("side.tif") + " have the value " +
+                                     (collar < 0 ? "-9999" : "255") +
+                                     " and lie at its edge, so they are treated as no data; declare that "
+                                     "with gdal_edit.py -a_nodata " +
+                                     (collar < 0 ? "-9999." : "255."));
+        warnings_.clear();
+    }
+}
+
 TEST_F(Ndvi, otherProductsAreRefused) {
     const auto text = [this](const std::string& value) {
         return "The NDVI " + quoted("side.tif") + " has the value " + value +
-               ", and an NDVI lies between -1 and 1; set the scale of a scaled product, for example with "
-               "gdal_edit.py -scale 0.0001, or compute it as (NIR - red) / (NIR + red) and clamp it.";
+               ", and an NDVI lies between -1 and 1; if it stands for no data, declare that with "
+               "gdal_edit.py -a_nodata " +
+               value +
+               ", else set the scale of a scaled product, for example with gdal_edit.py -scale 0.0001, or "
+               "compute it as (NIR - red) / (NIR + red) and clamp it.";
     };
     write(path("side.tif"), {.cols = 4, .type = GDT_Int16, .values = {0, 1, 6000, 1}});
     EXPECT_EQ(refusal(), text("6000"));

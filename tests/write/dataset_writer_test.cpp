@@ -58,6 +58,19 @@ TEST_F(CreateTest, GeoPackageHasItsIndexAndOptions) {
     EXPECT_EQ(count(path("a.gpkg"), "contours"), -1);
 }
 
+TEST_F(CreateTest, OneTitleForSeveralLayersIsMadeUnique) {
+    WriteOptions options = to("a.gpkg");
+    options.layer_options = {"IDENTIFIER=mine"};
+    for (const bool overwrite : {false, true}) {
+        options.overwrite = overwrite;
+        write(options, 7);
+        EXPECT_EQ(sql(path("a.gpkg"),
+                      "SELECT group_concat(identifier, ', ') FROM (SELECT identifier FROM "
+                      "gpkg_contents WHERE data_type = 'features' ORDER BY identifier)"),
+                  "mine, mine (contours)");
+    }
+}
+
 TEST_F(CreateTest, ZAndNoCrs) {
     WriteOptions options = to("a.gpkg");
     const auto sink = open_sink(options, callbacks_);

@@ -225,11 +225,16 @@ std::string free_name(const reading::OgrOriginalLayer& original, std::initialize
 
 NameValueList layer_options(GDALDatasetH dataset, const LayerSpec& spec, const LayerSettings& setting) {
     NameValueList options(setting.options);
+    const auto unique = [&](const std::string& title) {
+        return title_exists(dataset, title) ? title + " (" + spec.name + ")" : title;
+    };
+    if (const char* given = CSLFetchNameValue(options.get(), "IDENTIFIER"))  // the same for several layers
+        options.set("IDENTIFIER", unique(given));
     const auto offer = [&](const char* name, const std::string& value) {
         if (!value.empty() && !options.has(name) && has_layer_option(setting.format.driver, name))
             options.set(name, value);
     };
-    offer("IDENTIFIER", title_exists(dataset, spec.title) ? spec.title + " (" + spec.name + ")" : spec.title);
+    offer("IDENTIFIER", unique(spec.title));
     offer("DESCRIPTION", spec.description);
     if (const reading::OgrOriginalLayer* const original = original_of(spec)) {
         offer("FID", free_name(*original, {original->fid_column(), "fid", "ogc_fid", "d2b_fid"}));

@@ -67,6 +67,8 @@ class Option:
             if not isinstance(value, bool):
                 raise TypeError(f"{self.argument} is a switch and must be True or False, not {value!r}")
             return [[]] if value else []
+        if self.name == "snodata" and value != value:  # rasterio's NoData may be NaN, which is never valid
+            return []
         if isinstance(value, collections.abc.Mapping):
             value = [f"{key}={item}" for key, item in value.items()]
         several = isinstance(value, collections.abc.Iterable) and not isinstance(value, (str, bytes, os.PathLike))
