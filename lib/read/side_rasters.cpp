@@ -54,6 +54,8 @@ class AlignedRaster {
     /// Finds values that stand for NoData without being declared. @param step, limits in the unit of the band
     /// @throws InputError
     [[nodiscard]] UndeclaredNodata find_undeclared(double step, const ElevationLimits& limits);
+    /// Number of cells of the raster that cover the window of the DEM.
+    [[nodiscard]] std::int64_t used_cells() const { return used_.points(); }
     /// Same as BandReader::exclude().
     void exclude(std::vector<double> undeclared) { reader_.exclude(std::move(undeclared)); }
     /// Returns the advice for a value that stands for no data: "declare that with gdal_edit.py -a_nodata 0".
@@ -413,7 +415,8 @@ class NdviSource final : public WarningSource {
     }
 
   private:
-    /// Takes values for no data that lie at the edge of the raster and are no index.
+    /// Takes values for no data that lie at the edge of the raster and are no index. Those of more than half
+    /// of the cells are refused later, because another product may have been given.
     void exclude_undeclared() {
         constexpr double step = 0.5;  // to the index around
         raster_.restrict_to({}, 1);
@@ -421,7 +424,7 @@ class NdviSource final : public WarningSource {
         std::vector<double> excluded;
         for (const std::vector<SharedValue>& some : {found.taken, found.named})
             for (const auto& [value, cells] : some)
-                if (std::abs(value) > 1 + rounding) {
+                if (std::abs(value) > 1 + rounding && 2 * cells <= raster_.used_cells()) {
                     excluded.push_back(value);
                     warnings().add(cells_have(cells, "the " + raster_.name()) + "the value " +
                                    value_text(value) +

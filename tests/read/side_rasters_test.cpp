@@ -380,6 +380,12 @@ TEST_F(Ndvi, undeclaredNodataIsNoIndex) {
                                      (collar < 0 ? "-9999." : "255."));
         warnings_.clear();
     }
+    RasterSpec elevations{.cols = side, .rows = side};
+    elevations.values.assign(side * side, 100);
+    std::fill_n(elevations.values.begin(), 10 * side, 0.1);
+    write(path("side.tif"), elevations);
+    expect_has(refusal(), "has the value 100,");
+    EXPECT_TRUE(warnings().empty());
 }
 
 TEST_F(Ndvi, otherProductsAreRefused) {
