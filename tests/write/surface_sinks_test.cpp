@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <bit>
 #include <cstring>
 #include <optional>
 
@@ -289,9 +291,12 @@ class GlbSinkTest : public SurfaceSinkCase {
         meta_.fields = {{"id", "", FieldType::integer, "", ""}, {"height", "", FieldType::real, "", ""}};
         meta_.provenance.crs_wkt = wkt_of(25832);
     }
-    /// Whole numbers of four bytes, or what has single precision in them.
+    /// Little-endian numbers of four bytes: whole ones, or floats.
     template <typename T>
-    static std::vector<T> numbers(const std::string& bytes) {
+    static std::vector<T> numbers(std::string bytes) {
+        if constexpr (std::endian::native == std::endian::big)
+            for (std::size_t i = 0; i + 4 <= bytes.size(); i += 4)
+                std::reverse(bytes.data() + i, bytes.data() + i + 4);
         std::vector<T> all(bytes.size() / sizeof(T));
         std::memcpy(all.data(), bytes.data(), bytes.size());
         return all;

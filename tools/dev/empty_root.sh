@@ -6,8 +6,10 @@ make_root() {
     debootstrap --variant=minbase "$1" "$2" "$mirror" >/dev/null
     # mktemp -d keeps all others out, and in there are others: apt's user, that of PostgreSQL.
     chmod 755 "$2"
-    # How packages are reached from here: proxies, certificates.
-    cp -r /etc/apt/apt.conf.d/. "$2/etc/apt/apt.conf.d/"
+    # How packages are reached from here: proxies, certificates; not the settings that a package brings.
+    for file in /etc/apt/apt.conf.d/*; do
+        dpkg-query -S "$file" >/dev/null 2>&1 || cp "$file" "$2/etc/apt/apt.conf.d/"
+    done
     cp /etc/resolv.conf "$2/etc/resolv.conf"
     for folder in /usr/local/share/ca-certificates /etc/ssl/certs; do
         if [ -d "$folder" ]; then
