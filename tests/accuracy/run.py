@@ -25,6 +25,7 @@ import tempfile
 import confidence
 import failures
 import learning
+import pooled
 import tables
 import thinning
 import walls
@@ -51,6 +52,7 @@ def measure(tools, place, work):
     find(tools, place, out)
     figures = score(tools, place, out)
     figures["name"] = place.title
+    figures["place"] = place.name
     figures["drawn"] = (place, out, figures["iou"])
     figures["cell"] = place.cell()
     figures["km2"] = place.km2()
@@ -134,6 +136,8 @@ def main(words):
         if shown:
             failures.plot(arguments.failures, shown)
     found = tables.all_tables(made, real, coarse) | more
+    if real:
+        found |= {"pooled": pooled.pooled_table(real), "pooled_confidence": pooled.pooled_confidence_table(real)}
     for name, lines in found.items():
         print(f"\n{name}\n", *lines, sep="\n")
     if arguments.plot:

@@ -16,6 +16,7 @@ import changes
 import confidence
 import failures
 import learning
+import pooled
 import tables
 import thinning
 import walls
@@ -66,6 +67,40 @@ class Coarse(unittest.TestCase):
         lines = tables.coarse_table([place("Here, thin", 0.5), place("There, thin", 0.75), place("Here, coarse", 0.25)])
         self.assertEqual(lines[2:], ["| thin | 2 m | 0.625 | - | 1.000 | 0.500 | - |",
                                      "| coarse | 2 m | 0.250 | - | 1.000 | 0.500 | - |"])
+
+
+class Pooled(unittest.TestCase):
+    def place(self, folder, cell, found, right, iou=0.5, rms=1.0, objects=((0.9, 1),)):
+        return {"name": folder.capitalize(), "place": folder, "cell": (2 * cell, cell), "iou": iou, "outline_rms_m": rms,
+                "reference": dict(zip(("objects_covered", "objects"), found)),
+                "found": dict(zip(("objects_covered", "objects"), right)), "objects": np.array(objects, float)}
+
+    def test_places_of_like_cells_and_points_are_counted_together(self):
+        lines = pooled.pooled_table([
+            self.place("bilbao", 2.502, (600, 1000), (0, 0), 0.71, None),
+            self.place("seville", 1, (4, 6), (3, 3), 0.904, 0.96),
+            self.place("dallas", 0.5, (1, 1), (1, 2), 0.8, 0.54),
+            self.place("delft", 0.5, (2, 2), (1, 2), 0.856, 1.22),
+            self.place("adelaide_fusa_1m", 1, (50, 50), (50, 50)),  # repeats a scan
+            self.place("elsewhere", 2.5, (500, 1000), (1, 1), 0.6, 2)])
+        self.assertEqual(lines[2:], [
+            "| 0.5 to 1 m (two places) | two and more | 6 of 8 (75 %) | 4 of 5 (80 %) | 86 to 90 % | 1.0 to 1.2 m |",
+            "| 0.5 m (Dallas) | one to two | 1 of 1 (100 %) | 1 of 2 (50 %) | 80 % | 0.5 m |",
+            "| 2.5 m (Bilbao) | unknown, heights in whole metres | 600 of 1,000 (60 %) | - | 71 % | - |",
+            "| 2.5 m (Elsewhere) | unknown | 500 of 1,000 (50 %) | 1 of 1 (100 %) | 60 % | 2.0 m |",
+            "| **all** (five places) |  | **1,107 of 2,009 (55 %)** | **6 of 8 (75 %)** | **60 to 90 %** | **0.5 to 2.0 m** |"])
+
+    def test_objects_of_like_confidence_are_counted_together(self):
+        lines = pooled.pooled_confidence_table([
+            self.place("delft", 1, (1, 1), (1, 1), objects=[(0.95, 1), (0.81, 0), (0.3, 0)]),
+            self.place("adelaide_fusa_1m", 1, (1, 1), (1, 1), objects=[(0.9, 0)]),
+            self.place("dallas", 1, (1, 1), (1, 1), objects=[(0.85, 1)] + [(0.1, 0)] * 999 + [(0.1, 1)])])
+        self.assertEqual(lines[2:], ["| 0.0 to 0.2 | 0 % of 1,000 |", "| 0.2 to 0.4 | 0 % of 1 |", "| 0.4 to 0.6 | - |",
+                                     "| 0.6 to 0.8 | - |", "| 0.8 to 1.0 | 67 % of 3 |"])
+
+    def test_each_place_is_in_one_row(self):
+        folders = [folder for row in pooled.POINTS.values() for folder in row] + list(pooled.REPEATED)
+        self.assertEqual(len(folders), len(set(folders)))
 
 
 class Confidence(unittest.TestCase):
