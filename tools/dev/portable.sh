@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes, on Debian 12, what runs on other Linux systems without their GDAL, PROJ and GEOS: a wheel for Debian's Python, and an
-# image for containers. Both bring the data of GDAL and PROJ. As root or with sudo.
+# image for containers. Both bring the data of GDAL and PROJ and the sample town. As root or with sudo.
 #   portable.sh [folder]
 # The folder, build-portable by default, gets the libraries, the build, dem2buildings-<version>-*.whl and dem2buildings-oci.tar.
 # What is there already is not built again.
@@ -62,7 +62,7 @@ copy_data "$wheel/dem2buildings/data"
 copy_licences "$wheel/licences"
 /usr/bin/python3 tools/python/make/make_wheel.py "$version" manylinux_2_36_x86_64 "$wheel/dem2buildings" "$wheel/licences" "$folder"
 
-# The image has the programs, their data and five libraries of Debian, but no shell.
+# The image has the programs, their data, the sample town and five libraries of Debian, but no shell.
 image=$folder/linux/image
 rm -rf "$image"
 own=$image/opt/dem2buildings
@@ -78,6 +78,8 @@ for library in libc.so.6 libm.so.6 libstdc++.so.6 libgcc_s.so.1; do
     cp -L "/lib/x86_64-linux-gnu/$library" "$image/lib/x86_64-linux-gnu/" 2>/dev/null ||
         cp -L "/usr/lib/x86_64-linux-gnu/$library" "$image/lib/x86_64-linux-gnu/"
 done
+mkdir "$own/sample_dems"
+cp sample_dems/town* "$own/sample_dems/"
 cp /usr/share/doc/libc6/copyright "$own/licences/libc6.txt"
 cp /usr/share/doc/gcc-12-base/copyright "$own/licences/gcc.txt"
 /usr/bin/python3 tools/packaging/image/make_image.py "$version" "$image" "$folder/dem2buildings-oci.tar"

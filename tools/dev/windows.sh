@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes dem2buildings-<version>-windows.zip on Debian 12: the plugin for QGIS, with the programs for 64-bit Windows, the data
-# of GDAL and PROJ and the licences in it. The programs need no other files. As root or with sudo.
+# of GDAL and PROJ, the sample town and the licences in it. The programs need no other files. As root or with sudo.
 #   windows.sh [folder]
 # The folder, build-windows by default, gets the libraries, the build and the zip. What is there already is not built again.
 set -euo pipefail
@@ -33,11 +33,12 @@ version=$(sed -nE 's/^project\(dem2buildings VERSION ([0-9.]+).*/\1/p' CMakeList
 zip=$folder/dem2buildings-$version-windows.zip
 content=$folder/windows/zip
 rm -rf "$content" "$zip"
-mkdir -p "$content/dem2buildings"/{bin,data/proj,licences}
+mkdir -p "$content/dem2buildings"/{bin,data/proj,licences,sample_dems}
 cp -r "$build/tools/qgis/dem2buildings/." "$content/dem2buildings/"
 for program in $programs; do
     x86_64-w64-mingw32-strip -o "$content/dem2buildings/bin/$program.exe" "$build/tools/$program.exe"
 done
+cp sample_dems/town* "$content/dem2buildings/sample_dems/"
 cp -r "$ROOT_WINDOWS/share/gdal" "$content/dem2buildings/data/gdal"
 cp "$ROOT_WINDOWS/share/proj/proj.db" "$content/dem2buildings/data/proj/"
 cp "$ROOT_WINDOWS"/licences/* "$content/dem2buildings/licences/"
