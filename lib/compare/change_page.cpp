@@ -110,7 +110,7 @@ std::unique_ptr<SurfaceSink> open_change_page(const SurveyRequest& request) {
                                       request.overwrite,
                                       {request.old_survey, request.new_survey, request.destination},
                                       writing::FileKind::page}),
-        {.dem = ground});
+        {.dem = ground, .title = request.title, .credit = request.credit});
     const std::array<float, std::size_t{ground_samples} * ground_samples> level{};
     page.relief->write(ground.window, level);
     return std::move(page.surface);

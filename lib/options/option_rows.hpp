@@ -173,7 +173,7 @@ template <class Value, class Chosen>
     return {};
 }
 
-/// Row of an option that takes one of a few words.
+/// Row of an option that takes one of a few words, in capital or small letters.
 template <class Value, class Field>
 OptionRow choice_row(std::string name, const Choices<Value>& choices, Field field, RowProperties columns) {
     const Texts words = words_of(choices);
@@ -181,10 +181,11 @@ OptionRow choice_row(std::string name, const Choices<Value>& choices, Field fiel
     row.choices = words;
     row.range = alternatives(words);
     row.apply = [field, choices, name = row.name, range = row.range](Request& request, OptionValues texts) {
-        const std::optional<Value> value = choice_of(choices, texts[0]);
-        if (!value)
+        const auto found = std::ranges::find_if(
+            choices, [&](const auto& choice) { return to_lower(choice.first) == to_lower(texts[0]); });
+        if (found == choices.end())
             refuse_value(name, range, texts[0]);
-        field(request) = *value;
+        field(request) = found->second;
     };
     row.texts = [field, choices](const Request& request) { return word_for(choices, field(request)); };
     return row;

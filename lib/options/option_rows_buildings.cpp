@@ -52,6 +52,7 @@ std::vector<OptionRow> footprints() {
                             [](auto& r) -> auto& { return r.options.write.footprints; },
                             {.title = "Footprints that get heights",
                              .section = DialogSection::detail,
+                             .everyday = true,
                              .help = "Give heights to footprints that exist, instead of outlining buildings.",
                              .details = "In any CRS. They come back as they are, with their own fields, and "
                                         "buildings found without a footprint go to the layer missing.",
@@ -235,7 +236,6 @@ std::vector<OptionRow> buildings() {
                               [](auto& r) -> auto& { return r.options.detect.min_building_height; },
                               {.title = "Minimum height of a building",
                                .section = DialogSection::basic,
-                               .everyday = true,
                                .help = "Lowest building to keep, by its p90; 0 keeps all.",
                                .details = "p90 is the height above ground that 90 % of its points do not "
                                           "exceed. Buildings are kept whole.",

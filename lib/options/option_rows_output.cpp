@@ -139,6 +139,7 @@ std::vector<OptionRow> also_written() {
         "roofs", [](auto& r) -> auto& { return r.options.write.roofs; },
         {.title = "Also write the planes of roofs",
          .section = DialogSection::output,
+         .everyday = true,
          .help = "Also write a layer of the faces of roofs, with their slopes and azimuths.",
          .details =
              "It is called roofs, or <name>_roofs with -nln; its polygons have the elevations of their "
@@ -239,14 +240,20 @@ std::vector<OptionRow> on_paper() {
                                .details = "A PNG has 150 pixels per inch.",
                                .python = Python::extract_file,
                                .repeats = false}));
-    rows.push_back(number_row("preview_scale", "<denominator>", {.lowest = 1, .highest = 1e8},
-                              [](auto& r) -> auto& { return r.options.write.preview_scale; },
-                              {.title = "Scale of the map on paper, such as 1000 for 1:1000",
-                               .section = DialogSection::output,
-                               .help = "Scale of the map on -preview_paper: 1000 for 1:1000.",
-                               .details = "By default the largest round scale at which the area fits.",
-                               .python = Python::extract_file,
-                               .repeats = false}));
+    OptionRow& scale =
+        rows.emplace_back(number_row("preview_scale", "<denominator>", {.lowest = 1, .highest = 1e8},
+                                     [](auto& r) -> auto& { return r.options.write.preview_scale; },
+                                     {.title = "Scale of the map on paper, such as 1000 for 1:1000",
+                                      .section = DialogSection::output,
+                                      .help = "Scale of the map on -preview_paper, such as 1000 or 1:1000.",
+                                      .details = "By default the largest round scale at which the area fits.",
+                                      .python = Python::extract_file,
+                                      .repeats = false}));
+    scale.apply = [apply = scale.apply](Request& request, OptionValues texts) {
+        const std::string& text = texts[0];
+        const bool is_ratio = text.starts_with("1:") && looks_like_number(text.substr(2));
+        apply(request, Texts{is_ratio ? text.substr(2) : text});
+    };
     rows.push_back(switch_row("landscape", [](auto& r) -> auto& { return r.options.write.landscape; },
                               {.title = "Paper in landscape format",
                                .section = DialogSection::output,

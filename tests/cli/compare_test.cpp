@@ -167,6 +167,15 @@ TEST_F(CompareTool, writesAPage) {
               0);
     EXPECT_EQ(read_bytes(path("out.html")), page);
     EXPECT_EQ(layer("out.gpkg", "changes").records.size(), 11U);
+    const auto titled = [this](const std::string& credit) {
+        EXPECT_EQ(compare({"-q", "-overwrite", "-page", "titled.html", "-title", "Town since 2020", "-credit",
+                           credit, "old.gpkg", "new.gpkg"})
+                      .status,
+                  0);
+        return read_bytes(path("titled.html"));
+    };
+    EXPECT_NE(titled("City").find("<title>Town since 2020</title>"), std::string::npos);
+    EXPECT_TRUE(titled("City") == titled("City") && titled("City") != titled("State"));
     expect_refusal(2, "Pages are written as HTML; give \"a.htm\" a name that ends in .html.",
                    {"-page", "a.htm", "old.gpkg", "new.gpkg"});
     // A run that fails leaves the page as it was.

@@ -91,13 +91,15 @@ TEST_F(OptionEffect, preview) {
 }
 
 TEST_F(OptionEffect, preview_paper) {
-    find({"-preview", "map.pdf", "-preview_paper", "A3"});
+    find({"-preview", "map.pdf", "-preview_paper", "a3"});
     // 297 x 420 mm are 842 x 1191 points.
     std::smatch box;
     const std::string pdf = read_bytes(path("map.pdf"));
     ASSERT_TRUE(std::regex_search(pdf, box, std::regex("/MediaBox \\[ 0 0 ([0-9.]+) ([0-9.]+) \\]")));
     EXPECT_NEAR(nlohmann::json::parse(box[1].str()).get<double>(), 841.9, 0.5);
     EXPECT_NEAR(nlohmann::json::parse(box[2].str()).get<double>(), 1190.6, 0.5);
+    expect_error(2, "-preview_paper must be A0, A1, A2, A3, A4 or A5, not 'a6'.",
+                 {"-preview", "map.pdf", "-preview_paper", "a6", "town.tif", "again.gpkg"});
 }
 
 TEST_F(OptionEffect, preview_scale) {
@@ -105,6 +107,12 @@ TEST_F(OptionEffect, preview_scale) {
     const std::string half = read_bytes(path("map.svg"));
     find({"-overwrite", "-preview", "map.svg", "-preview_paper", "A5", "-preview_scale", "1500"});
     EXPECT_TRUE(read_bytes(path("map.svg")) != half);
+    find({"-overwrite", "-preview", "map.svg", "-preview_paper", "A5", "-preview_scale", "1:3000"});
+    EXPECT_TRUE(read_bytes(path("map.svg")) == half);
+    for (const char* text : {"1:", "1:half", "2:3000", "1/3000"})
+        expect_error(
+            2, "-preview_scale must be a number from 1 to 100000000, not '" + std::string(text) + "'.",
+            {"-preview", "no.svg", "-preview_paper", "A5", "-preview_scale", text, "town.tif", "no.gpkg"});
     expect_error(
         2, "The area does not fit on A5 at 1:10; use -preview_scale ",
         {"-preview", "large.pdf", "-preview_paper", "A5", "-preview_scale", "10", "town.tif", "large.gpkg"});

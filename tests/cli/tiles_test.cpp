@@ -536,6 +536,7 @@ TEST_F(TilesTool, refusesADestinationThatIsThere) {
 
 TEST_F(TilesTool, printsTextsAboutItself) {
     EXPECT_TRUE(well({"--help"}).starts_with("Usage:\n  dem2buildings_tiles plan [options] <src_raster>"));
+    EXPECT_EQ(well({"--help-all"}), well({"-help"}));
     EXPECT_TRUE(well({"-version"}).starts_with("dem2buildings_tiles " D2B_VERSION ", GDAL "));
     EXPECT_TRUE(well({"-man"}).starts_with(".TH DEM2BUILDINGS_TILES 1"));
     EXPECT_TRUE(well({"-bash_completion"}).starts_with("# Completes command lines of dem2buildings_tiles"));

@@ -26,15 +26,16 @@ TEST(CompareCommandLine, readsOptionsAnywhere) {
 }
 
 TEST(CompareCommandLine, hasDefaults) {
-    const CompareCommand request = parse_compare_command_line({"a", "--", "-b"});
-    EXPECT_EQ(request.new_survey, "-b");
-    EXPECT_EQ(request.destination, "");
+    const CompareCommand request = parse_compare_command_line({"a", "--", "-help_all"});
+    EXPECT_EQ(request.new_survey, "-help_all");
+    EXPECT_EQ(request.destination + request.page + request.title + request.credit, "");
     EXPECT_FALSE(request.json || request.quiet || request.overwrite || request.help || request.version ||
                  request.man_page);
 }
 
 TEST(CompareCommandLine, asksForNoFileNamesWithHelp) {
-    EXPECT_TRUE(parse_compare_command_line({"--help"}).help);
+    for (const char* word : {"--help", "-help", "-h", "--help_all", "-help-all", "--help-all"})
+        EXPECT_TRUE(parse_compare_command_line({word}).help) << word;
     EXPECT_TRUE(parse_compare_command_line({"-version"}).version);
     EXPECT_TRUE(parse_compare_command_line({"-man"}).man_page);
 }
@@ -48,6 +49,17 @@ TEST(CompareCommandLine, refusesWrongFileNames) {
     EXPECT_EQ(refusal_of_compare({"a", ""}), "A file name is empty" + usage);
     EXPECT_EQ(refusal_of_compare({"a", "b", "/vsimem/c.gpkg"}),
               "The destination '/vsimem/c.gpkg' is in memory and lost when the program ends; give a file.");
+}
+
+TEST(CompareCommandLine, readsTheWordsOfAPage) {
+    const CompareCommand request = parse_compare_command_line(
+        {"-page", "p.html", "-title", "Town since 2020", "-credit=Survey, CC BY", "a", "b"});
+    EXPECT_EQ(request.title, "Town since 2020");
+    EXPECT_EQ(request.credit, "Survey, CC BY");
+    EXPECT_EQ(refusal_of_compare({"-title", "Town", "-credit", "Survey", "a", "b", "c"}),
+              "-title needs -page <file.html>; it is the title of the page.");
+    EXPECT_EQ(refusal_of_compare({"-credit", "Survey", "a", "b", "c"}),
+              "-credit needs -page <file.html>; it is written on the page.");
 }
 
 TEST(CompareCommandLine, refusesOptionsWithoutEffect) {

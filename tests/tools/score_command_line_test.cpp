@@ -53,6 +53,7 @@ TEST(ScoreCommandLine, takesFileNamesBehindTwoDashes) {
 
 TEST(ScoreCommandLine, asksForNoFileNamesWithHelp) {
     EXPECT_TRUE(parse_score_command_line({"--help"}).help);
+    EXPECT_TRUE(parse_score_command_line({"--help_all"}).help);
     EXPECT_TRUE(parse_score_command_line({"-version"}).version);
     EXPECT_TRUE(parse_score_command_line({"-man"}).man_page);
 }

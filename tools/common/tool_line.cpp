@@ -111,7 +111,9 @@ ToolLine Parser::parse(const std::vector<std::string>& arguments) const {
     const auto end = std::ranges::find(arguments, "--");
     ToolLine line;
     std::set<std::string> given;
-    for (const po::option& parsed : tokens(joined({arguments.begin(), end}))) {
+    std::vector<std::string> before(arguments.begin(), end);
+    std::ranges::transform(before, before.begin(), with_one_help);
+    for (const po::option& parsed : tokens(joined(before))) {
         const std::string& token = parsed.original_tokens.front();
         if (parsed.unregistered || (parsed.string_key.empty() && token.size() > 1 && token[0] == '-')) {
             line.unknown = line.unknown.value_or(token);
@@ -138,6 +140,11 @@ std::pair<std::string, std::string> split_name(const std::string& token) {
     const std::size_t first = token.starts_with("--") ? 2 : 1;
     const std::size_t equals = std::min(token.find('='), token.size());
     return {token.substr(first, equals - first), token.substr(equals)};
+}
+
+std::string with_one_help(const std::string& token) {
+    const std::string name = looks_like_option(token) ? token.substr(token.starts_with("--") ? 2 : 1) : "";
+    return name == "h" || name == "help_all" || name == "help-all" ? "-help" : token;
 }
 
 ToolLine take_apart(const std::vector<std::string>& arguments, const std::vector<ToolOption>& options,

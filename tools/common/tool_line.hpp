@@ -31,6 +31,10 @@ struct ToolLine {
 /// Splits "--te=1" into "te" and "=1".
 [[nodiscard]] std::pair<std::string, std::string> split_name(const std::string& token);
 
+/// Returns "-help" for -h, -help_all and -help-all, which mean the same where -help lists all options; other
+/// tokens stay.
+[[nodiscard]] std::string with_one_help(const std::string& token);
+
 /// Takes a command line apart. Options may stand anywhere, with one dash or two, their values behind a blank
 /// or an equals sign; "--" ends the options.
 /// @param program for messages @throws OptionError: given twice, without its value, a switch with one

@@ -33,6 +33,10 @@ void check_destination(const CompareCommand& request) {
         (!request.format.empty() || (request.overwrite && request.page.empty())))
         throw OptionError(std::string(request.format.empty() ? "-overwrite" : "-f") +
                           " has no effect without a destination; give one, or leave it out.");
+    if (request.page.empty() && !(request.title.empty() && request.credit.empty()))
+        throw OptionError(request.title.empty()
+                              ? "-credit needs -page <file.html>; it is written on the page."
+                              : "-title needs -page <file.html>; it is the title of the page.");
     if (request.destination.starts_with("/vsimem/"))
         throw OptionError("The destination '" + request.destination +
                           "' is in memory and lost when the program ends; give a file.");
@@ -56,6 +60,10 @@ const std::vector<CompareOption>& compare_options() {
           "Write a page for browsers that shows the buildings of both surveys, in turns, in the colours of "
           "their changes."},
          [](CompareCommand& r, Text value) { r.page = value; }},
+        {{"title", "<text>", "text", "Title of the page. Default: the name of its file."},
+         [](CompareCommand& r, Text value) { r.title = value; }},
+        {{"credit", "<text>", "text", "Source and licence of the data, for the page."},
+         [](CompareCommand& r, Text value) { r.credit = value; }},
         {{"json", "", "switch", "Print the summary as JSON."},
          [](CompareCommand& r, Text) { r.json = true; }},
         {{"q", "", "switch", "Print only the numbers of changes, and no progress."},

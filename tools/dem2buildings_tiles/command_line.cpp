@@ -260,7 +260,7 @@ TileCommand parse_tile_command_line(const Strings& arguments) {
             break;
         for (const TileOption& option : tile_options())
             if (option.steps.empty() && looks_like_option(argument) &&
-                split_name(argument).first == option.name) {
+                split_name(with_one_help(argument)).first == option.name) {
                 command.text = option.name;
                 return command;
             }

@@ -31,7 +31,9 @@ struct SurveyRequest {
     std::string destination;  ///< dataset of changes; "": none
     std::string format;       ///< OGR short name; deduced from the extension if empty
     bool overwrite = false;
-    std::string page;  ///< HTML file that shows both surveys in a browser; "": none
+    std::string page;    ///< HTML file that shows both surveys in a browser; "": none
+    std::string title;   ///< of the page; "": the name of its file
+    std::string credit;  ///< source and licence of the data, on the page
 };
 
 /// One of the compared surveys.
