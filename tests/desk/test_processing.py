@@ -127,7 +127,7 @@ class Toolbox(DeskCase):
         """Processing shows outputs whatever their flags say; files have a widget that asks for a name to write."""
         from processing.gui.ParametersPanel import ParametersPanel
         from qgis.gui import QgsFileWidget, QgsMessageBar
-        from qgis.PyQt.QtWidgets import QDialog
+        from qgis.PyQt.QtWidgets import QDialog, QLineEdit
 
         class Window(QDialog):
             def messageBar(self):
@@ -141,7 +141,26 @@ class Toolbox(DeskCase):
         self.assertEqual(page.widget.storageMode(), QgsFileWidget.SaveFile)
         page.setValue("/tmp/town.html")
         self.assertEqual(page.value(), "/tmp/town.html")
+        # What the program decides is called so, not "Not set".
+        for name in ("preview_scale", "snodata", "i", "min_gap", "min_wall", "regularize_tolerance"):
+            with self.subTest(name):
+                number = panel.wrappers[name]
+                line = number.widget.findChild(QLineEdit)
+                self.assertEqual((number.value(), line.text()), (None, "automatic"))
+                number.setValue(2.5)
+                self.assertEqual(number.value(), 2.5)
+                number.setValue(None)
+                self.assertEqual((number.value(), line.text() or line.placeholderText()), (None, "automatic"))
         window.close()
+
+    def test_a_model_may_give_each_number(self):
+        from processing.modeler.ModelerParametersDialog import ModelerParametersDialog
+        from qgis.core import QgsProcessingModelAlgorithm
+        from qgis.gui import QgsProcessingModelerParameterWidget
+        algorithm, model = self.algorithm(), QgsProcessingModelAlgorithm()
+        dialog = ModelerParametersDialog(algorithm, model)
+        for name in ("lod", "min_gap"):
+            self.assertIsInstance(dialog.widget.widget.wrappers[name], QgsProcessingModelerParameterWidget)
 
     def test_advanced_parameters_come_in_groups(self):
         algorithm = self.algorithm()
@@ -149,7 +168,11 @@ class Toolbox(DeskCase):
         names = [one.description() for one in shown]
         groups = [name.split(":")[0] if re.match("[A-Z][a-z]+: ", name) else "" for name in names]
         self.assertEqual(list(dict.fromkeys(groups)), ["", "Ground", "Trees", "Detail", "Output"])
-        for name in ("Trees: Vegetation index (NDVI)", "Detail: Number of levels in a building"):
+        for name in ("Trees: Vegetation index (NDVI)", "Detail: Number of levels in a building", "Output: Title",
+                     "Open options of the raster's format: NAME=VALUE", "Unit of the elevations: m, ft, us-ft or metres",
+                     "Range of valid elevations: lowest and highest [vertical unit of the input]",
+                     "Levels at these elevations: numbers with blanks between them [vertical unit of the input]",
+                     "Origin of the surface: x, y and z [m]"):
             self.assertIn(name, names)
 
     def test_defaults_are_shown(self):
@@ -157,7 +180,7 @@ class Toolbox(DeskCase):
         algorithm = self.algorithm()
         optional = QgsProcessingParameterDefinition.FlagOptional
         defaults = {"ground": 0, "layers": 2, "regularize": 0, "trace": 1, "levels": 1, "min_area": 30, "detail": 0.5,
-                    "min_confidence": 0.5, "split_height": 0, "surface_roof": 0, "fields": 0, "surface_of": 0}
+                    "min_confidence": 0.5, "split_height": 0, "surface_roof": 0, "fields": 0, "surface_of": 0, "preview_paper": 0}
         for name, default in defaults.items():
             with self.subTest(name):
                 parameter = algorithm.parameterDefinition(name)
@@ -217,6 +240,11 @@ class Toolbox(DeskCase):
         self.assertNotIn("-preset", log)
         self.assertNotIn("-fl", log)
         self.assertTrue((self.folder / "ground.tif").exists())
+        picture = str(self.folder / "town.pdf")
+        _, log = self.log_of(INPUT=town, preview=picture, preview_paper=0)
+        self.assertNotIn("-preview_paper", log)
+        _, log = self.log_of(INPUT=town, preview=picture, preview_paper=4, preview_scale=10000)
+        self.assertIn("-preview_paper A3 -preview_scale 10000", log)
         _, log = self.log_of(preset=1, fl="15 60, 100")
         self.assertIn("-preset thesis", log)
         self.assertIn("-fl 15 60 100", log)

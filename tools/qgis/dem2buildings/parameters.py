@@ -18,6 +18,8 @@ LAYER_OF = {"split_by": "split_layer"}
 # In the order in which they are asked for; the table says which option is in which.
 SECTIONS = ("Basic", "Ground", "Trees", "Detail", "Output", "Advanced")
 TERRAIN = "_model"
+# The first item of a choice, and the text of a number, that the program decides if it is not given.
+AUTOMATIC = "automatic"
 # Of a Basic option only this parameter is shown at first; the other one is for those who need it.
 ADVANCED_PARTS = {"ground"}
 
@@ -58,6 +60,8 @@ def _number(option):
     parameter = kinds(option["name"], _label(option), kinds.Integer if whole else kinds.Double, optional=not default)
     if default:
         parameter.setDefaultValue(float(default))
+    else:
+        parameter.setMetadata({"widget_wrapper": {"class": f"{__package__}.widgets.AutomaticNumber"}})
     for bound, setter in (("lowest", parameter.setMinimum), ("highest", parameter.setMaximum)):
         if bound in option:
             setter(option[bound])
@@ -71,12 +75,32 @@ def _label(option, title=None):
     return section + (title or option["title"]) + unit
 
 
+def _words(option):
+    """The words of a choice in the order of the dialog; None for the item of those without a default."""
+    return option["choices"] if default_of(option) in option["choices"] else [None, *option["choices"]]
+
+
 def _choice(option):
-    """Without a default nothing may be selected."""
-    default = default_of(option)
-    return QgsProcessingParameterEnum(option["name"], _label(option), option["choice_titles"],
-                                      optional=default not in option["choices"],
-                                      defaultValue=option["choices"].index(default) if default in option["choices"] else None)
+    words = _words(option)
+    default = default_of(option) if words == option["choices"] else None
+    titles = [AUTOMATIC] * (len(words) - len(option["choices"])) + option["choice_titles"]
+    return QgsProcessingParameterEnum(option["name"], _label(option), titles, defaultValue=words.index(default))
+
+
+def _form(values):
+    """How the text of an option is written, in the words of its synopsis; "" if it is any text."""
+    if re.fullmatch(r"<\w+>", values):
+        return ""
+    if values.endswith("...]"):
+        return "numbers with blanks between them"
+    *first, last = re.sub("[<>]", "", values).replace("|" if "|" in values else " ", "\n").split("\n")
+    return f"{', '.join(first)} {'or' if '|' in values else 'and'} {last}" if first else last
+
+
+def _text(option):
+    form = _form(option["values"])
+    return QgsProcessingParameterString(option["name"], _label(option, option["title"] + (f": {form}" if form else "")),
+                                        optional=True)
 
 
 def _endings(option):
@@ -97,7 +121,7 @@ def _file(option, name, endings):
     title = f"{option['title']} (.{endings[0]})" if option["repeatable"] else None
     parameter = QgsProcessingParameterString(name, _label(option, title), optional=True)
     files = ";;".join(f"{ending.upper()} (*.{ending})" for ending in endings)
-    parameter.setMetadata({"widget_wrapper": {"class": f"{__package__}.file_widget.SavedFile", "files": files}})
+    parameter.setMetadata({"widget_wrapper": {"class": f"{__package__}.widgets.SavedFile", "files": files}})
     return parameter
 
 
@@ -122,7 +146,7 @@ def make(option):
         return [SIMPLE[kind](name, _label(option), optional=True)]
     if kind.startswith("file:"):
         return [_file(option, *file) for file in _files(option).items()]
-    return [QgsProcessingParameterString(name, f"{_label(option)}: {option['values']}", optional=True)]
+    return [_text(option)]
 
 
 def all_of(table):
@@ -179,8 +203,8 @@ def _values(algorithm, option, given, context):
     if kind == "terrain" and given.get(name + TERRAIN):
         return [_file_of(algorithm.parameterAsRasterLayer(given, name + TERRAIN, context), name)]
     if kind in ("choice", "terrain"):
-        word = option["choices"][algorithm.parameterAsEnum(given, name, context)]
-        return None if word == default_of(option) else [word]
+        word = _words(option)[algorithm.parameterAsEnum(given, name, context)]
+        return None if word in (None, default_of(option)) else [word]
     if kind in ("whole", "number"):
         text = _plain(algorithm.parameterAsDouble(given, name, context))
         return None if default_of(option) and float(default_of(option)) == float(text) else [text]
