@@ -22,7 +22,7 @@ const en = {
   roofs: 'slanted roofs',
   faces: 'Faces of roofs',
   contours: 'Contours',
-  contoursTitle: 'Polygons that the stack is made of',
+  contoursTitle: 'Outlines of the parts of buildings',
   points: 'Points',
   pointsTitle: 'Corners of their outlines',
   rmseTitle: 'Root of the mean squared distance between this surface and the points of the buildings',
@@ -79,10 +79,11 @@ const en = {
   askTouch: 'tap it',
   askKeys: 'Enter: the one in the middle',
   aboutLevels:
-      'The slider in Details cuts the stack off above a level. Contours and points (corners of their outlines) ' +
-      'are counted of what is left; RMSE is the distance of its surface to the points of the buildings. At the right ' +
-      'end it shows slanted roofs, if the page has them.',
-  aboutFar: 'Far away a building is one block with a flat roof, nearby its stack.',
+      'Nearby a building is made of parts that stand on one another, far away it is one block with a flat roof. The ' +
+      'slider in Details leaves out the upper parts; at its right end it shows slanted roofs, if the page has them.',
+  aboutDetails:
+      'Details also counts the outlines of the parts that are left (contours) and their corners (points). RMSE says ' +
+      'how far the tops of the parts are from the measured heights.',
   source: 'Where it comes from',
   licences: 'Licences',
   madeBy: 'Made by dem2buildings. Drawn by three.js:',
@@ -123,7 +124,7 @@ const de = {
   roofs: 'geneigte Dächer',
   faces: 'Dachflächen',
   contours: 'Konturen',
-  contoursTitle: 'Polygone, aus denen der Stapel besteht',
+  contoursTitle: 'Umrisse der Gebäudeteile',
   points: 'Punkte',
   pointsTitle: 'Ecken ihrer Umrisse',
   rmseTitle: 'Wurzel des mittleren quadratischen Abstands zwischen dieser Oberfläche und den Punkten der Gebäude',
@@ -187,10 +188,12 @@ const de = {
   askTouch: 'antippen',
   askKeys: 'Eingabe: das in der Mitte',
   aboutLevels:
-      'Der Schieber unter Details schneidet den Stapel über einer Stufe ab. Konturen und Punkte (Ecken ihrer ' +
-      'Umrisse) sind die, die bleiben; RMSE ist der Abstand ihrer Oberfläche zu den Punkten der Gebäude. Am rechten ' +
-      'Ende zeigt er geneigte Dächer, wenn die Seite sie hat.',
-  aboutFar: 'In der Ferne ist ein Gebäude ein Block mit flachem Dach, in der Nähe sein Stapel.',
+      'In der Nähe besteht ein Gebäude aus Teilen, die aufeinander stehen, in der Ferne ist es ein Block mit flachem ' +
+      'Dach. Der Schieber unter Details lässt die oberen Teile weg; am rechten Ende zeigt er geneigte Dächer, wenn die ' +
+      'Seite sie hat.',
+  aboutDetails:
+      'Unter Details steht auch, wie viele Umrisse (Konturen) die übrigen Teile haben und wie viele Ecken (Punkte). ' +
+      'RMSE sagt, wie weit die Teile oben von den gemessenen Höhen entfernt sind.',
   source: 'Herkunft',
   licences: 'Lizenzen',
   madeBy: 'Gemacht mit dem2buildings, gezeichnet mit three.js:',
