@@ -2,7 +2,7 @@
 # without apt-get, what is installed already has to do.
 
 build_packages="g++ cmake make ninja-build libgdal-dev libgeos-dev libproj-dev libgeographiclib-dev libsqlite3-dev
-    libboost-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev pkg-config libcairo2-dev libpango1.0-dev"
+    libboost-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev pkgconf libcairo2-dev libpango1.0-dev"
 
 # What dem2buildings_mesh is built with; without it, all else is built.
 mesh_packages="libcgal-dev"
