@@ -32,10 +32,10 @@ std::string doubt_of_given(const detect::GroundFit& fit, const std::string& terr
            (median < 0 ? "above" : "below") + " the surface where nothing stands on it (median)" + see;
 }
 
-/// Warns of elevations that -ground none takes for heights.
-std::string elevations_warning(const detect::GroundFit& fit) {
+/// Begins a warning of elevations that -ground none takes as heights.
+std::string taken_as_heights(double median) {
     return "-ground none takes elevations as heights above the ground, and their median is " +
-           rounded(fit.median()) + " m, with NoData around; give a terrain model with -ground";
+           rounded(median) + " m";
 }
 
 constexpr double least_length_m = 150;   // length of cuts next to walls: a street has less by chance
@@ -123,8 +123,10 @@ std::string search_ground_warning(Search search) {
     constexpr double tall_m = 20;
     constexpr double nearly_all = 0.95;
     if (mode == GroundMode::none && islands.narrow_most())
-        return search.scene.fit.share_above(tall_m) < nearly_all ? std::string()
-                                                                 : elevations_warning(search.scene.fit);
+        return search.scene.fit.share_above(tall_m) < nearly_all
+                   ? std::string()
+                   : taken_as_heights(search.scene.fit.median()) +
+                         ", with NoData around; give a terrain model with -ground";
     return ground_warning(search.scene.fit, mode, search.plan.asked.ground.terrain);
 }
 
@@ -287,8 +289,7 @@ std::string ground_warning(const detect::GroundFit& fit, GroundMode mode, const 
     if (mode == GroundMode::given)
         return doubt_of_given(fit, terrain, few);
     if (mode == GroundMode::none)
-        return "-ground none takes elevations as heights above the ground, and their median is " +
-               rounded(few ? fit.median() : fit.bare_median()) + " m" + (few ? "" : " where they are low") +
+        return taken_as_heights(few ? fit.median() : fit.bare_median()) + (few ? "" : " where they are low") +
                "; give a terrain model with -ground, or leave -ground out to have the ground estimated";
     return within(fit) + "the ground that was estimated" +
            (few ? "" : ", and these " + rounded(fit.bare_median()) + " m above it (median)") +
