@@ -68,7 +68,7 @@ double number_of(const reading::FieldFeature& feature, Field field) {
     return error == std::errc() && stop == end ? value : RoofHeights::nan;
 }
 
-/// Collects what a comparison needs of the buildings of a survey.
+/// Collects a survey's buildings with the values that a comparison needs.
 class SurveyCollector {
   public:
     explicit SurveyCollector(const Crs& crs) : geodesy_(crs) {}

@@ -79,7 +79,7 @@ std::vector<SharedArea> shared_areas(std::span<const Polygons> old_outlines,
 }
 
 /// Matches buildings that share at least half of the smaller one, and buildings that several of the other
-/// survey cover by half. One survey may divide what the other joins, so a match may have several of each.
+/// survey cover by half. A match may have several of each, because either survey may divide buildings.
 /// @return every building once: first those with a new building, by their first one, then the others
 std::vector<MatchedBuildings> match_buildings(std::size_t old_count, std::size_t new_count,
                                               std::span<const SharedArea> shared) {

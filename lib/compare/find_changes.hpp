@@ -8,7 +8,7 @@
 
 namespace d2b::compare {
 
-/// Building in both surveys or in one of them, with what both know of it. If one survey divides it, the
+/// Building in both surveys or in one of them, with its values in each. If one survey divides it, its
 /// values are those of all parts together. NaN: unknown, or not in that survey.
 struct ChangedBuilding {
     Change change = Change::same;

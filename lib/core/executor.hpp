@@ -24,7 +24,7 @@ class Executor {
     /// @param threads including the caller's; 1 starts none. If the system refuses to start that many, half
     /// of those that it would start are used
     /// @param stop checked by any thread before each work item; if it returns true, the loop throws Cancelled
-    /// @param on_work told what each thread does, except for nested calls
+    /// @param on_work receives the work of each thread, except for nested calls
     explicit Executor(int threads = 1, std::function<bool()> stop = {}, WorkListener on_work = {});
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;

@@ -199,7 +199,7 @@ class Profile {
         return bank >= lowest_bank_m &&
                bank >= std::min(end.height, slices_[slices_.size() / 2].height) - bank_step_m;
     }
-    /// Returns the median height of what lies beyond an end.
+    /// Returns the median height of the cells beyond an end.
     [[nodiscard]] double height_beyond(const Slice& end, const Slice& inner) const {
         const Point from = centroid(inner);
         const Point to = centroid(end);

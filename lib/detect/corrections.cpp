@@ -60,7 +60,7 @@ class BuildingMaker {
         const Label label = detection_.labels.values[cell];
         return label <= found() && merged_[label] != 0 ? merged_[label] : label;
     }
-    /// Labels the connected pieces of what has changed after the other objects; 0 where a piece is too small.
+    /// Labels the connected pieces of the changed cells after the other objects; 0 where one is too small.
     /// @param[out] object_of object of each label
     [[nodiscard]] Grid<Label> changed_pieces(std::vector<Label>& object_of, Executor& threads) const;
     /// True for a polygon, and for an object that has lost cells to one.
@@ -146,7 +146,7 @@ Grid<Label> BuildingMaker::changed_pieces(std::vector<Label>& object_of, Executo
     return labels;
 }
 
-/// Makes an object of each connected piece of what has changed, and drops pieces that are too small.
+/// Makes an object of each connected piece of the changed cells, and drops pieces that are too small.
 void BuildingMaker::renumber(Executor& threads) {
     std::vector<Label> object_of;
     const Grid<Label> labels = changed_pieces(object_of, threads);

@@ -9,9 +9,9 @@
 
 namespace d2b::detect {
 
-/// Makes buildings of what an editor says are some, with a confidence of 1. The cells of a polygon that rise
+/// Makes buildings of places that an editor marks, with a confidence of 1. The cells of a polygon that rise
 /// by `min_height` become one building per connected piece, together with all objects of which half or more
-/// lies in it; others lose these cells. Pieces with fewer than `min_cells` are dropped, also of what is left
+/// lies in it; others lose these cells. Pieces with fewer than `min_cells` are dropped, also remaining ones
 /// of others; a polygon with fewer has no effect. The object below a point becomes a building. Where
 /// corrections overlap, the first takes the cells. Objects are numbered anew: buildings first, each kind in
 /// scan order. Halo: the polygons and the objects that they meet.

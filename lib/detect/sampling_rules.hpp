@@ -7,7 +7,7 @@
 namespace d2b::detect {
 
 /// Rules about sparse points and coarse cells. Each is a function of the share of cells without a pulse and
-/// of the cell size, so that no other file decides what is sparse.
+/// of the cell size, so that no other file defines sparseness.
 ///
 /// `filled` is the share of cells without a pulse (SurfaceQuality), from which the points per cell follow as
 /// -ln(filled); `side` is the cell size in m.

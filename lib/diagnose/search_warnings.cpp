@@ -136,7 +136,7 @@ std::string surface_doubt(Search search) {
     return ground.empty() ? surface_warning(search.scene.fit, search.dem.name) : ground;
 }
 
-/// Returns true if what was found was found in a picture or a hillshade: three bands of bytes, or bands or
+/// Returns true if objects were found in a picture or a hillshade: three bands of bytes, or bands or
 /// bytes far above the ground that was estimated, because that is their shadows. Lights of a hillshade also
 /// rise by more than a building above all cells around them. One band of bytes above a plausible ground is
 /// elevations in whole metres.

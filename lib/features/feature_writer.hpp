@@ -54,7 +54,7 @@ class RejectedLayer {
     /// @param input must outlive this @param layer index of the layer in the sink
     RejectedLayer(const FeatureInput& input, std::size_t layer) : input_(input), layer_(layer) {}
 
-    /// Records a contour whose polygon differs from what was requested.
+    /// Records a contour with a polygon that differs from the requested one.
     void note(std::size_t contour, LayerRole role, std::int64_t id, const FeaturePolygon& made);
     /// Writes contours dropped or filled by filters, in the order of keys, followed by the recorded ones.
     /// @param makers one per thread @param rounded null if the destination does not round

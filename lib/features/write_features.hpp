@@ -35,7 +35,7 @@ class BuildingRecords {
     std::vector<SpoolEntry> entries_;  ///< by building; empty for a building without outline
 };
 
-/// Contours of a run with their outlines, and what is needed to draw and write their features.
+/// Contours of a run with their outlines, and all data needed to draw and write their features.
 struct FeatureInput {
     const RunSetup& setup;
     const contours::StoredContours& contours;

@@ -171,7 +171,7 @@ void count_rejected(const detect::RejectedObjects& rejected, const Window& own, 
         }
 }
 
-/// Objects that were found in a unit, and what they were found in.
+/// Objects of a unit, with the scene and the detection that hold them.
 struct SearchedUnit {
     const detect::Scene& scene;
     const detect::Detection& detection;

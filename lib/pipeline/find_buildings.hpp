@@ -117,7 +117,7 @@ inline constexpr double halo_widths = 5;
 
 /// Detects buildings in a window and merges objects that cross seams. Units are processed one after the other
 /// because that bounds memory.
-/// @param given receives what the units have seen of it; null without
+/// @param given receives the statistics of the units for each footprint; null without
 /// @throws InputError, OutputError, Cancelled
 [[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size = {},
                                             GivenFootprints* given = nullptr);

@@ -64,7 +64,7 @@ struct GivenFootprints {
     std::unique_ptr<Spool> spool;
     Window window;
 
-    /// Adds what a unit has seen of a footprint. @param metres per vertical unit
+    /// Adds the statistics of a footprint in a unit. @param metres per vertical unit
     void add(std::size_t footprint, const detect::SeenFootprint& seen, double metres);
     /// Returns the labels of a layer in a part of the window.
     [[nodiscard]] Grid<Label> labels(std::size_t layer, const Window& part, Executor& threads) const;

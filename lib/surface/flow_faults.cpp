@@ -344,7 +344,7 @@ void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>>
     reach_.resize(plan_.nodes().size(), std::max(limits_.gap, limits_.wall));
     std::vector<bool> is_old_node(plan_.nodes().size());
     std::vector<bool> ends_old_edge(plan_.nodes().size());
-    // Nodes look for changes, because most nodes depend on a small part of what lies within the limits.
+    // Searches around nodes for changes, because most nodes depend on a small part of the plan nearby.
     EdgeGrid changed;
     for (std::uint32_t i = 0; i < changes.size(); ++i) {
         const auto [from, to] = changes[i];

@@ -15,7 +15,7 @@ struct CellBox {
     std::int32_t bottom = 0;
 };
 
-/// The box around what a thing covers, in the scene.
+/// Returns the bounding box of a thing in the scene.
 [[nodiscard]] Rect extent(const Building& building);
 [[nodiscard]] Rect extent(const Tree& tree);
 [[nodiscard]] Rect extent(const Block& block);

@@ -8,7 +8,7 @@
 
 namespace d2b::sample {
 
-/// What the roofs of a draft have in common. Heights in metres above ground.
+/// Properties that the roofs of a draft share. Heights in metres above ground.
 struct RoofStyle {
     Roof roof = Roof::flat;
     double eave = 6;

@@ -9,7 +9,7 @@ namespace d2b::sample {
 
 namespace {
 
-/// What stands in the country, by how often.
+/// Draws a house of the country; common forms are drawn more often.
 Draft home(const Rect& house, double eave, Random& random) {
     const RoofStyle gabled{Roof::gabled, eave, random.between(0.4, 1.0)};
     const int form = random.below(12);

@@ -37,7 +37,7 @@ struct DatasetCloser {
 };
 using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
 
-/// Closing writes what is still in memory. GDAL 3.6 returns nothing from it, but leaves its error.
+/// Writes the data still in memory by closing. GDAL 3.6 returns nothing from it, but leaves its error.
 inline void close(Dataset dataset, const std::string& path) {
     CPLErrorReset();
     dataset.reset();

@@ -18,7 +18,7 @@ Scene sloping(std::uint64_t seed, double slope_y, double relief) {
     return scene;
 }
 
-/// One walled level of a slope, and what stands on it.
+/// Builds one walled level of a slope and the buildings on it.
 void build_level(Scene& scene, Random& random, const Position& centre, const Direction& turn) {
     const Site level = site_around(scene, random, centre, turn, random.eighths(60, 110), 21);
     scene.ground.level(level.frame, level.rect());

@@ -11,7 +11,7 @@ namespace d2b::sample {
 /// A pulse on its way down.
 struct Pulse {
     Position at;
-    std::uint64_t draw = 0;  ///< a number of its own, for what chance decides
+    std::uint64_t draw = 0;  ///< a number of its own, for decisions by chance
 };
 
 /// Pulses by the cell in which they come down.

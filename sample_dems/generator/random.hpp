@@ -14,7 +14,7 @@ constexpr std::uint64_t mix(std::uint64_t z) {
     return z ^ (z >> 31U);
 }
 
-/// A number for a place: what stands at (i, j) does not depend on what was drawn before, so that any part of
+/// A number for a place: the things at (i, j) do not depend on earlier draws, so that any part of
 /// a scene can be made alone.
 constexpr std::uint64_t hash(std::uint64_t seed, std::int64_t i, std::int64_t j) {
     return mix(mix(mix(seed) ^ static_cast<std::uint64_t>(i)) ^ static_cast<std::uint64_t>(j));

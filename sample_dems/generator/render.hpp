@@ -36,7 +36,7 @@ struct VerticalUnit {
 void render(const Scene& scene, const Grid& grid, const VerticalUnit& unit, std::int32_t first_row,
             std::int32_t rows, std::span<float> elevations);
 
-/// Raises whole rows of elevations in metres to what stands on the ground of a scene.
+/// Raises whole rows of elevations in metres to the tops of the things that stand in a scene.
 /// @param metres rows * grid.cols values
 void raise(const Scene& scene, const Grid& grid, std::int32_t first_row, std::int32_t rows,
            std::span<double> metres);

@@ -15,7 +15,7 @@ namespace d2b::sample {
 namespace {
 
 constexpr double level_below = 8;  // degrees
-/// Square metres: far above what rounding leaves between pieces, far below any face.
+/// Square metres: far above the slivers that rounding leaves between pieces, far below any face.
 constexpr double least_area = 1e-6;
 constexpr double rounding = 1e-9;   // metres
 constexpr double longest_peak = 1;  // metres: a shorter ridge is the peak of a pyramid
@@ -83,7 +83,7 @@ std::vector<Plane> planes_of(const RoofPart& part) {
     return planes;
 }
 
-/// What of a convex ring lies where a plane is not negative.
+/// Returns the part of a convex ring where a plane is not negative.
 WorldRing clipped(const WorldRing& ring, const Plane& side) {
     WorldRing result;
     for (std::size_t i = 0; i < ring.size(); ++i) {

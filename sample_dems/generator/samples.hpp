@@ -8,7 +8,7 @@
 
 namespace d2b::sample {
 
-/// A sample DEM: what stands there and how it is sampled.
+/// A sample DEM: its scene and how it is sampled.
 struct Sample {
     std::string name;  ///< of the file without extension, and of the layer of its truth
     RasterSpec raster;

@@ -14,7 +14,7 @@ namespace d2b::sample {
 
 namespace {
 
-/// What is solid sends a pulse back where it touches it first: at the highest of its middle and four points
+/// Returns the height at which a pulse first touches a solid: the highest of its middle and four points
 /// of its rim.
 template <typename Solid>
 std::optional<double> first_return(const Solid& solid, const Pulse& pulse, double beam) {
@@ -28,12 +28,12 @@ std::optional<double> first_return(const Solid& solid, const Pulse& pulse, doubl
     return highest;
 }
 
-/// Leaves let some of it through: it is sent back from the crown's depth, or by what is below.
+/// Returns the height in a crown that sends the pulse back; none where it passes through to lower things.
 std::optional<double> first_return(const Tree& tree, const Pulse& pulse, double /*beam*/) {
     return tree.first_return(pulse.at, pulse.draw);
 }
 
-/// Rows that are being scanned: what each pulse has met so far.
+/// Rows that are being scanned, with the highest return of each pulse so far.
 struct ScanRows {
     const Grid& grid;
     const Survey& survey;

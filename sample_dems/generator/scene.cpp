@@ -16,7 +16,7 @@ std::optional<double> Tree::elevation_at(const Position& p) const {
     const double twig = 0.75;  // metres: leaves that hide each other
     const double random = uniform_at(seed, std::llround(p.x / twig), std::llround(p.y / twig));
     if (random < 0.25 * r)
-        return std::nullopt;  // a gap: the laser reaches what is below
+        return std::nullopt;  // a gap: the laser reaches the things below
     const double shape = conifer ? 1 - 0.8 * r : 1 - 0.5 * r * r * r;
     return ground + height * shape * (0.86 + 0.28 * (random - 0.5));
 }

@@ -43,8 +43,8 @@ struct Parcel {
     WorldPolygon polygon;  ///< scene coordinates; neighbours share their corners
 };
 
-/// All that stands in some area. Parts of a scene can be made and rendered alone: the elevation of a cell
-/// depends on what covers it, not on the order or the number of other things.
+/// All things that stand in some area. Parts of a scene can be made and rendered alone: the elevation of a
+/// cell depends on the things that cover it, not on the order or the number of others.
 struct Scene {
     std::uint64_t seed = 0;
     Ground ground;

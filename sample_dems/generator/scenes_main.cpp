@@ -28,7 +28,7 @@ constexpr const char* usage =
     "-later surveys each place twice, before and after changes: old.tif, new.tif and changes.gpkg with what\n"
     "changed. -east and -north displace the second raster.\n";
 
-/// What can be told before the folder.
+/// Options that may precede the folder.
 struct Choices {
     std::uint64_t seed = 1;
     std::optional<double> cell;
@@ -57,7 +57,7 @@ bool is_option(const std::string& word) {
            std::find(number_options.begin(), number_options.end(), word) != number_options.end();
 }
 
-/// Takes an option and its value off the words. @return what is wrong with it; "" if nothing is
+/// Takes an option and its value off the words. @return the fault in it; "" if there is none
 std::string take_option(std::vector<std::string>& words, Choices& choices) {
     const std::string option = words[0];
     const std::string value = words[1];

@@ -35,7 +35,7 @@ struct Site {
     void plant_garden(const Rect& garden, int count, std::size_t first_building) const;
 };
 
-/// What stands on a site, by quarter.
+/// Builders of sites, by kind of quarter.
 void build_perimeter(const Site& site);  ///< closed blocks around courtyards
 void build_rows(const Site& site);       ///< terraces of houses that share walls
 void build_villas(const Site& site);     ///< single houses in gardens

@@ -18,7 +18,7 @@ struct Survey {
     double cell = 1;     ///< metres
     double pulses = 4;   ///< a square metre, as they are sent; 0: the surface itself at the middles of cells
     double kept = 1;     ///< share of the pulses that thinning leaves, drawn at random
-    double beam = 0.15;  ///< radius of a pulse on a roof, metres: what it touches first sends it back
+    double beam = 0.15;  ///< radius of a pulse on a roof, metres: the first thing that it touches returns it
     double range_noise = 0.03;  ///< standard deviation of an elevation, metres
     double fill_reach = 1.5;    ///< cells without a return are filled from so many cells around
     GapFilling filling = GapFilling::nearest;

@@ -26,7 +26,7 @@ struct TownPlan {
     [[nodiscard]] std::array<Position, 4> corners(std::int32_t col, std::int32_t row) const;
 };
 
-/// Adds what stands in a quarter to a scene, on the scene's ground.
+/// Adds the buildings and trees of a quarter to a scene, on the scene's ground.
 void build_quarter(const TownPlan& plan, std::int32_t col, std::int32_t row, Scene& scene);
 /// Adds all quarters that may reach into y0 <= y <= y1: all that the rows of a raster between them need.
 /// Towns that are too large for memory are rendered this way, a strip at a time.

@@ -13,7 +13,7 @@ namespace d2b::sample {
 
 namespace {
 
-// What GeoPackages say of their last change; any fixed moment serves.
+// Time that GeoPackages record as their last change; any fixed moment serves.
 constexpr const char* written_at = "2025-01-01T00:00:00.000Z";
 
 struct Field {
@@ -76,7 +76,7 @@ void set_values(OGRFeature& feature, const Building& building, const VerticalUni
     feature.SetField("length_m", building.length);
 }
 
-/// What polygons cover, in pieces that share no wall.
+/// Returns the union of polygons, in pieces that share no wall.
 OGRMultiPolygon union_of(const OGRMultiPolygon& all, const std::string& path) {
     OGRMultiPolygon result;
     if (all.IsEmpty())

@@ -4,7 +4,7 @@
 
 namespace d2b {
 
-/// A script for Bash: after an option what its case says, after a dash the names of options, else files.
+/// A script for Bash: completes by the case of an option after it, by names after a dash, else by files.
 /// @param cases of a `case` over the word before, each a line that returns
 /// @param names with their dashes, blanks between them
 [[nodiscard]] std::string completion_script(const std::string& program, const std::string& cases,

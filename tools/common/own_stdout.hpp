@@ -12,8 +12,8 @@
 
 namespace d2b {
 
-/// Keeps the standard output for what the tool itself writes, through std::cout and /vsistdout/: while it
-/// lives, what libraries print to stdout goes to stderr, and a reader that goes away is an error of writing
+/// Keeps the standard output for the tool's own text, through std::cout and /vsistdout/: while it
+/// lives, text of libraries to stdout goes to stderr, and a reader that goes away is an error of writing
 /// instead of the end of the process. Without a standard output libraries print where they did.
 class OwnStdout {
   public:
@@ -22,9 +22,9 @@ class OwnStdout {
     OwnStdout& operator=(const OwnStdout&) = delete;
     ~OwnStdout();
 
-    /// Of a result. @throws OutputError where not all has been written
+    /// Finishes a result. @throws OutputError if not all has been written
     void finish();
-    /// Of what is told beside a result, which stands: warns where not all has been written.
+    /// Finishes a text beside a result, which stays valid: warns if not all has been written.
     void finish_aside();
 
     /// A report that is the result, or a part of it: nothing shows of a run whose report is lost. @param text

@@ -41,8 +41,8 @@ int run_guarded(int argc, const char* const* argv, const Tool& tool) {
     const std::string no_memory = "There is not enough memory; " + tool.memory_advice + ".";
     try {
         const int status = run(system::arguments(argc, argv), tool);
-        // What cannot be written, a report say, must not look as if it had been.
-        // The second condition holds where GDAL could not write to /vsistdout/, of which it says nothing.
+        // Checks the output, because a lost one, such as a report, must not look as if it had been written.
+        // The second condition holds if GDAL could not write to /vsistdout/, because it does not report that.
         if (!std::cout.flush() || std::ferror(stdout) != 0)
             writing::throw_stdout_failure();
         return status;

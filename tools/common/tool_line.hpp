@@ -8,7 +8,7 @@
 
 namespace d2b {
 
-/// What the parser and all texts about an option need to know of it.
+/// Description of an option for the parser and for all texts about it.
 struct ToolOption {
     std::string name;   ///< without dash
     std::string value;  ///< "<name>"; "" for a switch; of several values: "<x> <y>"

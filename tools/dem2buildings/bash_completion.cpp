@@ -31,7 +31,7 @@ bool names_a_file(OptionKind kind) {
     }
 }
 
-/// What follows the option: words, a file, or something that cannot be guessed.
+/// Completion after an option: words, a file, or nothing if the value cannot be guessed.
 std::string action(const OptionRow& row) {
     const std::string words = joined(row.choices, " ");
     if (names_a_file(row.kind))

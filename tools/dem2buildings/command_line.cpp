@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view usage = "usage: dem2buildings [options] <src_raster>... <dst_vector>";
 
-/// What was asked for in place of a run; the first that was given counts.
+/// Returns true if a text is requested in place of a run; the first such option counts.
 bool asks_for_text(const std::vector<GivenOption>& given, Request& request) {
     for (const GivenOption& option : given) {
         Request asked;

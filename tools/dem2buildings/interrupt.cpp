@@ -7,7 +7,7 @@
 namespace d2b {
 namespace {
 
-// A signal handler can reach nothing but what is global, and nothing that takes a lock.
+// A signal handler can reach only global variables, and none that takes a lock.
 // NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<int> signal_seen = 0;
 static_assert(std::atomic<int>::is_always_lock_free);

@@ -9,7 +9,7 @@ void catch_interrupts();
 /// Whether one of them has come. Any thread may ask.
 [[nodiscard]] bool interrupted();
 
-/// What a shell reports of a program that the signal ended: 130 for SIGINT, 143 for SIGTERM.
+/// Exit status that a shell reports for a program ended by the signal: 130 for SIGINT, 143 for SIGTERM.
 [[nodiscard]] int interrupt_status();
 
 }  // namespace d2b

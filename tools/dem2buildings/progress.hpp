@@ -20,7 +20,7 @@ class TerminalProgress {
     /// Ends a line that was begun.
     ~TerminalProgress();
 
-    /// @param share done, 0 to 1; what is below the last one adds nothing
+    /// @param share done, 0 to 1; a share below the last one adds nothing
     void update(double share);
     /// Calls `say`, which writes a line to the same terminal: at the beginning of a line, and progress goes
     /// on in one of its own.
@@ -40,9 +40,9 @@ class TerminalProgress {
 /// outlive them @param quiet true to print no progress
 [[nodiscard]] Callbacks terminal_callbacks(TerminalProgress& progress, bool quiet);
 
-/// What was written, on a line: "1,234 buildings and 5,678 contours in delft.gpkg"; and what the report
-/// counts beside: "(left out: 12 below -min_area, 3 below -min_confidence; filled: 5 holes)".
-/// @param layers what the destination gets
+/// Counts of the written features on a line: "1,234 buildings and 5,678 contours in delft.gpkg"; and the
+/// report's other counts: "(left out: 12 below -min_area, 3 below -min_confidence; filled: 5 holes)".
+/// @param layers of the destination
 [[nodiscard]] std::string summary(const RunReport& report, Layers layers, const std::string& destination);
 
 /// Returns one line with the option that would improve most buildings, or "" if none would improve one in

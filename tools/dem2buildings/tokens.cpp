@@ -19,7 +19,7 @@ namespace {
 namespace po = boost::program_options;
 using Strings = std::vector<std::string>;
 
-/// What continues the list of -fl. MIN and MAX, which gdal_contour knows, belong to it to be refused by name.
+/// Recognises values of -fl. MIN and MAX, which gdal_contour knows, count because they are refused by name.
 bool looks_like_level(const std::string& token) {
     return looks_like_number(token) || token == "MIN" || token == "MAX";
 }

@@ -8,7 +8,7 @@
 
 namespace d2b::mesh {
 
-/// What is in the way of a closed 2-manifold, and at which point.
+/// Fault that keeps a shell from being a closed 2-manifold, and a point of it.
 struct ShellFault {
     std::string what;  ///< "touches itself in an edge"
     std::uint32_t point = 0;

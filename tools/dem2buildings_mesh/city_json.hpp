@@ -8,7 +8,7 @@
 
 namespace d2b::mesh {
 
-/// JSON of a file, with sentences about what is not as it should be.
+/// JSON of a file, with sentences about its faults.
 class CityJson {
   public:
     using Json = nlohmann::json;

@@ -28,7 +28,7 @@ struct CityBuilding {
     std::string whole = {};  ///< key of the divided building that it is a part of; "" where it is one itself
 };
 
-/// What a CityJSON file of buildings says. Coordinates are translate + step * scale, in units of the CRS.
+/// Content of a CityJSON file of buildings. Coordinates are translate + step * scale, in units of the CRS.
 struct CityModel {
     std::string name;  ///< of the file, for messages
     std::array<double, 3> scale{1, 1, 1};

@@ -62,7 +62,7 @@ class PanelMaker {
         panel.right_high = height(inside, outside, right_node);
         return panel;
     }
-    /// Of one side of an edge at a node. @param other what lies on the other side
+    /// Height of one side of an edge at a node. @param other region on the other side
     [[nodiscard]] std::int64_t height(std::int32_t region, std::int32_t other, std::uint32_t node) const {
         if (region >= 0)
             return heights_.top(region, node);

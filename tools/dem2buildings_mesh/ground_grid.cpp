@@ -33,7 +33,7 @@ GroundGrid::GroundGrid(std::int32_t rows, std::int32_t cols, std::vector<double>
     fill_gaps();
 }
 
-/// From what is known outwards, a ring of cells after the other.
+/// Fills gaps outwards from the known cells, one ring of cells after the other.
 void GroundGrid::fill_gaps() {
     std::vector<std::size_t> front;
     const auto cols = static_cast<std::size_t>(cols_);

@@ -9,7 +9,7 @@ namespace d2b::mesh {
 
 /// Two lines, for a command line without arguments.
 [[nodiscard]] std::string mesh_short_usage();
-/// What --help prints, in lines of at most 80 characters.
+/// The text of --help, in lines of at most 80 characters.
 [[nodiscard]] std::string mesh_help();
 /// The man page, as roff.
 [[nodiscard]] std::string mesh_man_page();

@@ -54,7 +54,7 @@ void measure_shell(const NamedShell& shell, double min_angle, MeshReport& report
         }
         const auto [angle, corner] = smallest_angle(from_above(at));
         report.smallest_angle = std::min(report.smallest_angle, angle);
-        // What lies below is the same triangle.
+        // Leaves out ground and plate, because their triangles are those above.
         if (angle < min_angle && (triangle.part == ShellPart::roof || triangle.part == ShellPart::terrain)) {
             const std::array<double, 3> place =
                 shell.frame.coordinates(shell.shell.points[triangle.points[corner]]);

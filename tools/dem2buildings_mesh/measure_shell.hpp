@@ -5,7 +5,7 @@
 
 namespace d2b::mesh {
 
-/// Fills in what a report says of points, triangles, angles and edges of a shell.
+/// Fills in a report's figures of the points, triangles, angles and edges of a shell.
 void measure_shell(const NamedShell& shell, double min_angle, MeshReport& report);
 
 }  // namespace d2b::mesh

@@ -64,7 +64,7 @@ PlanFrame frame_of(const CityModel& city, const CityPlan& plan, const Crs& crs) 
     return frame;
 }
 
-/// The middle of what is there, below its lowest point, in whole metres.
+/// The middle of the shell, below its lowest point, in whole metres.
 std::array<double, 3> middle_of(const Shell& shell, const SurfaceFrame& frame) {
     std::array<double, 3> low = frame.local(shell.points.front());
     std::array<double, 3> high = low;

@@ -28,7 +28,7 @@ std::string list(const std::array<double, 3>& numbers) {
     return "[" + numbers_text(numbers, ",") + "]";
 }
 
-/// What is written: sides and plate are no part of a city.
+/// Selects the triangles that are written: sides and plate are no part of a city.
 bool is_of_city(Triangles triangles) {
     return triangles.front().building >= 0 || triangles.front().part == ShellPart::terrain;
 }

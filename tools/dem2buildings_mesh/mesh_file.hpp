@@ -12,7 +12,7 @@
 
 namespace d2b::mesh {
 
-/// A shell and what it is of.
+/// A shell with the model and the frame that it belongs to.
 struct NamedShell {
     const CityModel& city;
     const SurfaceFrame& frame;

@@ -12,7 +12,7 @@
 
 namespace d2b::mesh {
 
-/// What is to be meshed, and how.
+/// Input, destination and rules of a mesh.
 struct MeshRequest {
     std::string city;         ///< CityJSON that -surface has written
     std::string destination;  ///< .stl, .obj or .city.json
@@ -35,7 +35,7 @@ struct NamedPlace {
     std::string building;  ///< "" for none
 };
 
-/// What became of it.
+/// Figures of a finished mesh.
 struct MeshReport {
     std::int64_t buildings = 0;
     std::int64_t footprint_points = 0;  ///< distinct corners of the footprints

@@ -21,7 +21,7 @@ void write_obj(const NamedShell& shell, const TextSink& sink);
 /// terrain.
 void write_city_json(const NamedShell& shell, const TextSink& sink);
 
-/// Calls for each run of triangles of one building, and of each part of what belongs to none.
+/// Calls for each run of triangles of one building, and of each part that belongs to none.
 void for_each_object(
     const NamedShell& shell,
     const std::function<void(const std::string& name, std::span<const ShellTriangle>)>& take);

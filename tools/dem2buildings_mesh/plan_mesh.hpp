@@ -16,7 +16,7 @@ namespace d2b::mesh {
 /// In place of a region: outside of the terrain.
 inline constexpr std::int32_t beyond = -2;
 
-/// What is to be divided into triangles: a partition of the plane. Lengths are steps of the plan, x to the
+/// Partition of the plane, to be divided into triangles. Lengths are steps of the plan, x to the
 /// east and y to the north.
 struct PlanDrawing {
     std::vector<Position> nodes;
@@ -34,11 +34,11 @@ struct PlanMesh {
     std::vector<PlanTriangle> triangles;
 };
 
-/// What triangles have to be like.
+/// Rules that triangles have to keep.
 struct RefineRules {
     double min_angle = 20.7;  ///< degrees
     double max_edge = 0;      ///< steps; 0: no limit
-    /// What else has to be divided; may be empty.
+    /// Tells whether a triangle has to be divided for another reason; may be empty.
     std::function<bool(const std::array<Position, 3>&)> too_coarse = {};
 };
 
@@ -49,7 +49,7 @@ inline constexpr double sure_angle = 20.7;
 /// Beyond the sure angle: how many times the points that the sure angle takes.
 inline constexpr std::size_t most_points_a_point = 10;
 
-/// How many points triangles without longer edges have at least, on what of a plan is divided into them and
+/// Least number of points of triangles without longer edges, on the divided part of a plan and
 /// on its edges. @param most steps
 [[nodiscard]] double fewest_points(const PlanDrawing& drawing, double most);
 

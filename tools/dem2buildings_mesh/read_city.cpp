@@ -17,7 +17,7 @@ namespace {
 
 using Json = CityJson::Json;
 
-/// Products of two stay far from the ends of what is computed with.
+/// Largest step, so that products of two stay far from the limits of the arithmetic.
 constexpr std::int64_t farthest = std::int64_t{1} << 40;
 
 std::array<double, 3> three_numbers(const CityJson& file, const Json& transform, const std::string& key) {

@@ -42,7 +42,7 @@ std::array<Position, 3> corners_of(const Face& face) {
     return corners;
 }
 
-/// What CGAL asks of each triangle; names are those of its concept MeshingCriteria_2.
+/// Criteria that CGAL applies to each triangle; names are those of its concept MeshingCriteria_2.
 class Criteria {
   public:
     struct Quality {
@@ -72,7 +72,7 @@ class Criteria {
     };
 
     Criteria(const RefineRules& rules, double angle) : rules_(&rules) {
-        // A little more than is asked for, as corners are rounded in the end; an eighth is what is sure.
+        // Asks for a little more, because corners are rounded in the end; an eighth is the sure limit.
         const double sine = std::sin(angle * std::numbers::pi / 180);
         constexpr double sure = 0.125;
         bound_ = angle <= sure_angle ? std::min(sure, sine * sine * 1.0003) : sine * sine * 1.0003;

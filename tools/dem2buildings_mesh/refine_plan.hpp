@@ -6,7 +6,7 @@
 
 namespace d2b::mesh {
 
-/// Edges cross, or do not agree on what lies between them.
+/// Edges cross, or disagree on the region between them.
 struct PlanFault : GeometryError {
     explicit PlanFault(const Position& place) : GeometryError("The plan is not a partition."), at(place) {}
     Position at;

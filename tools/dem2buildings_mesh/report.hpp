@@ -11,7 +11,7 @@ namespace d2b::mesh {
 /// A figure a line, and the first of the places.
 [[nodiscard]] std::string mesh_text(const MeshRequest& request, const MeshReport& report);
 
-/// A JSON object with a line feed at its end; keys always in the same order, null for what there is not.
+/// A JSON object with a line feed at its end; keys always in the same order, null for missing values.
 [[nodiscard]] std::string mesh_json(const MeshRequest& request, const MeshReport& report,
                                     const std::vector<std::string>& warnings);
 

@@ -9,7 +9,7 @@
 
 namespace d2b::mesh {
 
-/// What a triangle of the shell is a part of.
+/// Part of the shell that a triangle belongs to.
 enum class ShellPart { roof, wall, ground, terrain, sides, plate };
 
 struct ShellTriangle {

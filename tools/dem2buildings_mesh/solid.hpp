@@ -17,7 +17,7 @@ struct SolidFace {
     std::vector<std::vector<SurfacePoint>> rings;
 };
 
-/// What is wrong with a solid: ends a sentence that begins with its name. Nothing where every edge is passed
+/// Fault of a solid: ends a sentence that begins with its name. Nothing where every edge is passed
 /// once each way, roofs and grounds are level and face up and down, walls stand upright, and the roofs cover
 /// as much as the grounds. All of it is decided on integers. @param slanted true if roofs need only be plane,
 /// within two steps of height

@@ -17,7 +17,7 @@
 namespace d2b::mesh {
 namespace {
 
-/// Each halves what stands too far apart.
+/// Number of rounds; each halves the panels that are too long.
 constexpr int most_rounds = 12;
 
 /// A corner over a node of the plan.
@@ -73,7 +73,7 @@ double Builder::length(const Corner& a, const Corner& b) const {
                       static_cast<double>(b.z - a.z) * frame_.metres_of_height());
 }
 
-/// A roof, or terrain, and what lies below it.
+/// Adds a roof, or terrain, and the level below it.
 void Builder::add_level(const PlanTriangle& triangle) {
     CornerTriangle top{ShellPart::terrain, -1, {}};
     CornerTriangle below{ShellPart::plate, -1, {}};

@@ -16,7 +16,7 @@ namespace d2b::mesh {
 /// @return nodes of the drawing that lie more than a cell outside of the raster
 std::size_t lay_ground(PlanDrawing& drawing, GroundGrid& grid, double margin_metres, const PlanFrame& frame);
 
-/// What RefineRules::too_coarse is to be: triangles that are too far from a cell, or whose edges are too long
+/// Function for RefineRules::too_coarse: finds triangles that are too far from a cell, or have edges too long
 /// on the slope. Those below a 64th of a cell are left as they are: only where the terrain
 /// rises by more than 40 errors from a cell to the next one can that matter.
 [[nodiscard]] std::function<bool(const std::array<Position, 3>&)> too_far_from(const GroundGrid& grid,

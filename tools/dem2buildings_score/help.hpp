@@ -8,11 +8,11 @@ namespace d2b {
 
 /// Two lines, for a command line without arguments.
 [[nodiscard]] std::string score_short_usage();
-/// What --help prints, in lines of at most 80 characters.
+/// The text of --help, in lines of at most 80 characters.
 [[nodiscard]] std::string score_help();
 /// The man page, as roff.
 [[nodiscard]] std::string score_man_page();
-/// The options that say what is measured of footprints, as JSON: name, kind and help of each.
+/// The options for measures of footprints, as JSON: name, kind and help of each.
 [[nodiscard]] std::string score_options_json();
 
 }  // namespace d2b

@@ -7,10 +7,10 @@
 
 namespace d2b {
 
-/// A figure a line. @param quiet without what was compared and the numbers behind the figures
+/// A figure a line. @param quiet leaves out the compared files and the numbers behind the figures
 [[nodiscard]] std::string score_text(const ScoreRequest& request, const ScoreRun& run, bool quiet);
 
-/// A JSON object with a line feed at its end; keys always in the same order, null for what cannot be told.
+/// A JSON object with a line feed at its end; keys always in the same order, null for unknown values.
 [[nodiscard]] std::string score_json(const ScoreRequest& request, const ScoreRun& run,
                                      const std::vector<std::string>& warnings);
 

@@ -61,7 +61,7 @@ void apply(const TileOption& option, const std::string& value, TileCommand& comm
         command.quiet = true;
 }
 
-/// Takes the program's own options out of the arguments. @return what is left
+/// Takes the program's own options out of the arguments. @return the remaining ones
 Strings take_own(const TileStepName& step, const Strings& arguments, TileCommand& command) {
     Strings left;
     Strings given;

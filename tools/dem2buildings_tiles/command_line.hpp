@@ -8,7 +8,7 @@
 
 namespace d2b {
 
-/// What the program can be asked to do.
+/// Commands of the program.
 enum class TileCommandKind { plan, find, join, draw, merge, write, text };
 
 /// An option of the program's own.
@@ -16,7 +16,7 @@ struct TileOption {
     std::string_view name;   ///< without dash
     std::string_view value;  ///< "<units>"; "" for a switch
     std::string_view help;
-    std::string_view steps;  ///< that take it, separated by blanks; "" for what takes the place of a step
+    std::string_view steps;  ///< that take it, separated by blanks; "" for an option in the place of a step
 };
 [[nodiscard]] const std::vector<TileOption>& tile_options();
 
@@ -39,7 +39,7 @@ struct TileCommand {
     int threads = 0;                  ///< of all but plan; 0: as plan was given
     bool json = false;                ///< of merge
     bool quiet = false;
-    /// The command line of dem2buildings that plan was given, and what it asks for.
+    /// The command line of dem2buildings that plan was given, and the request that it makes.
     std::vector<std::string> words;
     Request request;
 };

@@ -8,7 +8,7 @@ namespace d2b {
 
 /// Two lines, for a command line without arguments.
 [[nodiscard]] std::string tiles_short_usage();
-/// What --help prints, in lines of at most 80 characters.
+/// The text of --help, in lines of at most 80 characters.
 [[nodiscard]] std::string tiles_help();
 /// The man page, as roff.
 [[nodiscard]] std::string tiles_man_page();

@@ -11,7 +11,7 @@
 
 namespace d2b {
 
-/// What `plan` decided, as <work>/plan.json has it.
+/// Decisions of `plan`, as <work>/plan.json has them.
 struct TilePlan {
     static constexpr int most_side = 1000;
 
@@ -26,7 +26,7 @@ struct TilePlan {
     UndeclaredNodata undeclared = {};  ///< of the source
 };
 
-/// What a tile is expected to take, with one thread.
+/// Expected cost of a tile, with one thread.
 struct TileCost {
     double find_seconds = 0;
     double draw_seconds = 0;

@@ -69,7 +69,7 @@ std::vector<reading::SourceFile> files_behind(const Options& options) {
     return files;
 }
 
-/// What is in the folder was planned otherwise, and would be lost to who needs it.
+/// Refuses a folder with another plan, because that would be lost to its users.
 void require_no_other(const std::filesystem::path& work, const TilePlan& plan) {
     if (!std::filesystem::exists(work / "plan.json"))
         return;
@@ -126,7 +126,7 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
         std::cout << spoken(plan, cost, command.work);
 }
 
-/// What a step after plan begins with.
+/// Plan, options and inputs that a step after plan begins with.
 struct Planned {
     KnownPlan known;
     Options options;
@@ -163,8 +163,8 @@ Planned open_planned(const TileCommand& command, const Callbacks& callbacks) {
     return planned;
 }
 
-/// What a step works with. @param features the destination, or in its place a PlannedSink
-/// @throws InputError where the plan is not what is made of its options
+/// Begins the run of a step. @param features the destination, or in its place a PlannedSink
+/// @throws InputError where the plan is not the one that its options make
 std::unique_ptr<tiles::TileRun> begin_step(const Planned& planned, FeatureSink& features,
                                            const Callbacks& callbacks) {
     auto run = std::make_unique<tiles::TileRun>(planned.known.work, planned.options, planned.inputs.sources(),
@@ -200,7 +200,7 @@ void join(const TileCommand& command, const Callbacks& callbacks) {
     tiles::join_tiles(*begin_step(planned, nowhere, callbacks));
 }
 
-/// Other files would have been written over; and what merge has numbered it does not number again.
+/// Merges the tiles into the destination, or numbers them where each has files of its own.
 RunReport merged(const Planned& planned, const ReportReader<RunReport>& reader, const Callbacks& callbacks) {
     const auto sink = open_sink(planned.options.write, callbacks);
     const auto run = begin_step(planned, *sink, callbacks);
@@ -280,7 +280,7 @@ void write(const TileCommand& command, const Callbacks& callbacks) {
 }  // namespace
 
 void run_step(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& callbacks) {
-    // What there is to warn of plan has told, or merge will tell once for all tiles.
+    // Drops warnings, because plan has given them, or merge will give them once for all tiles.
     Callbacks silent = callbacks;
     silent.on_warning = nullptr;
     switch (command.kind) {

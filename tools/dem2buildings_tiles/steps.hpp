@@ -6,7 +6,7 @@
 
 namespace d2b {
 
-/// Does what the command line asks for. What is to be read is printed to stdout. @throws Error
+/// Does the work that the command line asks for. Texts are printed to stdout. @throws Error
 void run_step(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& callbacks);
 
 }  // namespace d2b

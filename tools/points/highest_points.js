@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // Makes a raster of the highest points of a LAS or LAZ file, for dem2buildings:
 //     node highest_points.js scan.laz 0.5 dsm.flt
-// Cells are squares of the given side, in the unit of the file. What is classified as noise (7, 18) or withheld is left
+// Cells are squares of the given side, in the unit of the file. Points classified as noise (7, 18) or withheld are left
 // out; cells without a point are NoData. The result is a grid of 32-bit floats with a header, dsm.flt and dsm.hdr, which
 // GDAL reads. LAZ needs the package laz-perf (npm install laz-perf); LAS needs none.
 "use strict";
@@ -17,7 +17,7 @@ function fail(message) {
   process.exit(1);
 }
 
-/** What the public header says of the points; the format is described in the LAS specification 1.4, table 3. */
+/** Returns the public header's account of the points; its format is described in the LAS specification 1.4, table 3. */
 function headerOf(data) {
   if (data.length < 227 || data.toString("latin1", 0, 4) !== "LASF") fail("the file is neither LAS nor LAZ; give one of these");
   const count = data[25] >= 4 && data.length >= 255 ? Number(data.readBigUInt64LE(247)) : 0;

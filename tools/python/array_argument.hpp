@@ -9,7 +9,7 @@
 
 namespace d2b {
 
-/// A NumPy array of two dimensions as it lies in memory; it must outlive what is returned.
+/// A NumPy array of two dimensions as it lies in memory; it must outlive the result.
 /// @param mask a NumPy array of bool of the same shape, true where a point is not valid; or nothing
 /// @throws pybind11::type_error where it has no elevations
 [[nodiscard]] ElevationArray elevation_array(std::string name, const pybind11::array& values,

@@ -15,7 +15,7 @@ FieldColumn empty_column(FieldType type) {
     return column;
 }
 
-/// What stands in a column where there is no value.
+/// Value that marks a missing one in a column.
 template <typename Value>
 Value no_value() {
     if constexpr (std::is_same_v<Value, double>)

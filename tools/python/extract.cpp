@@ -26,12 +26,12 @@ namespace d2b {
 namespace {
 
 namespace py = pybind11;
-using PyArray = std::pair<py::array, std::optional<py::array>>;  ///< values, and what is masked
+using PyArray = std::pair<py::array, std::optional<py::array>>;  ///< values, and the masked cells
 /// By the option that each stands for.
 using PyArrays = std::map<std::string, PyArray>;
 using Opener = std::function<std::unique_ptr<DemSource>(const ReadOptions&, const Callbacks&)>;
 
-/// What extract() gives back, before it has the names that Python users see.
+/// Result of extract(), before it has the names that Python users see.
 struct Extraction {
     std::vector<std::shared_ptr<CollectedLayer>> layers;
     Provenance provenance;
@@ -42,7 +42,7 @@ Callbacks callbacks_of(const PythonEars& ears) {
     return {ears.warn, ears.progress, ears.stop, [] { return std::make_unique<FileSpool>(); }, {}};
 }
 
-/// @param beside which must outlive what is returned
+/// @param beside must outlive the result
 AuxiliaryArrays side_arrays(const PyArrays& beside) {
     AuxiliaryArrays arrays;
     for (const auto& [option, array] : beside) {

@@ -11,7 +11,7 @@ namespace d2b {
 /// Options by the names of the table, each with its values as texts.
 using GivenOptions = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-/// What the options stand for, each checked by the table. @throws OptionError
+/// Options with the given values, each checked by the table. @throws OptionError
 [[nodiscard]] Options options_of(const GivenOptions& given);
 
 }  // namespace d2b

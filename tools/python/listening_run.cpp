@@ -19,7 +19,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// What the work says and the listener has not heard yet.
+/// News of the work that the listener has not heard yet.
 struct News {
     std::vector<std::string> warnings;
     std::optional<double> share;
@@ -50,7 +50,7 @@ class Mailbox {
     }
     [[nodiscard]] bool stopped() const { return stop_.load(std::memory_order_relaxed); }
 
-    /// What is new, after a moment at most.
+    /// Returns the latest news, after a moment at most.
     News wait() {
         constexpr std::chrono::milliseconds moment{50};
         std::unique_lock lock(mutex_);

@@ -7,7 +7,7 @@
 #include "python/layer.hpp"
 #include "python/score.hpp"
 
-/// What the package dem2buildings is made on; users import that.
+/// The module that the package dem2buildings is made on; users import that package.
 PYBIND11_MODULE(_core, module) {
     d2b::translate_errors();
     module.attr("version") = d2b::version;

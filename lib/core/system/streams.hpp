@@ -12,7 +12,7 @@ void prepare_streams();
 /// Both stdout and stderr.
 [[nodiscard]] bool are_terminals();
 
-/// Returns a copy of stdout, and sends to stderr what is printed to stdout from now on. @return null if there
+/// Redirects stdout to stderr from now on. @return a copy of stdout, or null if there
 /// is no stdout
 [[nodiscard]] std::FILE* divert_stdout();
 /// Undoes this.

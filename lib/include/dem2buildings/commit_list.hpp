@@ -63,8 +63,8 @@ class CommitList {
     void add(PendingResult& result) { results_.push_back(&result); }
 
     /// Publishes everything, then calls `tell`, which may announce it, for example by a report on the
-    /// standard output. @throws OutputError after rolling back; if that is impossible, the message says what
-    /// has changed. @throws any other exception of `tell`, after rolling back
+    /// standard output. @throws OutputError after rolling back; if that is impossible, the message lists the
+    /// remaining changes. @throws any other exception of `tell`, after rolling back
     void publish(const std::function<void()>& tell = {});
 
   private:

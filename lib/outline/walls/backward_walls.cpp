@@ -21,7 +21,7 @@ class BackwardWalls {
     [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 < walls_.size() ? i + 1 : 0; }
     [[nodiscard]] std::size_t previous(std::size_t i) const { return (i > 0 ? i : walls_.size()) - 1; }
     [[nodiscard]] bool runs_backwards(std::size_t i) const;
-    /// Number of steps, from the beginnings of walls alone, which are what is kept up to date.
+    /// Number of steps, from the beginnings of walls alone, because their ends are not kept up to date.
     [[nodiscard]] std::size_t steps(std::size_t i) const {
         if (!closed_)
             return (i + 1 < walls_.size() ? walls_[i + 1].first : end_) - walls_[i].first;

@@ -70,7 +70,7 @@ struct BorderObject {
     std::int64_t cells = 0;  ///< number of these cells
     std::int64_t unit = 0;
     Label label = 0;  ///< label in the unit
-    Label whole = 0;  ///< label in the unit of what it is a part of
+    Label whole = 0;  ///< label of its whole object in the unit
 };
 
 /// Objects at the seams of all units. Units are added in any order but compared row by row, so that the edges

@@ -10,7 +10,7 @@
 namespace d2b::tiles {
 namespace {
 
-/// Tiles by what they see: those of a row of tiles see the same rows, those of a column the same columns.
+/// Windows that tiles see: tiles of one row see the same rows, tiles of one column the same columns.
 class SeenWindows {
   public:
     explicit SeenWindows(const TileGrid& tiles) : cols_(tiles.cols()) {

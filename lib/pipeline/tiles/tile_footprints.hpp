@@ -18,7 +18,7 @@ struct PlannedFootprints {
 /// Returns none for a run without footprints. @throws InputError
 [[nodiscard]] PlannedFootprints load_planned_footprints(TileRun& run, std::int64_t tile);
 
-/// Adds what all tiles have seen of footprints, as if units had come row by row. @throws InputError
+/// Adds the statistics of footprints from all tiles, as if units had come row by row. @throws InputError
 void add_seen_footprints(const TileRun& run, pipeline::GivenFootprints& given);
 
 }  // namespace d2b::tiles

@@ -69,7 +69,7 @@ function partsBegin(town, building, origin, direction, level) {
   return begins;
 }
 
-// Returns the first shown building on a ray, using what is shown at a level, and the ray parameter; -1 and Infinity if
+// Returns the first shown building that a ray hits at a level, and the ray parameter; -1 and Infinity if
 // there is none.
 export function hitOnRay(town, origin, direction, level) {
   let best = Infinity;
