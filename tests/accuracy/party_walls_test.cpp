@@ -39,7 +39,7 @@ std::vector<Segment> edges_of(const WorldRing& ring) {
     return edges;
 }
 
-/// What two have, once in each direction. To the millimetre.
+/// Segments that two rings share, once in each direction. To the millimetre.
 std::vector<Segment> shared_among(const std::vector<WorldRing>& rings) {
     using Place = std::pair<long long, long long>;
     const auto place = [](const Position& p) {

@@ -1,4 +1,4 @@
-// d2b_evidence <dsm.tif> <truth.tif>: what the judge of lib/detect sees of each object of a surface in
+// d2b_evidence <dsm.tif> <truth.tif>: the evidence of lib/detect for each object of a surface in
 // metres, and the share of the object's cells where the other raster, on the same grid, is not 0. Lines of
 // CSV.
 #include <algorithm>

@@ -18,7 +18,7 @@ score::ScoreSide side_of(const std::vector<PolygonFeature>& features) {
     return score::score_side(features, overlay);
 }
 
-/// A scene as it was found, and what the run says of it.
+/// A scene's score, with the sampling and the warnings that the run reports.
 struct Scored : Score {
     SamplingReport sampling;
     std::vector<std::string> warnings;

@@ -133,7 +133,7 @@ double area_where(const std::function<bool(double, double)>& holds) {
     return area;
 }
 
-/// Contours of one shape and one threshold, and how they differ from what lies above it.
+/// Contours of one shape and one threshold, and their differences from the surface above it.
 struct Tier {
     double threshold = 0;
     double farthest = 0;

@@ -10,7 +10,7 @@
 
 namespace d2b::bench {
 
-/// A square city of any size. What stands where is drawn from the seed and the place alone, so that any rows
+/// A square city of any size. Each place is drawn from the seed and the place alone, so that any rows
 /// can be rendered without the others, and a larger city of the same seed is no other kind of city.
 struct CitySpec {
     std::int32_t side = 2000;  ///< cells along an edge

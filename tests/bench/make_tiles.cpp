@@ -1,6 +1,6 @@
-// make_tiles <work> <contours a tile> find|draw: what a step of a plan would have written for each of its
-// tiles, had each been a unit with so many contours of small houses. The readers of these files do not look
-// behind them: join and merge are measured on countries that nobody has the disk for.
+// make_tiles <work> <contours a tile> find|draw: writes the files of a plan's step for each of its
+// tiles, as if each were a unit with so many contours of small houses. The readers of these files do not look
+// behind them: this measures join and merge on countries that nobody has the disk for.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>

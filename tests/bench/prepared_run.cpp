@@ -122,7 +122,7 @@ std::unique_ptr<StoredContours> PreparedRun::filter(std::vector<FinishedContour>
                            decided.detects_buildings()};
     ContourArchive store({noise, area, frame.range, frame.fixed, found.footprints.empty()},
                          std::make_unique<MemorySpool>(), context);
-    // The store's names are other ones where it drops what the list keeps.
+    // The store's names differ from the list's because it drops contours that the list keeps.
     std::vector<std::int64_t> names;
     for (FinishedContour& one : finished) {
         std::erase_if(one.children, [&](std::int64_t i) { return names[static_cast<std::size_t>(i)] < 0; });

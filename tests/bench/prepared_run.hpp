@@ -25,7 +25,7 @@ using namespace d2b::outline;
 using namespace pipeline;
 using namespace reading;
 
-/// What every stage gets from those before it, made once.
+/// Input of every stage from those before it, made once.
 class PreparedRun {
   public:
     PreparedRun(const std::string& dem, Preset preset);

@@ -1,4 +1,4 @@
-// Runs the whole job once and prints which thread worked on what from when to when: see run.py --trace.
+// Runs the whole job once and prints the work of each thread with its times: see run.py --trace.
 #include <chrono>
 #include <cstdlib>
 #include <cxxabi.h>

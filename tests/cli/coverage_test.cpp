@@ -45,7 +45,7 @@ TEST(Coverage, everySwitchOfGdalHasATestOfItsEffect) {
 
 class ContourOptions : public CliTest {};
 
-/// What is the same as in gdal_contour is in the table, where every option has a test; the rest is refused.
+/// Options that are the same as in gdal_contour are in the table, where each has a test; the rest is refused.
 TEST_F(ContourOptions, areTakenOrRefusedAsTheTableSays) {
     write(path("dem.tif"), blocks());
     for (const GdalContourOption& option : gdal_contour_options()) {

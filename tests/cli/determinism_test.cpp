@@ -20,7 +20,7 @@ class Determinism : public CliTest {
   protected:
     struct Result {
         std::string bytes;
-        json report;  ///< without what differs from run to run: seconds and memory
+        json report;  ///< without values that differ from run to run: seconds and memory
     };
     Result result_of(const std::string& file, Arguments arguments, std::vector<std::string> environment = {},
                      const std::string& dem = sample("town.tif")) const {
@@ -119,7 +119,7 @@ TEST_F(Determinism, theLocaleDoesNotMatter) {
 
 using Metadata = std::map<std::string, std::string>;
 
-/// What a result says of itself.
+/// Repeats a run from the metadata of its result.
 class Repeat : public CliTest {
   protected:
     /// @param layer of it; nullptr for the file as a whole
@@ -136,7 +136,7 @@ class Repeat : public CliTest {
         GDALClose(dataset);
         return metadata;
     }
-    /// Has a shell run what a result says.
+    /// Has a shell run the command in a result's metadata.
     void repeat(const std::string& file, const char* layer, const std::string& again) const {
         const Metadata said = metadata_of(file, layer);
         const std::string command = D2B_TOOL " -q " + said.at("D2B_OPTIONS") + " -- \"$0\" \"$1\"";

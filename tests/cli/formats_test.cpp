@@ -14,7 +14,7 @@
 namespace d2b::test {
 namespace {
 
-/// What comes out does not depend on where it comes from or goes to.
+/// The result does not depend on the source or destination.
 class Formats : public CliTest {
   protected:
     void SetUp() override {

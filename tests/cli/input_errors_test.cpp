@@ -12,7 +12,7 @@
 namespace d2b::test {
 namespace {
 
-/// What is wrong is said before the work: there is no progress yet.
+/// Errors are reported before the work: there is no progress yet.
 class Messages : public CliTest {
   protected:
     void SetUp() override {

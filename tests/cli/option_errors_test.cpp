@@ -67,7 +67,7 @@ TEST_F(OptionErrors, refusesToReprojectWhatHasNoCrs) {
                  {"-t_srs", "EPSG:4326", "plain.tif", "out.gpkg"}, {}, 1);
 }
 
-/// What the preset buildings refuses.
+/// Errors of the preset buildings.
 class BuildingErrors : public CliTest {
   protected:
     void SetUp() override {

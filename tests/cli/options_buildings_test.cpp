@@ -145,7 +145,7 @@ TEST_F(OptionEffect, min_building_height) {
 TEST_F(OptionEffect, min_confidence) {
     run_well({"-preset", "buildings", "-q", "--", sample("town.tif"), "all.gpkg"});
     const std::vector<Record> all = layer("all.gpkg", "buildings").records;
-    // What is written agrees with the limit, digit for digit.
+    // Written values agree with the limit, digit for digit.
     for (const char* limit : {"0.96", "0.99"}) {
         run_well({"-preset", "buildings", "-q", "-overwrite", "-min_confidence", limit, "--",
                   sample("town.tif"), "sure.gpkg"});
@@ -450,7 +450,7 @@ TEST_F(OptionEffect, corrections_layer) {
     at(buildings(), MadeTown::flat);
 }
 
-/// Below the level of certainty nothing is left but what an editor confirms.
+/// Below the level of certainty only buildings that an editor confirms are left.
 TEST_F(OptionEffect, corrections__beatTheLeastConfidence) {
     write_rows(path("edits.gpkg"), {.name = "points",
                                     .fields = {{"kind"}},
@@ -539,7 +539,7 @@ TEST_F(OptionEffect, split_width) {
     EXPECT_EQ(buildings().records.size(), 3U);
 }
 
-/// What is doubtful of parcels is one sentence with its figure, and the blocks are cut all the same.
+/// Doubts about parcels are one sentence with its figure, and the blocks are cut all the same.
 class ParcelWarnings : public OptionEffect {
   protected:
     void warned(const VectorLayer& lots, const std::string& sentence, std::size_t buildings_cut) {

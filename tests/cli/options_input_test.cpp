@@ -160,10 +160,10 @@ TEST_F(OptionEffect, cutline) {
             inside += col + 0.5 > 15 + 0.75 * (row + 0.5) ? 1 : 0;
     EXPECT_EQ(contours().sum("n_points", 0), inside);
     ASSERT_EQ(buildings().records.size(), 1U);
-    EXPECT_EQ(buildings().records[0].area(), 3 + 2 + 1);  // what is inside of rows 5, 6 and 7
+    EXPECT_EQ(buildings().records[0].area(), 3 + 2 + 1);  // the areas inside of rows 5, 6 and 7
 }
 
-/// Two rectangles of cells, one a layer of areas.vrt: rows 5 to 7 of a building, and what is to the left of
+/// Two rectangles of cells, one a layer of areas.vrt: rows 5 to 7 of a building, and the area to the left of
 /// it.
 TEST_F(OptionEffect, cutline_layer) {
     const auto file = [this](const std::string& name, int left, int right) {

@@ -141,7 +141,7 @@ TEST_F(OptionEffect, lco__thatRoundsCoordinates) {
         EXPECT_TRUE(late.err.ends_with("; give -t_srs EPSG:4326 as well.\n")) << late.err;
         EXPECT_FALSE(std::filesystem::exists(path(file)));
     }
-    // Whole metres keep what lies on whole metres.
+    // Whole metres keep shapes that lie on whole metres.
     run_well({"-q", "-fl", "5", "-layers", "contours", "-lco", "COORDINATE_PRECISION=0", "blocks.tif",
               "whole.geojson"});
     run_well({"-q", "-fl", "5", "-layers", "contours", "blocks.tif", "exact.geojson"});
@@ -337,7 +337,7 @@ TEST_F(OptionEffect, write_problems) {
     EXPECT_EQ(layer("out.gpkg", "roofs_problems").records.size(), 1U);
 }
 
-/// What no surface can be made of is named, up to ten of it, counted, and has its place; the rest is made.
+/// Buildings without a surface are named, up to ten, counted, and have their places; the rest is made.
 TEST_F(OptionEffect, write_problems__ofBuildingsThatAreLost) {
     write(path("bare.tif"), blocks_without_ground());
     Arguments arguments = thesis_with({"-surface_of", "buildings", "-json", "--", "bare.tif", "out.gpkg"});

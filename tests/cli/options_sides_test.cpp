@@ -16,7 +16,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// A raster as it was written, with what it says of itself.
+/// A raster as it was written, with its metadata.
 struct WrittenRaster {
     explicit WrittenRaster(const std::string& path) : dataset(GDALOpen(path.c_str(), GA_ReadOnly)) {
         EXPECT_NE(dataset, nullptr) << path;
@@ -211,7 +211,7 @@ TEST_F(OptionEffect, write_canopy) {
     EXPECT_TRUE(std::ranges::all_of(higher.values, [](double z) { return z == 0 || z > 8; }));
 }
 
-/// What is excluded is no building.
+/// Excluded objects are no buildings.
 TEST_F(OptionEffect, write_canopy__withExclude) {
     write_layer(path("bridges.gpkg"),
                 {"bridges",

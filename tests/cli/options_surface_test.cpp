@@ -18,7 +18,7 @@ void expect_closed(const ReadObj& obj) {
     EXPECT_EQ(obj.flat_triangles(), 0);
 }
 
-/// What a surface says whatever its name is: an OBJ names its materials after itself.
+/// Content of a surface without its name: an OBJ names its materials after itself.
 std::string nameless(const std::string& file) {
     std::string bytes = read_bytes(file);
     if (const std::size_t line = bytes.find("\nmtllib "); line != std::string::npos)
@@ -142,7 +142,7 @@ TEST_F(OptionEffect, surface__isTheSameWhateverTheThreads) {
     }
 }
 
-/// What a surface says of its source and options names files without their folders.
+/// Metadata of a surface name the files of its source and options without their folders.
 TEST_F(OptionEffect, surface__holdsNoPathOfTheUsers) {
     write(path("secret_mask.tif"), town_raster(std::vector<double>(MadeTown::surface().size(), 1)));
     find({"-mask", path("secret_mask.tif"), "-surface", path("town.obj"), "-surface", path("town.stl"),
@@ -211,7 +211,7 @@ TEST_F(OptionEffect, surface_of__asCityJson) {
     EXPECT_NEAR(read_cityjson(path("thesis.city.json")).plan_area(FaceKind::roof), 63 + 6, 1e-3);
 }
 
-/// Layers limit what is written as features alone.
+/// Layers limit only the written features.
 TEST_F(OptionEffect, surface__doesNotDependOnLayers) {
     find({"-surface", "both.obj"});
     find({"-surface", "contours.obj", "-layers", "contours"});
@@ -258,7 +258,7 @@ TEST_F(OptionEffect, surface_of__inTheThesis) {
 }
 
 TEST_F(OptionEffect, surface_roof) {
-    // The mean is the default, and encloses what the layer says, block by block.
+    // The mean is the default, and encloses the layer's volumes, block by block.
     find({"-surface", "mean.city.json", "-surface", "mean.obj", "-surface_roof", "mean"});
     const ReadCityJson blocks = read_cityjson(path("mean.city.json"));
     const Layer layer = buildings();
@@ -280,8 +280,8 @@ TEST_F(OptionEffect, surface_roof) {
     EXPECT_NEAR(highest.volume(), volumes(buildings(), "height"), 0.002 * highest.volume());
 }
 
-/// In a CRS whose plane is 0.14 % larger than the ground, blocks hold what the layer says; where lengths are
-/// half as long again, heights stay what they are.
+/// Blocks hold the layer's volumes in a CRS with a plane 0.14 % larger than the ground; where lengths are
+/// half as long again, heights stay as they are.
 TEST_F(OptionEffect, surface_roof__inOtherPlanes) {
     const auto volumes_differ = [&](const std::string& file) {
         const ReadCityJson city = read_cityjson(path(file));

@@ -223,7 +223,7 @@ TEST_F(OptionEffect, flow_ready) {
     }
 }
 
-/// Outlines of the thesis as well; what stands beside cells without an elevation does not move across these.
+/// Outlines of the thesis as well; buildings beside cells without an elevation do not move across these.
 TEST_F(OptionEffect, flow_ready__inThesisMode) {
     RasterSpec spec = two_houses();
     const auto cell = [&](std::size_t row, std::size_t col) -> double& {
@@ -250,7 +250,7 @@ TEST_F(OptionEffect, flow_ready__inThesisMode) {
     ASSERT_EQ(run(with).status, 0);
     const Layer ready = buildings();
     ASSERT_EQ(ready.records.size(), 3U);
-    // What is left lies at the third house.
+    // The remaining problems lie at the third house.
     std::size_t left = 0;
     for (const Record& problem : layer("out.gpkg", "problems").records)
         if (problem.text("state") == "left") {

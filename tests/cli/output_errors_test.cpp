@@ -134,7 +134,7 @@ TEST_F(OutputErrors, fullDiskOnStdout) {
                  full);
 }
 
-/// What is told of a result is none.
+/// A text about a result is no result.
 TEST_F(OutputErrors, aSummaryThatIsLost) {
     const std::string warning = "Warning: The summary could not be written to stdout; the result is whole.\n";
     const auto whole = [&](const ToolResult& result, const std::string& said) {

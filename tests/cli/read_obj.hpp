@@ -20,11 +20,11 @@ struct ReadObj {
     /// How many edges are not passed once each way, where equal corners are one.
     [[nodiscard]] int open_edges() const;
     [[nodiscard]] int flat_triangles() const;
-    /// What the triangles enclose.
+    /// Volume that the triangles enclose.
     [[nodiscard]] double volume() const;
-    /// As seen from above, of the groups whose names end so.
+    /// Area as seen from above, of the groups with names that end so.
     [[nodiscard]] double plan_area(const std::string& ending) const;
-    /// The lowest and the highest corner of the groups whose names begin so.
+    /// The lowest and the highest corner of the groups with names that begin so.
     [[nodiscard]] std::array<float, 2> heights(const std::string& beginning) const;
     [[nodiscard]] std::vector<std::string> objects() const;
 };

@@ -125,7 +125,7 @@ TEST_F(Samples, areasInDegreesAreGeodesic) {
         EXPECT_NEAR(record.number("area_m2"), record.area() * scale, 0.005 + 1e-5 * record.number("area_m2"));
     for (const Record& record : real.records) {
         const Record& building = match(found, record);
-        // Half a cell along the outline is more than what is lost or won.
+        // Half a cell along the outline is more than the area lost or won.
         EXPECT_NEAR(building.number("area_m2"), record.area() * scale,
                     0.5 * 1.07 * building.number("perim_m"));
         EXPECT_NEAR(building.number("area_m2"), record.area() * scale, 0.08 * record.area() * scale);
@@ -173,7 +173,7 @@ TEST_F(Samples, townRuns) {
     }
 }
 
-/// The share of what both cover in what either covers.
+/// Returns the share of the common area in the area that either covers.
 double overlap(OGRGeometryH one, OGRGeometryH other) {
     const Geometry common(OGR_G_Intersection(one, other));
     const Geometry either(OGR_G_Union(one, other));

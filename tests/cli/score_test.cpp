@@ -263,7 +263,7 @@ TEST_F(ScoreTool, saysWhatItIs) {
     EXPECT_EQ(score({"-q", both_[0], both_[1]}).out.find("found.gpkg"), std::string::npos);
 }
 
-/// What the independent scorer that stands beside the real DEMs gives, which burns everything into cells four
+/// Figures of the independent scorer beside the real DEMs, which burns everything into cells four
 /// times finer than the DSM's:
 ///   score_footprints.py cities/<city> cities/<city>/reference_buildings.gpkg --layer <layer>
 struct CityScore {

@@ -67,7 +67,7 @@ class TilesTool : public CliTest {
         write("edits.geojson", feature("cut", "LineString", "[[391300, 5820350], [391700, 5820351]]") + "," +
                                    feature("building", "Point", "[391372.8, 5820958.6]"));
     }
-    /// The report without what differs from run to run.
+    /// The report without values that differ from run to run.
     [[nodiscard]] static json facts(const std::string& report) {
         json all = json::parse(report);
         for (const char* key : {"stages", "threads", "output"})

@@ -5,7 +5,7 @@
 
 namespace d2b::test {
 
-/// What the preset buildings refuses on the made town.
+/// Errors of the preset buildings on the made town.
 class TownErrors : public OptionEffect {
   protected:
     void SetUp() override {

@@ -148,7 +148,7 @@ TEST_F(Warnings, cutlineElsewhere) {
 
 using nlohmann::json;
 
-/// What a user is told who gives the wrong thing, with the default preset.
+/// Messages to users who give the wrong input, with the default preset.
 class Diagnosis : public CliTest {
   protected:
     void SetUp() override {
@@ -193,13 +193,13 @@ TEST_F(Diagnosis, areasOfShearedCellsAreThoseOnTheGround) {
     spec.transform = std::array<double, 6>{391000, 0.5, 50, 5820000, 0, -0.5};
     write(path("sheared.tif"), spec);
     run_warned({"-q", "sheared.tif", "out.gpkg"}, {"No building was found: -min_area 30 leaves 3 out"});
-    // What is that oblique keeps its outlines as they were traced.
+    // Oblique shapes of that size keep their outlines as they were traced.
     run_warned({"-q", "-overwrite", "-min_area", "20", "sheared.tif", "out.gpkg"},
                {"keeps the staircase of the cells"});
     EXPECT_EQ(buildings(), 3U);
 }
 
-/// GDAL's driver says on stdout what it thinks of it.
+/// GDAL's driver prints its comments to stdout.
 class Grib : public Diagnosis {
   protected:
     void SetUp() override {

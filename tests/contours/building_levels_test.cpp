@@ -235,7 +235,7 @@ TEST(GlobalLevels, HaveNoSlicesWhereEachBuildingHasItsOwn) {
               (Thresholds{5, 10}));
 }
 
-/// The ground is one more: what the whole DEM may have, a building that exceeds all of it may not.
+/// The ground is one more: a building that exceeds all levels may have one less than the whole DEM.
 TEST(BuildingLevels, AreAsManyAsSixteenBitsCount) {
     const auto levels_with = [](int count) {
         Thresholds global(static_cast<std::size_t>(count));

@@ -10,7 +10,7 @@ namespace {
 using test::trace_grid;
 using test::TraceGrid;
 
-/// Counts what is read of it.
+/// Counts the bytes read of it.
 class CountingSpool : public MemorySpool {
   public:
     explicit CountingSpool(std::size_t& bytes) : bytes_(bytes) {}

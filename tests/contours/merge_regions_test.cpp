@@ -59,7 +59,7 @@ TEST(MergeRegions, RoofsStayApartAndWhatAWallSmearsJoinsOne) {
 
 TEST(MergeRegions, ASmallRegionIsChargedWithABorderOfItsOwn) {
     // Two cells by two that stand out by 2 from sixty: 4 * 60 / 64 * 4 = 15 are added by joining them, for 8
-    // of border and what each region is charged with.
+    // of border and the charge of each region.
     Picture picture(8, std::vector<double>(8, 5));
     for (const std::size_t row : {3U, 4U})
         for (const std::size_t col : {3U, 4U})

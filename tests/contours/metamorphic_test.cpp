@@ -13,7 +13,7 @@ namespace {
 using test::TraceGrid;
 using test::TraceSettings;
 
-/// A contour by what it covers: level, squares, and the squares of its parent.
+/// A contour by its area: level, squares, and the squares of its parent.
 using Shape = std::tuple<int, std::set<LatticePoint>, std::set<LatticePoint>, std::int64_t, double>;
 
 std::multiset<Shape> shapes(const test::ContourSet& set,

@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// Writes down what it is asked to do.
+/// Notes the calls that it receives.
 class NotedResult final : public PendingResult {
   public:
     NotedResult(Words& notes, std::string name, Kind kind = Kind::file)
@@ -29,7 +29,7 @@ class NotedResult final : public PendingResult {
     void keep() override { note("keep"); }
 
     std::string fails;  ///< the step that does
-    std::string left;   ///< what roll_back() says
+    std::string left;   ///< message of roll_back()
 
   private:
     void note(const std::string& step) {

@@ -188,7 +188,7 @@ TEST(ExecutorSpans, LeaveWaitsOut) {
     EXPECT_LT(other, whole / 2);
 }
 
-/// Room for some stacks, and no more: what there is of threads does all the work, and has room for it.
+/// Room for some stacks, and no more: the threads that start do all the work, and have room for it.
 void work_in_little_room() {
     rlimit room{};
     room.rlim_cur = room.rlim_max = rlim_t{1} << 30;

@@ -313,7 +313,7 @@ TEST(Geodesy, AgreesWithBruteForce) {
 }
 
 TEST(Geodesy, FeetAndGradsAreMetresAtLast) {
-    // One place, in degrees and in what the CRS has.
+    // One place, in degrees and in the units of the CRS.
     const auto same = [](const char* text, const char* degrees, double x, double y) {
         WorldRing ring = rectangle(x, y, 100, 60);
         const double area = Geodesy{Crs(text)}.ring(ring).area_m2;

@@ -94,7 +94,7 @@ TEST(Moments, DoNotDependOnOrderOrPortions) {
 TEST(Moments, OfManyAreThoseOfEach) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     std::mt19937_64 random(8);
-    // Whole units and halves of them, what is too large for them or too small, and elevations of a file.
+    // Whole units and halves of them, values too large or too small for them, and elevations of a file.
     std::vector<double> values{0x1p-30,          -0x1p-30, 0x1p-31, 0x1p22, -0x1p22, 0x1p22 - 0x1p-30,
                                0x1p22 - 0x1p-31, 1e300,    5e-324,  0,      -0.0,    unknown};
     for (int i = 0; i < 200000; ++i) {
@@ -190,7 +190,7 @@ TEST(Scatter, KeepsItsDigitsOnLargeOffsets) {
         }
         const FixedPoint fixed(largest);
         const double expected = two_pass(values);
-        // Some 30 binary digits of each elevation are kept; what is cut off is no more than that.
+        // Some 30 binary digits of each elevation are kept; the part cut off is no more than that.
         const double cut = std::ldexp(largest, -29);
         EXPECT_NEAR(fixed.sum_of_squared_deviations(stats_of(values, fixed)), expected,
                     20000 * (cut * 3 * 0.1 + cut * cut))

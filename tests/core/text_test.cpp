@@ -23,7 +23,7 @@ TEST(Hundredths, AreTheNumbersOfTwoDigits) {
     EXPECT_TRUE(std::isnan(round_to_hundredths(std::numeric_limits<double>::quiet_NaN())));
 }
 
-/// What a bound of two digits leaves out looks left out when it is written.
+/// Values that a bound of two digits leaves out look left out when they are written.
 TEST(Hundredths, OfAShareAreNotRoundedUp) {
     EXPECT_EQ(floor_to_hundredths(0.4999), 0.49);
     EXPECT_EQ(floor_to_hundredths(0.8999999), 0.89);

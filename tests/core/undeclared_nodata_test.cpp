@@ -39,7 +39,7 @@ UndeclaredNodata found_in(const std::vector<double>& values, double step = 2, do
     return find_undeclared_nodata(window, read_border(window, read), {step, breadth}, read);
 }
 
-/// What is taken for no data in land of which a part has a value.
+/// Values taken for no data in land of which a part has a value.
 std::vector<double> taken(const std::function<bool(int, int)>& is_in, double value) {
     return found_in(grid([&](int r, int c) { return is_in(r, c) ? value : land(r, c); })).values();
 }

@@ -193,7 +193,7 @@ TEST(Corrections, CutsThatDivideNothingHaveNoEffect) {
     EXPECT_TRUE(after.effective.empty());
 }
 
-/// Objects that an editor has confirmed stay, and what is denied stays denied.
+/// Objects that an editor has confirmed stay, and denied ones stay denied.
 TEST(LeftOutObjects, AreThoseOfWhichHalfIsInTheMask) {
     Town town(40, 60);
     town.block(5, 5, 19, 23, 107);

@@ -91,7 +91,7 @@ struct Block {
     std::int32_t top, left, bottom, right;
 };
 
-/// What a vote of the nine cells around each leaves of blocks: the cell at a corner sees but three others of
+/// Blocks after a vote of the nine cells around each: the cell at a corner sees but three others of
 /// its block, four of nine, and goes; the cells beside it see five others, six of nine, and stay.
 inline Mask without_corners(Mask mask, const std::vector<Block>& blocks) {
     for (const Block& block : blocks)

@@ -144,7 +144,7 @@ TEST(SelectCandidates, WhatIsFoundAfterAllIsNotLeftOut) {
     EXPECT_EQ(rejected.low, (std::vector<FirstCell>{{0, 0}}));
 }
 
-/// What two looks find where a quarter of the cells was filled.
+/// Results of two looks where a quarter of the cells was filled.
 struct Looked {
     explicit Looked(const Town& town, Executor& by = threads()) {
         const Scene scene = town.scene();

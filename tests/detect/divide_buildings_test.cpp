@@ -392,7 +392,7 @@ TEST(CutByParcels, WhatIsNotCutSaysItsParcel) {
     EXPECT_EQ(found.objects[0].parcel, 5);
 }
 
-/// Parts cover what was there, hang together, and none is narrow, whatever the parcels.
+/// Parts cover the building, hang together, and none is narrow, whatever the parcels.
 TEST(CutByParcels, RandomParcelsLeaveTheBlocksAsTheyAre) {
     for (unsigned seed = 0; seed < 12; ++seed) {
         std::mt19937 random(seed);

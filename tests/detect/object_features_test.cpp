@@ -176,7 +176,7 @@ TEST(Classify, SmallHousesOfThinPointsAreCompact) {
 }
 
 TEST(Classify, AmongCrownsNothingThinIsABuilding) {
-    // A piece of a forest: as the house above, but for what stands beside it.
+    // A piece of a forest: as the house above, but for the trees beside it.
     ObjectFeatures crown{0.5, 3, 0.3, 9, 0, 0.9};
     crown.beside_m = 9;
     crown.right_angles = 0.2;
@@ -278,7 +278,7 @@ BorderSums sums_of(const Town& town, const Mask& objects) {
 
 TEST(BorderSums, HeightOfWhatStandsBeside) {
     // One cell of an object, with a hedge of 3 m on one of the 24 cells within two cells of it, another
-    // object on a second, an unknown one and one below the ground. What is three cells away does not count.
+    // object on a second, an unknown one and one below the ground. Cells three cells away do not count.
     Town town(7, 7);
     town.block(3, 3, 4, 4, 106);
     town.surface.at(1, 5) = 103;

@@ -22,7 +22,7 @@ double normal_density(double x, double mean) {
     return std::exp(-(x - mean) * (x - mean) / 2);
 }
 
-/// Candidates of which so many are buildings: what is seen of them is normal about 1, of others about -1.
+/// Candidates of which so many are buildings: their ratios are normal about 1, those of others about -1.
 std::vector<double> ratios_of(double share, int count, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> spread;
@@ -183,7 +183,7 @@ TEST(ScenePrior, KeepsTheOrderAndWhatIsCertain) {
 
 constexpr PriorShare half{0.5, 0.5};
 
-/// Objects of one cell of a metre each, and what is thought of them.
+/// Objects of one cell of a metre each, and their confidences.
 struct Place {
     Place(std::int32_t rows, std::int32_t cols) : cells(rows, cols) {}
 
@@ -255,7 +255,7 @@ TEST(ReferencePrior, BayesRuleWithTheShareOfOthersAlone) {
     Candidates reference_objects;
     reference_objects.regions = connected_regions(drawn({"#...#"}), 1, 0, threads());
     reference_objects.objects = {{0.9, CounterEvidence::rough, 1},
-                                 {1, CounterEvidence::rough, 1}};  // what is certain is no witness
+                                 {1, CounterEvidence::rough, 1}};  // a certain object is no witness
     Candidates judged;
     judged.regions = connected_regions(drawn({"..#.#"}), 1, 0, threads());
     judged.objects = {{0.6, CounterEvidence::rough, 1}, {0, CounterEvidence::rough, 1}};

@@ -170,7 +170,7 @@ TEST(Segments, GableIsOnePieceSinceItsRidgeIsStraight) {
 }
 
 TEST(Segments, JoinedWhereOneIsStraightAlongOrBothAreSomeWay) {
-    // Two blocks of 3 by 4 cells; what joins them are the flags at their common edge.
+    // Two blocks of 3 by 4 cells, joined by the flags at their common edge.
     const Mask across(3, 8, 1);
     const auto count = [&](bool beside, std::uint8_t left, std::uint8_t right) {
         Grid<std::uint8_t> flags(3, 8, smooth_along_row | smooth_along_column);

@@ -155,7 +155,7 @@ TEST(SurfaceNoise, GardensOnHalfOfTheGroundMoveItLittle) {
     for (std::int32_t r = 0; r < 200; r += 2)
         for (std::int32_t c = 0; c < 200; ++c)
             surface.at(r, c) += static_cast<float>(random() % 100) / 100;
-    // What 0.1 to 0.2 of all cells bend less than, 0.2 to 0.4 of those without shrubs do: of a normal
+    // The quantiles 0.1 to 0.2 of all bends are 0.2 to 0.4 of those without shrubs: of a normal
     // distribution that is 0.25 to 0.52 deviations in place of 0.13 to 0.25. The median would be beyond all
     // of these cells.
     const double noise = surface_noise(surface, Mask(200, 200), threads());

@@ -17,7 +17,7 @@ using namespace test;
 constexpr float roof_z = 108;
 using Truth = std::function<bool(std::int32_t, std::int32_t)>;
 
-/// Roofs, whose cells are known, and what is found of them: all that is raised.
+/// Roofs with known cells, and the objects found of them: all that is raised.
 struct Leaning {
     explicit Leaning(std::int32_t rows, std::int32_t cols, CellSize cell = {})
         : town(rows, cols, cell), roofs(rows, cols) {}

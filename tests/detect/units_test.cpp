@@ -75,7 +75,7 @@ TEST(UnitMerger, SetsGrowOverSeveralSeams) {
 }
 
 /// Of the parts of two buildings that a seam cuts, one unit owns some and the next one others: they belong
-/// together as one unit that sees all of them has it. Of what is alone the whole is it itself.
+/// together as one unit that sees all of them has it. A building with one part is its own whole.
 TEST(UnitMerger, PartsOfABuildingStayTogether) {
     const auto part = [](Label whole) {
         SeenObject object = seen(0.9, 10);

@@ -27,7 +27,7 @@ class NothingFound : public ::testing::Test {
         scene_.fit = detect::GroundFit(options_.detect.min_height);
         scene_.fit.add(std::vector<float>(700, height), std::vector<float>(700, 0.0F));
     }
-    /// The beginning of what is said.
+    /// The beginning of the explanation.
     [[nodiscard]] std::string said(std::size_t length) const {
         return explain_empty_search(
                    {dem_, make_run_plan(options_, Layers::both), tally_, scene_, cell_, has_crs_})

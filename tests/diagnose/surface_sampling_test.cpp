@@ -15,7 +15,7 @@ namespace {
 constexpr std::int32_t side = 100;  // cells
 constexpr Window all{0, 0, side, side};
 
-/// A surface on level ground, and what was found on it.
+/// A surface on level ground, and the objects found on it.
 struct Found {
     MetreGrid surface{side, side};
     MetreGrid terrain{side, side};
@@ -53,7 +53,7 @@ Found blurred_block(double blur) {
     return found;
 }
 
-/// Crowns 5 to 15 m high, seen by points that chance drops, so many a cell on the mean: what got none takes
+/// Crowns 5 to 15 m high, seen by points that chance drops, so many a cell on the mean: one without any takes
 /// the height of a neighbour.
 Found crowns(double points) {
     std::mt19937 random(7);  // NOLINT: the same crowns in every run
@@ -128,7 +128,7 @@ TEST(SurfaceSampling, OfAModelsCornersNothingFollows) {
     }
 }
 
-/// So units and threads do not change what is said.
+/// Units and threads do not change the report, because parts add up to it.
 TEST(SurfaceSampling, PartsAddUpToTheWhole) {
     Found found = crowns(1.5);
     const Found block = blurred_block(1);

@@ -300,7 +300,7 @@ TEST(ParcelDoubt, IsOfParcelsThatLieBesideWalls) {
     EXPECT_EQ(misplaced_warning(report, {}, by_lots()), "");
 }
 
-/// Where it is known how they would fit, that is said, and not what is beside them.
+/// Names the move that would make parcels fit, and not the edges beside them.
 TEST(ParcelDoubt, SaysHowParcelsHaveToBeMoved) {
     ParcelReport report = usual();
     report.best_offset = {-1, 0};

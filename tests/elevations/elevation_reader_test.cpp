@@ -201,7 +201,7 @@ TEST(ElevationReader, GivesAnyPartOfTheWindow) {
         }
 }
 
-/// Whether what is lent of a window holds what bands do, where floats hold it.
+/// Checks that a lent window holds the values of bands, where floats hold them.
 void expect_lent(ElevationReader& reader, const Window& window) {
     const std::vector<double> expected = all_of(reader);
     MetreGrid lent = reader.lend(window);

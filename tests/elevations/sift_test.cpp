@@ -22,7 +22,7 @@ ValidityRules on_land_in(double metres) {
     return {land_elevations.times(1 / metres), {100 / metres, 30 / metres}, metres, {}};
 }
 
-/// What a sift of one row says.
+/// Report of a sift of one row.
 SuspiciousValues seen_in(std::vector<double> values, const ValidityRules& rules = on_land_in(1)) {
     const auto cols = static_cast<std::int32_t>(values.size());
     ElevationBand band = band_of(1, cols, std::move(values));

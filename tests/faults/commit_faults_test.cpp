@@ -61,7 +61,7 @@ class CommitFaults : public FaultyTest, public testing::WithParamInterface<const
                 found.push_back(entry.path().string());
         return found;
     }
-    /// What is there before a run, and what it makes of it.
+    /// Files before a run, and its result.
     void prepare(bool replaces) {
         clear();
         if (replaces) {
@@ -103,10 +103,10 @@ TEST_P(CommitFaults, AKillBetweenTwoRenames) {
             for (std::size_t i = shown; i < order.size(); ++i)
                 EXPECT_TRUE(found[order[i]] == (replaces ? old_.at(order[i]) : "")) << order[i] << " " << nth;
             seen.insert(shown);
-            // What is left over does not disturb the next run.
+            // Left-over files do not disturb the next run.
             run_well(writing("dem.tif", "-overwrite"));
         }
-        // Each number of files that show, but that a database which is changed in place comes before the
+        // Each number of files that show, except that a database that is changed in place comes before the
         // first.
         EXPECT_EQ(seen.size(), replaces && destination_ == "out.gpkg" ? 4U : 5U);
     }
@@ -134,7 +134,7 @@ TEST_P(CommitFaults, ARenameThatFails) {
         }
 }
 
-/// Where nothing can be renamed any more, what has been renamed cannot be taken back.
+/// Renamed files cannot be taken back where nothing can be renamed any more.
 TEST_P(CommitFaults, RenamesThatFailForEver) {
     prepare(true);
     // Where the file of the layers is renamed, too, it comes last.

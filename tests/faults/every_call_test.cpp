@@ -11,7 +11,7 @@ namespace {
 using Files = std::map<std::string, std::string>;
 namespace fs = std::filesystem;
 
-/// What is written where, in which state it is before.
+/// A destination, and its state before the run.
 struct Destination {
     const char* what;
     const char* name;
@@ -23,8 +23,8 @@ struct Destination {
     friend void PrintTo(const Destination& destination, std::ostream* out) { *out << destination.what; }
 };
 
-/// Every call that changes a file or a folder fails in turn: what is there afterwards is what was there
-/// before, or all that was to come, and the status says which.
+/// Fails every call that changes a file or a folder in turn: afterwards there are the files from
+/// before, or all new ones, and the status says which.
 class EveryCall : public FaultyTest, public testing::WithParamInterface<Destination> {
   protected:
     void SetUp() override {

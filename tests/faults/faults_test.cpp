@@ -80,7 +80,7 @@ class Faults : public FaultyTest {
                 ++failed_;
             }
     }
-    /// What is read of a layer before something is added to it decides the next id.
+    /// The content of a layer, read before something is added to it, decides the next id.
     void expect_ids_given_once(const std::string& destination) const {
         if (format_ != "GPKG")
             return;

@@ -32,7 +32,7 @@ class FaultyTest : public CliTest {
     }
     /// The environment in which calls on files fail.
     /// @param fault kind, number of the call (0: none fails) and error, as shim.cpp reads them
-    /// @param files what the names of these files have in them
+    /// @param files part of the names of these files
     /// @param counter the file that takes the number of calls
     static std::vector<std::string> failing(const std::string& fault, const std::string& files,
                                             const std::string& counter) {
@@ -58,7 +58,7 @@ class FaultyTest : public CliTest {
         return sum;
     }
     /// Names of files and folders, but for the journal that SQLite keeps beside a file of its own where the
-    /// disk does not let it end: that is what brings the old content back.
+    /// disk does not let it end: that file brings the old content back.
     [[nodiscard]] std::set<std::string> names() const {
         std::set<std::string> all;
         for (const std::string& name : entries())

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* server = "http://127.0.0.1:9";
 
-/// Files that have GDAL fetch what they refer to, unless it is held back. Nobody answers: whoever asks is
+/// Files that make GDAL fetch others that they name, unless it is held back. Nobody answers: whoever asks is
 /// counted.
 class Fetches : public FaultyTest {
   protected:
@@ -120,7 +120,7 @@ TEST_F(Fetches, aFileThatRefersToAnAddressWhereItDoesNotBelong) {
         {"-q", "-overwrite", "-layers", "buildings", "dem.tif", link("old.geojson")});  // to be replaced
     EXPECT_EQ(run.result.status, 0) << run.result.err;
     EXPECT_EQ(run.questions, 0);
-    // A list of addresses names none for what it lists.
+    // A list of addresses has no address for the data that it lists.
     write_text(path("list.vrt"),
                R"(<OGRVRTDataSource><OGRVRTLayer name="link"><SrcDataSource relativeToVRT="1">)" + link() +
                    "</SrcDataSource></OGRVRTLayer></OGRVRTDataSource>");

@@ -98,7 +98,7 @@ TEST_F(Killed, aNewFileIsThereWholeOrNotAtAll) {
             expect_sound("out.gpkg");
     }
     EXPECT_GT(killed, times() / 4);
-    // What killed runs have left behind does not disturb the next.
+    // Files left behind by killed runs do not disturb the next.
     run_well({"-q", "-overwrite", "dem.tif", "out.gpkg"});
     EXPECT_EQ(features("out.gpkg"), all);
     RecordProperty("killed", killed);

@@ -91,7 +91,7 @@ const Report report;
 
 enum class Fate { goes_on, half, fails };
 
-/// What is done by halves only where it can be: the others go on.
+/// Halves only divisible calls: the others go on.
 Fate fate_of_next(bool divisible) {
     const Plan& p = plan();
     const long call = ++calls;
@@ -140,7 +140,7 @@ bool fails(const char* kind, const char* path) {
     return whole.find(plan().path) != std::string::npos && fate_of_next(false) == Fate::fails;
 }
 
-/// What takes a file away needs no room.
+/// Lets calls that remove a file succeed on a full disk, because they need no room.
 bool removal_fails(bool fails) {
     return fails && plan().error == EIO;
 }

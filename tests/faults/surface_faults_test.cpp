@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 /// Files of surfaces and pages on disks that fail, and of runs that are killed.
 class SurfaceFaults : public FaultyTest {
   protected:
-    /// A run that replaces what is there. @param source with its result for the layers beside it
+    /// A run that replaces files. @param source with its result for the layers beside it
     static Arguments writing(const std::string& source) {
         Arguments arguments{"-q", "-overwrite"};
         for (const std::string& name : names)

@@ -11,7 +11,7 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::map<std::string, std::string>;
 
-/// What the steps of a run in tiles write.
+/// Destination of the steps of a run in tiles.
 struct TileDestination {
     const char* what;
     const char* name;
@@ -21,7 +21,7 @@ struct TileDestination {
     friend void PrintTo(const TileDestination& destination, std::ostream* out) { *out << destination.what; }
 };
 
-/// Calls that change a file or a folder fail in every step: what was there stays as it was, and the same
+/// Fails calls that change a file or a folder in every step: the old files stay as they were, and the same
 /// command does the rest.
 class TileFaults : public FaultyTest, public testing::WithParamInterface<TileDestination> {
   protected:
@@ -63,7 +63,7 @@ class TileFaults : public FaultyTest, public testing::WithParamInterface<TileDes
             fs::remove_all(entry.path());
         fs::copy(kept, folder_, fs::copy_options::recursive);
     }
-    /// Seconds of stages differ from run to run: what is compared are names.
+    /// Compares names, because the seconds of stages differ from run to run.
     static std::vector<std::string> names_of(const Files& files) {
         std::vector<std::string> names;
         for (const auto& [name, bytes] : files)
@@ -123,7 +123,7 @@ TEST_P(TileFaults, losesNothingAndGoesOn) {
     for (const Arguments& step : destination.steps)
         try_step(step);
     EXPECT_GT(failed_, static_cast<int>(3 * destination.steps.size()));
-    // What came of the last step is what one run gives.
+    // The last step has the result of one run.
     fs::create_directory(path("one"));
     Arguments whole{"-q"};
     const bool parts = std::string(destination.name) == "parts";

@@ -43,7 +43,7 @@ TEST(RingTransform, knowsWhatIsTorn) {
     EXPECT_EQ(fate_of(box_ring(-10, -10, 20), "EPSG:3413", "EPSG:4326", 64), RingProjection::split);
     EXPECT_EQ(fate_of(box_ring(-10, -10, 20), "EPSG:3413", "EPSG:3857", 64), RingProjection::split);
     EXPECT_EQ(fate_of(box_ring(2, -40, 20), "EPSG:3413", "EPSG:4326", 64), RingProjection::whole);
-    // What has no image.
+    // A ring without an image.
     EXPECT_EQ(fate_of(box_ring(10, 80, 20), "EPSG:4326", "EPSG:25832", 64), RingProjection::no_image);
 }
 
@@ -131,8 +131,8 @@ TEST(TargetFrame, whatIsWholeIsNot) {
     }
 }
 
-/// The output counts in steps of 2 m, so that outlines of cells of 1 m collapse and are repaired: what is
-/// left of them says nothing of their areas.
+/// The output counts in steps of 2 m, so that outlines of cells of 1 m collapse and are repaired: their
+/// remains say nothing of their areas.
 TEST(Pipeline, RepairedOutlinesHaveTheAreasOfTheGround) {
     std::int64_t repaired = 0;
     for (unsigned seed = 0; seed < 6; ++seed) {
@@ -159,7 +159,7 @@ TEST(Pipeline, RepairedOutlinesHaveTheAreasOfTheGround) {
 }
 
 /// Cells of 1 km on the northern ice, the pole 3 km beyond the corner: Mercator's projection holds the most
-/// of it, and tears or blows up what is nearest.
+/// of it, and tears or blows up the nearest part.
 class ProjectionSplitWarnings : public ::testing::Test {
   protected:
     static constexpr int n = 200;

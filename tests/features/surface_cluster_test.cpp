@@ -28,14 +28,14 @@ std::vector<std::int64_t> tops(const surface::SurfaceCluster& cluster) {
     return tops;
 }
 
-/// 10 m on 9,950 square steps are as much as 10.05 m on what is left of 10,000 of them.
+/// 10 m on 9,950 square steps are as much as 10.05 m on the rest of 10,000 of them.
 TEST(FitRoofs, keepsTheVolumeThatPinchesTake) {
     surface::SurfaceCluster cluster = blocks({11000, 21000});
     EXPECT_TRUE(preserve_volumes({9950, 10020}, cluster));
     EXPECT_EQ(tops(cluster), (std::vector<std::int64_t>{11050, 20960}));
 }
 
-/// What a height in millimetres cannot say, what is not made, and what has another form by now.
+/// Heights that millimetres cannot hold, buildings that are not made, and those of another form by now.
 TEST(FitRoofs, leavesOthersAlone) {
     surface::SurfaceCluster cluster = blocks({11000, 11000, 11000, 11000});
     EXPECT_FALSE(preserve_volumes({10000, 9999, 0, 5000}, cluster));
@@ -93,15 +93,15 @@ TEST(MergeEqualTiers, areasAreThoseWithoutCourtyards) {
     EXPECT_EQ(left_of({tier(0, 10000, -1, 30), with_courtyard}).size(), 1U);
 }
 
-/// A stack that narrows little by little loses no more than that either: the third tier is compared with what
-/// stays of the first two.
+/// A stack that narrows little by little loses no more than that either: the third tier is compared with the
+/// rest of the first two.
 TEST(MergeEqualTiers, oneAfterTheOther) {
     EXPECT_EQ(
         left_of({tier(0, 10000, -1, 10), tier(0, 9994, 0, 20), tier(0, 9988, 1, 30), tier(0, 9982, 2, 40)}),
         (std::vector<Left>{{10000, -1, 20}, {9988, 0, 40}}));
 }
 
-/// What stood beside an equal tier, lower than that, would be a hole in its roof.
+/// A tier beside an equal one and lower than that would be a hole in its roof.
 TEST(MergeEqualTiers, whatIsCoveredGoesWithThem) {
     EXPECT_EQ(left_of({tier(0, 100000, -1, 10), tier(99990, 99995, 0, 20), tier(0, 99980, 0, 30)}),
               (std::vector<Left>{{100000, -1, 30}}));
@@ -110,7 +110,7 @@ TEST(MergeEqualTiers, whatIsCoveredGoesWithThem) {
               (std::vector<Left>{{100000, -1, 30}, {99993, 0, 50}}));
 }
 
-/// Others stand on what is merged.
+/// Other tiers stand on the merged ones.
 TEST(MergeEqualTiers, whatStandsOnThemStaysOnThem) {
     EXPECT_EQ(
         left_of({tier(0, 10000, -1, 10), tier(0, 9995, 0, 20), tier(0, 5000, 1, 30), tier(0, 4000, 2, 40)}),

@@ -11,7 +11,7 @@
 
 namespace d2b::test {
 
-/// What a fuzzer hands over, byte by byte; zeros after its end.
+/// Input of a fuzzer, byte by byte; zeros after its end.
 class Bytes {
   public:
     Bytes(const std::uint8_t* data, std::size_t size) : left_(data, size) {}
@@ -30,7 +30,7 @@ class Bytes {
     std::span<const std::uint8_t> left_;
 };
 
-/// Ends the program where what must hold does not: that is what a fuzzer looks for.
+/// Ends the program if a condition does not hold, because fuzzers look for such an end.
 inline void demand(bool holds, const char* what) {
     if (holds)
         return;

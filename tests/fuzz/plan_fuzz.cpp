@@ -1,4 +1,4 @@
-// Whatever a plan.json holds, it is taken or refused in a sentence; what is taken is written as it was read.
+// Whatever a plan.json holds, it is taken or refused in a sentence; a plan that is taken is written as read.
 #include <span>
 #include <string>
 

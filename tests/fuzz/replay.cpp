@@ -45,7 +45,7 @@ Input changed(Input input, std::mt19937& random) {
 }
 
 void keep(const Input& input) {
-    // Where the target ends the program, this is what it did so on.
+    // Keeps the input, because the target may end the program on it.
     std::ofstream file("last_input", std::ios::binary);
     for (const std::uint8_t byte : input)
         file.put(static_cast<char>(byte));

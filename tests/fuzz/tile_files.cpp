@@ -10,7 +10,7 @@
 namespace d2b::test {
 namespace {
 
-/// What a file begins with that has nothing to tell.
+/// Beginning of a file that has nothing to tell.
 template <typename Begin>
 ByteReader after(const Begin& begin, std::span<const std::byte> bytes) {
     ByteWriter writer;
@@ -21,7 +21,7 @@ ByteReader after(const Begin& begin, std::span<const std::byte> bytes) {
 
 enum class Same : std::uint8_t { bytes, length };
 
-/// What has been read is written as it was. @param taken what it was read from
+/// Checks that a record is written as it was read. @param taken bytes that it was read from
 template <typename Record>
 void demand_same(const Record& record, std::span<const std::byte> taken, Same same = Same::bytes) {
     ByteWriter again;

@@ -1,4 +1,4 @@
-// Seeds of tiles_fuzz: what the steps of a run in tiles write, of little.
+// Seeds of tiles_fuzz: small files that the steps of a run in tiles write.
 //   tile_seeds <folder>           writes them
 //   tile_seeds --check <folder>   fails where one is not read to its end: the format has changed since
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a file has behind the numbers that it begins with.
+/// Content of a file behind the numbers that it begins with.
 template <typename Value, typename Begin>
 ByteWriter after(const Value& value, const Begin& begin) {
     ByteWriter first;

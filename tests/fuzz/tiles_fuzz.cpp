@@ -1,5 +1,5 @@
-// Whatever a file between two steps of a run in tiles holds, its readers take it or say what is wrong with
-// it; what they take speaks of nothing that is not there, and is written again as it was.
+// Whatever a file between two steps of a run in tiles holds, its readers take it or name its
+// fault; a file that they take speaks of nothing that is not there, and is written again as it was.
 #include "core/byte_stream.hpp"
 #include "fuzz/tile_files.hpp"
 

@@ -24,7 +24,7 @@ namespace {
 constexpr const char* path = "/vsimem/values.tif";
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What elevations are stored as, with the ends of the range; a float is one that has fractions.
+/// Type of stored elevations, with the ends of the range; a float is one that has fractions.
 struct Type {
     GDALDataType type;
     double lowest, highest;
@@ -68,7 +68,7 @@ constexpr std::array interesting{0.,
 
 enum class Holes { none, nodata, mask, alpha };
 
-/// A raster with all that decides what of it is valid.
+/// A raster with all that decides which of its cells are valid.
 struct Case {
     Type type{};
     std::int32_t rows = 0;
@@ -190,7 +190,7 @@ bool same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-/// What docs/reference/options.md says of -snodata and -inodata, a cell at a time. @return nothing where it
+/// Rules of docs/reference/options.md for -snodata and -inodata, a cell at a time. @return nothing where it
 /// is not valid
 std::optional<double> reference(const Case& c, const d2b::ReadOptions& options, std::size_t cell) {
     const double stored = c.stored[cell];

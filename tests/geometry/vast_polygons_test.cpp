@@ -40,7 +40,7 @@ bool geos_says_valid(const std::vector<WorldPolygon>& polygons) {
 
 struct Change {
     const char* name;
-    const char* reason;  ///< with which what is said of it begins
+    const char* reason;  ///< beginning of the message about it
     std::function<void(WorldPolygon&)> make;
 };
 

@@ -57,8 +57,8 @@ using Drawing = std::vector<std::string>;
 constexpr float limit = 0.5F;
 constexpr double any_length = 1000;
 
-/// Blocks of 2 m, all connected ground; what is higher than the limit was an object before. Each character is
-/// a height in metres: a digit, a dot without a point, and in upper case what is no connected ground (A: 1).
+/// Blocks of 2 m, all connected ground; those above the limit were objects before. Each character is
+/// a height in metres: a digit, a dot without a point, and in upper case one off the connected ground (A: 1).
 struct Blocks {
     AlignedGrid surface;
     MetreGrid limits;
@@ -74,7 +74,7 @@ struct Blocks {
             for (std::int32_t j = 0; j < cols; ++j)
                 set(i, j, rows[static_cast<std::size_t>(i)].at(static_cast<std::size_t>(j)));
     }
-    /// What is still ground: #.
+    /// The remaining ground: #.
     [[nodiscard]] Drawing left(double largest = any_length) const {
         Grid<std::uint8_t> mask = ground;
         remove_enclosed_by_walls(surface, limits, {}, largest, mask, test::threads());
@@ -256,7 +256,7 @@ TEST(WalledBack, BlocksWithoutAPointAreNoBorder) {
                         "0555.",  //
                         "00000"});
     EXPECT_EQ(shore.left(), (Drawing{"#####", "#    ", "#    ", "#####"}));
-    // A wall above, none below: half of what is known, whatever the gaps on both sides hide.
+    // A wall above, none below: half of the known border, whatever the gaps on both sides hide.
     Blocks wharf({".0.",  //
                   ".5.",  //
                   ".5.",  //
@@ -336,7 +336,7 @@ TEST(WalledBack, ALargeLevelRoofWithThreeWallsOnCoarseCells) {
 constexpr double unbounded = 1000;
 
 /// Blocks of 2 m; each character is a height in metres, a dot has no point. All are connected ground, and
-/// what is higher than 7 m was an object before.
+/// those above 7 m were objects before.
 AlignedGrid heights(const Drawing& rows) {
     AlignedGrid blocks;
     blocks.cell = {2, 2};

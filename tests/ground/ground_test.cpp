@@ -254,7 +254,7 @@ TEST(GroundEdges, TheCallerMayStop) {
     EXPECT_THROW(static_cast<void>(estimate_ground(surface, {1, 1}, {}, context)), Cancelled);
 }
 
-/// A town on rolling ground: what it holds at a place depends on the place alone.
+/// A town on rolling ground: its height at a place depends on the place alone.
 Scene town(std::int32_t side) {
     Scene scene(side, side, {2, 2});
     std::mt19937 random(5);

@@ -33,7 +33,7 @@ TEST(OutlierMarker, APitIsOne) {
     EXPECT_EQ(low_outliers[0].limit, 25);
 }
 
-/// Cell by cell: what is 5 m below the lowest of an element of 25 cells around it, after elements of one cell
+/// Cell by cell: cells 5 m below the lowest of an element of 25 cells around them, after elements of one cell
 /// have closed the surface.
 std::vector<std::pair<std::int32_t, std::int32_t>> pits_by_definition(const MetreGrid& grid) {
     const auto extreme = [](const MetreGrid& of, std::int32_t row, std::int32_t col, std::int32_t radius,

@@ -19,7 +19,7 @@ MetreGrid row_of(const std::vector<float>& values) {
     return grid;
 }
 
-/// What a file holds that has so many whole steps.
+/// Value of a file that has so many whole steps.
 float written(int steps, int steps_per_metre) {
     return static_cast<float>(static_cast<double>(steps) / steps_per_metre);
 }
@@ -72,7 +72,7 @@ TEST(QuantizedElevations, AreNotTakenOfWhatHasNone) {
     }
 }
 
-/// Divided as floats they are what a division of doubles gives that is rounded once more: none of them lies
+/// Division as floats gives the rounded result of a division as doubles: none of them lies
 /// half-way between two floats, or nearly.
 TEST(QuantizedElevations, AreDividedAsDoublesAre) {
     constexpr int most = 1638400;

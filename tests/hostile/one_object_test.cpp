@@ -80,7 +80,7 @@ TEST_P(StoppedInOneObject, EndsSoonAfterTheSignal) {
         ++in_time;
         EXPECT_EQ(result.status, 143) << result.err;
         EXPECT_EQ(entries(), names);
-        // Sanitizers and machines that do other things are slow; what did not ask ran on for a minute.
+        // Sanitizers and busy machines are slow; a run that did not ask went on for a minute.
         EXPECT_LT(took, milliseconds(after + (D2B_SANITIZED != 0 ? 20000 : 8000)));
     }
     EXPECT_GE(in_time, 1);
@@ -142,7 +142,7 @@ TEST_P(StoppedInARaggedBlock, EndsWithinASecondOfProcessor) {
         ++in_time;
         EXPECT_EQ(result.status, 143) << result.err;
         EXPECT_EQ(entries(), names);
-        // What did not ask would go on to its end.
+        // A run that did not ask would go on to its end.
         const double after = result.cpu_seconds - result.cpu_seconds_at_signal;
         EXPECT_LT(after, slower) << share;
         if (share < 0.6) {

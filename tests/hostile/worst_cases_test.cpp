@@ -15,7 +15,7 @@ struct Cost {
     double features = 0;
 };
 
-/// What takes most: contours as many as cells, outlines as long as the raster has cells.
+/// Costliest surfaces: contours as many as cells, outlines as long as the raster has cells.
 class WorstCases : public CliTest {
   protected:
     Cost cost(int side, const Surface& surface, Arguments arguments) const {
@@ -27,7 +27,7 @@ class WorstCases : public CliTest {
             for (int col = 0; col < side; ++col)
                 spec.values.push_back(surface(row, col));
         write(path("dem.tif"), spec);
-        // On one thread, as what several keep at the same moment is chance.
+        // Uses one thread, because the memory that several keep at the same moment depends on chance.
         arguments.insert(arguments.end(), {"-threads", "1", "-q", "-overwrite", "--", "dem.tif", "out.gpkg"});
         const ToolResult result = run(arguments);
         EXPECT_EQ(result.status, 0) << result.err;
@@ -37,7 +37,7 @@ class WorstCases : public CliTest {
         return {result.cpu_seconds, static_cast<double>(result.peak_bytes), count("contours"),
                 count("contours") + count("buildings")};
     }
-    /// Four times the side, sixteen times the cells: what grows with their square would take 256 times as
+    /// Four times the side, sixteen times the cells: costs that grow with their square would be 256 times as
     /// long.
     void expect_linear(const Surface& surface, const Arguments& arguments, double bytes_a_cell,
                        double bytes_a_contour = 1500) const {

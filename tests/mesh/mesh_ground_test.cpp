@@ -35,7 +35,7 @@ TEST_F(MeshGround, standsOnAPlate) {
     const nlohmann::json report = mesh_well(on_ground_);
     const ReadMesh mesh = read("out.obj");
     EXPECT_TRUE(mesh.is_closed());
-    // 10 m of earth, then what of the buildings is above 2 m.
+    // 10 m of earth, then the parts of the buildings above 2 m.
     EXPECT_NEAR(mesh.volume(), 40 * 30 * 10 + 50 * 7 + 25 * 2, 1e-2);
     EXPECT_NEAR(mesh.plan_area("terrain/terrain"), 40 * 30 - 75, 1e-6);
     EXPECT_NEAR(mesh.plan_area("plate/plate"), -40 * 30, 1e-6);
@@ -207,7 +207,7 @@ TEST_F(MeshGround, sharesItsVerticesInCityJson) {
     for (const std::size_t vertex : vertices_of("building_1"))
         shared += terrain.count(vertex);
     EXPECT_GE(shared, 4U);
-    // What sides and plate stand on is not there.
+    // Points of sides and plate are not there.
     std::set<std::size_t> used = terrain;
     for (const char* building : {"building_1", "building_2"})
         used.merge(vertices_of(building));
@@ -236,8 +236,8 @@ TEST_F(MeshGround, refusesTerrainElsewhere) {
                "4 of 8 corners of 'in.city.json' lie outside of the terrain 'g.tif'");
 }
 
-/// Without a CRS in either, or with one in each, what does not overlap is refused in a sentence and nothing
-/// else.
+/// Data that do not overlap are refused in a sentence and nothing else, without a CRS in either, or with one
+/// in each.
 TEST_F(MeshGround, refusesTerrainElsewhereWhateverTheSystems) {
     const std::string apart =
         "The terrain 'g.tif' and 'in.city.json' do not meet; check the files and their coordinate reference "

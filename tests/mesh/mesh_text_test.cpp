@@ -82,8 +82,8 @@ TEST_F(MeshText, writesPartsOfADividedBuilding) {
     }
 }
 
-/// What hangs together by edges is one surface; a corner in common does not join two. The largest comes
-/// first.
+/// Triangles that hang together by edges are one surface; a corner in common does not join two. The largest
+/// comes first.
 TEST_F(MeshText, writesAReliefPerConnectedPart) {
     shell_.points = {{0, 0, 0}, {4, 0, 0},  {0, 4, 0},  {4, 4, 0}, {8, 4, 0},
                      {8, 8, 0}, {20, 0, 0}, {24, 0, 0}, {20, 4, 0}};

@@ -172,7 +172,7 @@ TEST_F(MeshTool, aKilledRunLeavesTheOldFileOrTheNew) {
         EXPECT_TRUE(found == finished || (found == old && status != 0)) << found.size();
     }
     EXPECT_GT(killed, 2);
-    // What killed runs have left behind does not disturb the next.
+    // Files left behind by killed runs do not disturb the next.
     ASSERT_EQ(mesh(fine).status, 0);
     EXPECT_EQ(read_bytes(path("out.obj")), finished);
 }

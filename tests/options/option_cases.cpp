@@ -91,7 +91,7 @@ const std::map<std::string, Texts>& needs() {
         {"surface_solids", {"-surface", "s.obj"}},
         {"surface_origin", {"-surface", "s.obj"}},
         {"write_problems", {"-surface", "s.obj"}},
-        // What it does not change it names.
+        // It names problems that it does not change.
         {"min_gap", {"-surface", "s.obj", "-write_problems"}},
         {"cutline_layer", {"-cutline", "/vsimem/scene/areas.gpkg"}},
         {"preview_size", {"-preview", "p.png"}},

@@ -9,7 +9,7 @@ namespace d2b::test {
 
 using Texts = std::vector<std::string>;
 
-/// An option as it might be given, and what must be given with it.
+/// An option as it might be given, and the words that must be given with it.
 struct OptionCase {
     std::string name;
     Texts values{};
@@ -24,7 +24,7 @@ struct OptionCase {
 /// those of OptionScene.
 [[nodiscard]] std::vector<OptionCase> option_cases();
 
-/// Whether an option changes what is written of a town, and not how, where or with what words besides.
+/// Whether an option changes the result of a town, and not how, where or with which words it is written.
 [[nodiscard]] bool shapes_the_result(const std::string& name);
 
 /// "" where the words are a good command line, the message else. Source and destination are added.

@@ -9,7 +9,7 @@
 namespace d2b::test {
 namespace {
 
-/// What says again what the other implies is taken: it misleads nobody.
+/// An option that repeats another's effect is taken: it misleads nobody.
 bool says_again(const std::string& one, const std::string& other) {
     static const std::map<std::string, std::set<std::string>> implied{
         {"-preset thesis",
@@ -32,7 +32,7 @@ bool takes_its_object(const std::string& one, const std::string& other) {
     static const std::set<std::string> high{"-zrange"};
     // Outlines that are simplified have none, and so have the few objects that are high enough in feet;
     // blocks of the thesis are too small for their steps, or stand at the border; with one direction, or one
-    // price for all, the scene's walls are long. What -min_wall makes longer, -flow_ready need not.
+    // price for all, the scene's walls are long. Walls that -min_wall makes longer need no -flow_ready.
     static const std::set<std::string> of_short_walls{"-simplify", "-zunit", "-preset", "-regularize",
                                                       "-min_wall"};
     // The walls that are not at right angles are high.
@@ -74,7 +74,7 @@ bool takes_its_object(const std::string& one, const std::string& other) {
 Texts joined(const Texts& one, const Texts& other) {
     Texts all = one;
     for (std::size_t i = 0; i < other.size();) {
-        // What both need is given once.
+        // Words that both need are given once.
         std::size_t end = i + 1;
         while (end < other.size() && (other[end][0] != '-' || end == i))
             ++end;
@@ -106,7 +106,7 @@ class OptionEffects : public OptionScene {
         return known != known_.end() ? known->second
                                      : known_.emplace(key, outcome_of(with_all_tiers(words))).first->second;
     }
-    /// Whether a case changes what the other words give.
+    /// Whether a case changes the result of the other words.
     bool shows(const OptionCase& option, const Texts& others) {
         return outcome(joined(others, option.words())) != outcome(joined(others, option.with));
     }

@@ -193,7 +193,7 @@ TEST(OptionRules, sayWhichTwoAndWhatToDo) {
         EXPECT_EQ(refusal_of(words), message);
 }
 
-/// Also where it says again what the default is.
+/// Refuses also an option that repeats the default.
 TEST(OptionRules, refuseWhatHasNoMeaningInAPreset) {
     const std::string end =
         " has no effect with -preset thesis; it detects no buildings, so leave one of them out.";
@@ -364,7 +364,7 @@ TEST(SetOption, RefusesWhatTheTableRefuses) {
     EXPECT_EQ(refusal("sweep", {"lod=1..3"}), "-sweep is of the program alone; leave it out.");
 }
 
-/// What was set before stays where the next is refused.
+/// Options set before stay where the next is refused.
 TEST(SetOption, LeavesOptionsAsTheyWereWhereItRefuses) {
     Options options;
     set_option(options, "lod", {"3"});

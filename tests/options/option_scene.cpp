@@ -150,7 +150,7 @@ std::string wkt_of(const Block& block) {
 
 using Areas = std::vector<std::pair<const char*, Block>>;
 
-/// Two layers of what is no building: a house and the ridge of two others, and a house.
+/// Two layers of excluded objects: a house and the ridge of two others, and a house.
 void write_exclusions(const std::string& path) {
     write_layer(path,
                 {"bridges", {{wkt_of(flat)}, {wkt_of({56, 8, 3, 38})}}, 25833, "", OFTReal, wkbPolygon});

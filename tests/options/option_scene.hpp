@@ -17,7 +17,7 @@ class OptionScene : public ::testing::Test {
     static void TearDownTestSuite();
 };
 
-/// What a run gave.
+/// Result of a run.
 struct Outcome {
     std::string written;  ///< layers with all features, and rasters; "" where it was refused
     std::string error;    ///< the message; "" where there was none

@@ -9,7 +9,7 @@
 namespace d2b::test {
 namespace {
 
-/// What people and programs write for a number that is none, or not one of ours.
+/// Texts that people and programs write for a number that is none, or not one of ours.
 const Texts texts = [] {
     std::istringstream list(
         "nan|NaN|-nan|inf|-inf|Infinity|1e999|-1e999|1,5|1.000,5|1'000|1 5| 5|5 "
@@ -117,7 +117,7 @@ TEST_F(OptionTexts, listsAndWindowsHoldNumbersAlone) {
     }
 }
 
-/// What is taken is worked with: a sentence, or numbers that are some.
+/// Accepted values are worked with: a sentence, or numbers that are some.
 TEST_F(OptionTexts, extremeNumbersAreRefusedOrGiveFiniteResults) {
     const auto check = [](const Texts& words) {
         if (!refusal_of(words).empty())

@@ -59,7 +59,7 @@ TEST(GivenWords, areThoseOfFieldsThatAreSet) {
     EXPECT_EQ(reproducing_arguments(options), "-preset thesis -mask mask.gpkg -layers contours");
 }
 
-/// What is handed to others says what was read, but not where it lies.
+/// Metadata for others name the files that were read, but not their folders.
 TEST(GivenWords, withoutFolders) {
     const auto shared = [](const Options& options, const std::map<std::string, std::string>& metadata) {
         return strip_folders(metadata, options);
@@ -172,7 +172,7 @@ TEST(GivenWords, nameTheSurfaceWhereItsProblemsAreWritten) {
 
 using Provenances = OptionScene;
 
-/// What a result says of itself makes it again.
+/// The metadata of a result are enough to make it again.
 TEST_F(Provenances, repeatTheRun) {
     for (const OptionCase& option : option_cases()) {
         if (!shapes_the_result(option.name))

@@ -10,7 +10,7 @@ namespace {
 
 using Points = std::vector<std::pair<double, double>>;  // row, column
 
-/// A stretch of an open chain, and what is drawn for it.
+/// A stretch of an open chain, and the line drawn for it.
 struct Case {
     std::vector<LatticePoint> trace;
     std::vector<std::uint32_t> nodes;

@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, TracedGrid, testing::Range(3000U, 3150U));
 
 class RotatedGrid : public testing::TestWithParam<unsigned> {};
 
-/// On a rotated grid positions are rounded; noded outlines share theirs, so what remains is far below a cell.
+/// On a rotated grid positions are rounded; noded outlines share theirs, so the rest is far below a cell.
 TEST_P(RotatedGrid, NestingHoldsToAMillionthOfACell) {
     const test::RandomGridCase c = test::random_grid(GetParam(), 20, false);
     Context context;

@@ -156,7 +156,7 @@ TEST_P(Village, FootprintsAreThoseOfTheLowLevelsAlone) {
         const FineRing footprint = all.footprint(i).exterior;
         const std::set<FinePoint> of_plate(plate.begin(), plate.end());
         EXPECT_TRUE(std::ranges::all_of(footprint, [&](FinePoint p) { return of_plate.contains(p); }));
-        // What it has more are points on its walls, as near as the fine lattice allows.
+        // Its additional points are on its walls, as near as the fine lattice allows.
         EXPECT_LE(test::one_sided(plate, footprint), 1.0 / FinePoint::steps);
         EXPECT_LE(test::one_sided(footprint, plate), 1.0 / FinePoint::steps);
     }

@@ -22,7 +22,7 @@ constexpr Position middle{60.3, -59.6};  // of the house; y is up
 constexpr double half_length = 50;
 constexpr double half_width = 20;
 constexpr double along = 0.6;      // radians, the direction of its long walls
-constexpr double jumble_from = 0;  // along the house, from its middle: what is jumbled lies beyond that
+constexpr double jumble_from = 0;  // along the house, from its middle: the jumbled part lies beyond that
 const std::vector<double> levels{10, 40, 50, 60, 70, 80, 90, 100};
 
 /// Along the house and across it, from its middle.

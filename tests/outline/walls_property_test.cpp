@@ -82,10 +82,10 @@ std::vector<const FineRing*> rings_of(const FinePolygon& polygon) {
     return rings;
 }
 
-/// What cutting the corners of a staircase may cost beside that: four eighths of a cell.
+/// Area that cutting the corners of a staircase may cost beside that: four eighths of a cell.
 constexpr double largest_cut_area = 0.5 + 1e-9;
 
-/// Of a ring that runs along rows and columns, in cells.
+/// Length of a ring that runs along rows and columns, in cells.
 double length_of(const FineRing& ring) {
     std::int64_t sum = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -27,7 +27,7 @@ struct Place {
 };
 using Shape = std::function<int(Place)>;
 
-/// A grid of labels: what a shape says of the centre of a cell; 0 is outside.
+/// A grid of labels: those of a shape at the centres of cells; 0 is outside.
 TraceGrid paint(std::int32_t size, const Shape& shape) {
     TraceGrid grid{size, size, {}, {}};
     for (std::int32_t row = 0; row < size; ++row)
@@ -361,7 +361,7 @@ TEST(Walls, ThatAreMovedInwardLeaveWhatTouchesTogether) {
 }
 
 TEST(Walls, RightAnglesAreThoseOfTheGround) {
-    // Cells twice as wide as high: what is square on the ground is not in rows and columns.
+    // Cells twice as wide as high: square corners on the ground are not square in rows and columns.
     const double angle = 0.4;
     TraceGrid grid{120, 60, {}, {}};
     for (std::int32_t row = 0; row < 120; ++row)

@@ -14,8 +14,8 @@ namespace {
 using test::trace_grid;
 using test::TraceGrid;
 
-/// How often what fits walls asks whether to stop: it does so for each edge, arc, ring, wall and turning
-/// point that it looks at, so this is its work, whatever else the machine does.
+/// Counts how often the fit of walls asks whether to stop: it does so for each edge, arc, ring, wall and
+/// turning point that it looks at, so this is its work, whatever else the machine does.
 double work_of(const TraceGrid& grid, const std::vector<double>& levels, int noise_factor = 0) {
     Context context;
     const test::ContourSet set = trace_grid(grid, levels, {TraceMode::cells, noise_factor}, context);

@@ -151,7 +151,7 @@ bool holds(const Feature& feature, const Position& middle) {
     return inside;
 }
 
-/// The stack against the town, cell by cell, from what was written alone.
+/// The stack against the town, cell by cell, from the written features alone.
 double rmse_as_written(const TownRun& town, const std::vector<double>& z) {
     double squares = 0;
     double cells = 0;
@@ -322,7 +322,7 @@ TEST(BuildingGrids, TracedThroughPointsTheyLoseHalfACell) {
     EXPECT_EQ(town.sink.value(buildings, i, "nodata"), FieldValue{});  // points are no cells
 }
 
-/// The confidences of what is found where nothing is refused.
+/// The confidences of all candidates where nothing is refused.
 std::vector<double> confidences() {
     TownRun town;
     town.options.detect.min_confidence = 0;
@@ -339,7 +339,7 @@ TEST(Doubtful, GoToALayerOfTheirOwn) {
     ASSERT_GE(all.size(), 3U);
     TownRun town;
     town.options.write.doubtful = true;
-    town.options.detect.min_confidence = all.back();  // what is as sure as this is no doubt
+    town.options.detect.min_confidence = all.back();  // an object as sure as this is no doubt
     town.run();
     ASSERT_EQ(town.sink.layers.size(), 3U);
     EXPECT_EQ(town.sink.layers[doubtful].name, "doubtful");

@@ -87,7 +87,7 @@ TEST(Callbacks, AreCalledFromTheCallersThread) {
         const RunReport report = run(options, {dem}, {sink}, callbacks, {.points = 1, .keep_bytes = 0});
         EXPECT_EQ(threads, std::set{std::this_thread::get_id()});
         EXPECT_EQ(heard, report.warnings);
-        // One text a band, however often it is read, and what finishing showed at the end.
+        // One text a band, however often it is read, and the text from the end.
         EXPECT_EQ(std::ranges::count(heard, "row 0"), 1);
         EXPECT_EQ(heard.back(), "finished");
     }
@@ -126,7 +126,7 @@ TEST(Callbacks, HearWhatASourceHadToSayBeforeItFailed) {
     EXPECT_EQ(heard.size(), 1U);
 }
 
-/// What a program throws out of its own function ends the run and comes out of it.
+/// An exception from the program's own function ends the run and comes out of it.
 TEST(Callbacks, MayThrow) {
     TalkingSource dem;
     MemorySink sink;
@@ -243,7 +243,7 @@ TEST_P(BandFaults, AReadThatFailsEndsTheRun) {
     }
 }
 
-/// What is no Error of ours is no other matter.
+/// Exceptions that are no Error of ours are treated the same.
 TEST_P(BandFaults, NoMemoryForABandEndsTheRun) {
     for (const Read& read : reads()) {
         FaultySource source;

@@ -170,7 +170,7 @@ TEST(Decisions, AreTheSameInTilesAsInOneRun) {
     }
 }
 
-/// What an editor has confirmed is not excluded.
+/// Buildings that an editor has confirmed are not excluded.
 TEST(Decisions, BeatExclusions) {
     Editing editing(std::vector{area(CorrectionKind::building, west_house)});
     editing.excludes = true;

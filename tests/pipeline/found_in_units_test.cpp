@@ -314,7 +314,7 @@ class VastSource final : public DemSource {
     DemInfo info_;
 };
 
-/// What a run on it says, and what it ends with.
+/// Warnings of a run on it, and its last message.
 std::vector<std::string> told(std::int32_t side, const Options& options) {
     VastSource dem(side);
     MemorySink features;

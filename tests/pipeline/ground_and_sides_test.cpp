@@ -186,7 +186,7 @@ TEST(BuildingMask, BoundsWhereBuildingsAreLookedFor) {
 
 constexpr std::uint8_t flag = 2;
 
-/// Takes the cells 7 and 400 of 600 out of what is seen. @return what the reader gives afterwards
+/// Takes the cells 7 and 400 of 600 out of the view. @return the reader's values afterwards
 std::vector<double> after_taking_out(double step, const Window& seen, double metres) {
     std::vector<double> z;
     for (int i = 0; i < 600; ++i)

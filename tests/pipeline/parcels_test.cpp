@@ -102,7 +102,7 @@ std::set<MapPoint> corners_of(const Feature& feature) {
     return corners;
 }
 
-/// All corners of the one are corners of the other. What this has more are corners of higher contours that
+/// All corners of the one are corners of the other. Its additional ones are corners of higher contours that
 /// touch it, its own or its neighbours'.
 void expect_corners_of(const Feature& house, const Feature& contour, const std::set<MapPoint>& higher) {
     const std::set<MapPoint> corners = corners_of(contour);

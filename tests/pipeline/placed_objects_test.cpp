@@ -69,7 +69,7 @@ TEST_F(TwoTiles, WhatAnotherTileDrawsIsOneMoreThanTheBuildings) {
 }
 
 /// A part is known by a part of the same whole at the seam, even if another tile draws that one, and
-/// otherwise by its unit; what is alone in its unit is a part of nothing.
+/// otherwise by its unit; an object that is alone in its unit is a part of nothing.
 TEST(ObjectAssignment, NamesWholesAcrossSeams) {
     detect::UnitGrid units{Window{0, 0, 100, 200}, CellSize{1, 1}, 64, detect::UnitSize{0, 100}};
     TileGrid tiles{units, 1};

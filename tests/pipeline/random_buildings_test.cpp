@@ -234,7 +234,7 @@ TEST(Rejected, OutlinesThatStayAsTracedNameWhatTheyAreOf) {
     EXPECT_EQ(town.report.counted(Reason::outline_kept_traced), kept);
 }
 
-/// What a feature is and what its fields say are one thing.
+/// The parts of a feature agree with its fields.
 TEST(FeatureRecords, SayWhatTheFieldsSay) {
     TownRun town(MadeTown::slanted());
     town.options.write.rejected = true;

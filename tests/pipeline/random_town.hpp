@@ -4,7 +4,7 @@
 
 namespace d2b::test {
 
-/// Of what a random town is made.
+/// Parameters of a random town.
 struct TownKind {
     int rows = 330;
     int cols = 410;

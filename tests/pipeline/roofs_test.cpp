@@ -108,7 +108,7 @@ double turned(double one, double other) {
     return std::abs(std::remainder(one - other, 360));
 }
 
-/// Faces of each building are valid, tile it, are plane, and say of themselves what their corners say.
+/// Faces of each building are valid, tile it, are plane, and have fields that agree with their corners.
 void expect_sound(const RoofRun& town) {
     Geos geos;
     ASSERT_EQ(town.sink.layers[roof_layer].name, "roofs");

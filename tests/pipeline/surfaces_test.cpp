@@ -19,7 +19,7 @@ struct SurfaceRun {
         MemorySource source = MadeTown::source(MadeTown::surface());
         place_in_utm(source, 1);
         options.run.threads = threads;
-        options.write.surfaces = {"s.obj"};  // what says more of it asks for one
+        options.write.surfaces = {"s.obj"};  // options about it ask for one
         report =
             run(options, {source}, {sink, nullptr, nullptr, nullptr, nullptr, {&shell, &solids, &tiers}});
     }

@@ -8,7 +8,7 @@ namespace {
 using Numbers = std::vector<std::int64_t>;
 using Buildings = std::vector<features::BuildingIds>;
 
-/// Takes a contour of a tile down as FeatureWriter does, with the number that what stands on it gets.
+/// Takes a contour of a tile down as FeatureWriter does, with the number that contours on it get.
 void take(TileIds& numbers, std::size_t tile, std::int64_t number, std::int64_t building = 0) {
     features::AssignedIds& given = numbers.of(tile);
     given.written.push_back(number);

@@ -58,7 +58,7 @@ std::vector<std::int64_t> shuffled(std::int64_t count, unsigned seed) {
     return tiles;
 }
 
-/// Names of the rasters in a folder, by what they end in.
+/// Names the rasters in a folder, by their endings.
 void name_rasters(Options& options, const fs::path& folder, const std::string& extension) {
     options.write.ground = (folder / ("ground" + extension)).string();
     options.write.height = (folder / ("height" + extension)).string();
@@ -156,7 +156,7 @@ TEST_F(RastersOfATown, AreMadeByTwoAtATime) {
     finish_tile_rasters(run, 0, first);
     finish_tile_rasters(run, 0, second);
     EXPECT_EQ(seen(path("ground/0.tif")).values, std::vector<double>(values.begin(), values.end()));
-    // What cannot be written at all is told.
+    // Reports a raster that cannot be written at all.
     AuxiliarySinks third = open_tile_rasters(run, 1);
     EXPECT_THROW(finish_tile_rasters(run, 1, third), OutputError);
     EXPECT_FALSE(fs::exists(path("ground/1.tif")));

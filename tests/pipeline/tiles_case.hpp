@@ -51,7 +51,7 @@ class StepsInTiles {
     Layers layers_;
 };
 
-/// What a step ends with; "(nothing)" where it ends well.
+/// Error that ends a step; "(nothing)" where it ends well.
 template <typename Step>
 std::string refusal(const Step& step) {
     try {

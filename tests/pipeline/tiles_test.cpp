@@ -53,7 +53,7 @@ void place_somehow(MemorySource& dem, unsigned seed) {
     dem.edit().crs_wkt = Crs("EPSG:4326").wkt();
 }
 
-/// What stands for no data without being declared is decided of the whole window before a tile is found.
+/// Undeclared no data values are decided on the whole window before a tile is found.
 TEST(Tiles, UndeclaredNoDataIsThatOfOneRun) {
     MemorySource dem = random_town(3, {270, 330, 60, false, false});
     std::vector<double> values(static_cast<std::size_t>(dem.info().window.points()));
@@ -83,7 +83,7 @@ TEST_P(RandomTownInTiles, IsThatOfOneRun) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomTownInTiles, testing::Range(0U, 16U));
 
-/// What a town of blocks is like, and the units that it is looked at in.
+/// Options for a town of blocks, and the units that it is looked at in.
 Options options_for_blocks() {
     Options options;
     options.ground.max_building_width = 30;  // units see 150 cells around
@@ -326,7 +326,7 @@ TEST(Tiles, OfOneColumnAndOfNothing) {
     }
 }
 
-/// What lies beside a town: its terrain, where to look, and what is green.
+/// Rasters beside a town: its terrain, where to look, and green cells.
 struct Beside {
     explicit Beside(const BlockTown& town)
         : terrain(town.on_grid([&](int r, int c) { return town.ground(r, c); })),
@@ -357,7 +357,7 @@ TEST(Tiles, WithWhatLiesBesideTheDem) {
     }
 }
 
-/// What can be no ground in some cells, which is told when all have been read.
+/// Terrain with values that can be no ground in some cells, which is reported when all have been read.
 class DoubtfulTerrain final : public DemSource {
   public:
     explicit DoubtfulTerrain(MemorySource& sound)
@@ -450,7 +450,7 @@ TEST_F(TilesOfATown, AreNotDoneAgain) {
     steps().run({2, true, true}, second);
     EXPECT_EQ(dem_.reads, reads);
     expect_same(second, first);
-    // What is lost is made again.
+    // Lost files are made again.
     std::filesystem::remove(folder_.path() / "draw" / "3");
     Result third;
     EXPECT_NE(refusal([&] { steps().merge(third); }), "(nothing)");

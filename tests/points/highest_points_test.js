@@ -60,7 +60,7 @@ function grid(name) {
   return { values: Array.from(new Float32Array(bytes.buffer, bytes.byteOffset, bytes.length / 4)), header };
 }
 
-// Two rows and three columns of 2 m. What is noise or withheld lies above all; a corner of a cell belongs to the cell above it
+// Two rows and three columns of 2 m. Noise and withheld points lie above all; a corner of a cell belongs to the cell above it
 // and to the right.
 const POINTS = [
   { at: [50, 50, 500] }, { at: [150, 199, 720] }, { at: [199, 0, 610] },

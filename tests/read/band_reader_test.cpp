@@ -379,7 +379,7 @@ TEST_F(ReadBroken, aMosaicWhosePartIsMissing) {
         "names are there.");
 }
 
-/// Headers that promise what cannot be.
+/// Headers that promise impossible content.
 class ReadClaims : public ReadTest {
   protected:
     /// A TIFF of float32 in a strip, of which there is a header and nothing else.
@@ -467,11 +467,11 @@ TEST_F(ReadClaims, aBlockThatTheFileCannotHold) {
         return quoted("claim.tif") + " has 240 bytes and a header that claims a block of 60000 x " + rows +
                " cells in 60000 bands; it is damaged or truncated, so copy it again.";
     };
-    EXPECT_EQ(refusal(60000, 60000, 1), claim("1"));  // what is not compressed is read row by row
+    EXPECT_EQ(refusal(60000, 60000, 1), claim("1"));  // uncompressed data are read row by row
     EXPECT_EQ(refusal(60000, 60000, 8), claim("5"));
 }
 
-// A block of 19 MiB is none to be afraid of; reading says what is missing.
+// A block of 19 MiB is none to be afraid of; reading reports the missing rows.
 TEST_F(ReadClaims, anOrdinaryBlockIsRead) {
     for (const std::uint16_t compression : {std::uint16_t{1}, std::uint16_t{8}})
         expect_has(refusal(1000, 1000, compression),

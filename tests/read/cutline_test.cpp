@@ -75,7 +75,7 @@ TEST_F(ReadCutline, theCellsWhoseCentresLieInside) {
     EXPECT_TRUE(warnings_.empty());
 }
 
-/// GDAL counts cells in 32 bits, and UTM has no image of what is a quarter of the Earth away.
+/// GDAL counts cells in 32 bits, and UTM has no image of places a quarter of the Earth away.
 TEST_F(ReadCutline, whatReachesFarBeyondTheDemHoldsIt) {
     for (const char* far : {"1e9", "1e10", "1e15", "1e200"}) {
         const std::string minus = std::string("-") + far;

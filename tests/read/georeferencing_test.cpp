@@ -11,7 +11,7 @@ namespace {
 
 class ReadGeoreference : public ReadTest {
   protected:
-    /// An in-line VRT of one cell with what is given between its header and its band.
+    /// An in-line VRT of one cell with the given text between its header and its band.
     static std::string vrt(const std::string& inner) {
         return "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\">" + inner +
                "<VRTRasterBand dataType=\"Byte\" band=\"1\"/></VRTDataset>";

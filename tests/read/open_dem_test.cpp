@@ -446,7 +446,7 @@ TEST_F(ReadArray, refusals) {
         EXPECT_THROW(static_cast<void>(open_dem(array, options, callbacks_)), OptionError);
 }
 
-/// What is known of a real DEM, found with NumPy from the bands as GDAL gives them.
+/// Facts about a real DEM, found with NumPy from the bands as GDAL gives them.
 struct City {
     const char* file;
     int cols;

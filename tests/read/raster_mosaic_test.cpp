@@ -23,7 +23,7 @@ namespace {
 
 class ReadMosaic : public ReadTest {
   protected:
-    /// Cells of the rasters, with what none of them covers.
+    /// Cells of the rasters, and those that none of them covers.
     std::vector<double> mosaic(const std::vector<std::string>& names) {
         std::vector<std::string> rasters;
         for (const std::string& name : names)
@@ -386,7 +386,7 @@ TEST_F(ReadColumns, GiveEachThreadItsCells) {
     EXPECT_TRUE(warnings_.empty());
 }
 
-/// Each column has a handle of its own on what is in several.
+/// Each column has a handle of its own on rasters that are in several.
 TEST_F(ReadColumns, MayHaveTheSameRaster) {
     constexpr std::int32_t width = 2200;
     constexpr std::int32_t height = 10;

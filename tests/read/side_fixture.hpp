@@ -14,7 +14,7 @@ namespace d2b::test {
 /// A function of coordinates in the DEM's CRS.
 using Surface = std::function<double(double, double)>;
 
-/// Tests of what accompanies a DEM: "dem.tif" is the DEM, "side.tif" the raster beside it.
+/// Tests of data beside a DEM: "dem.tif" is the DEM, "side.tif" the raster beside it.
 class SideTest : public ReadTest {
   protected:
     /// Writes the DEM, whose elevations do not matter, and takes its grid; options_ choose the window.
@@ -46,7 +46,7 @@ class SideTest : public ReadTest {
     std::int64_t outside_range_ = 0;  ///< cells of terrain()
 };
 
-/// Each value within `tolerance` of what is expected, NaN where that is NaN.
+/// Each value within `tolerance` of the expected one, NaN where that is NaN.
 void expect_near(const std::vector<double>& got, const std::vector<double>& expected, double tolerance);
 
 /// Rises by 3 % to the east and falls by 2 % to the north, 100 at (500000, 5538630).

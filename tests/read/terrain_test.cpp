@@ -188,7 +188,7 @@ TEST_F(Terrain, anyPartOfTheWindowHasTheSameBits) {
 TEST_F(Terrain, whatIsNotValidIsLeftOut) {
     dem({.cols = 8, .transform = {{0, 0.5, 0, 0, 0, -1}}});
     // Centres at 0.25, 0.75, ...; cells of the terrain from 0 to 1, 1 to 2, 2 to 3, 3 to 4, centres at 0.5
-    // and so on. Next to what is missing a value goes on level.
+    // and so on. Next to missing cells a value goes on level.
     for (const double missing : {-9999.0, none, inf}) {
         write(path("side.tif"),
               {.cols = 4, .rows = 2, .values = {10, 20, missing, 40, 10, 20, missing, 40}, .nodata = -9999});

@@ -1,4 +1,4 @@
-// What stands at the places of scenes, and that its truth is sound.
+// Buildings at the places of scenes, and checks that their truth is sound.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// The committed samples are what the generator writes.
+// The generator writes the committed samples.
 #include <cstring>
 #include <filesystem>
 #include <functional>

@@ -88,7 +88,7 @@ TEST(RoofFaces, TurnWithTheirBuilding) {
 TEST(RoofFaces, OfAShed) {
     const Building steep = built(box_house("house", {0, 0, 12, 8}, {Roof::shed, 3, 0.25}));
     EXPECT_EQ(faces_of(steep), (Faces{{figures(96, degrees(0.25), 180), 1}}));
-    // Water on what is nearly level has no direction.
+    // Water on nearly level roofs has no direction.
     const Building level = built(box_house("house", {0, 0, 12, 8}, {Roof::shed, 3, 0.14}));
     EXPECT_EQ(faces_of(level), (Faces{{figures(96, degrees(0.14), -1), 1}}));
 }

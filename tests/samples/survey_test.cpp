@@ -72,8 +72,8 @@ TEST(Pulses, AreInTheirCellsAndTheSameInAnyPortions) {
 }
 
 TEST(Scan, LeavesAsManyCellsWithoutAReturnAsChanceDoes) {
-    // 2.5 m hold 62.5 squares of the lattice, of which each sends a pulse with a chance of 3 %; what lies
-    // across the border of a cell brings the share between (1 - 0.03)^62.5 = 0.149 and exp(-1.875) = 0.153.
+    // 2.5 m hold 62.5 squares of the lattice, of which each sends a pulse with a chance of 3 %; squares
+    // across the border of a cell bring the share between (1 - 0.03)^62.5 = 0.149 and exp(-1.875) = 0.153.
     const Survey survey{.name = "", .cell = 2.5, .pulses = 10, .kept = 0.03};
     std::vector<double> seen = scanned({}, cells_over(400, 2.5), survey);
     EXPECT_NEAR(share_of_nan(seen), 0.151, 0.002 + 4 * std::sqrt(0.151 * 0.849 / 25600));

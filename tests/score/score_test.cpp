@@ -85,7 +85,7 @@ TEST(Score, countsAndRepairsInvalidPolygons) {
 
 TEST(Score, countsObjectsThatAreCoveredByHalf) {
     // Found: one of 100 m2 with 60 in the reference, one of 100 m2 beside, one of 9 m2 that is too small.
-    // Reference: one of 100 m2 with 60 in what was found, one of 400 m2 with none.
+    // Reference: one of 100 m2 with 60 in the found one, one of 400 m2 with none.
     const Score result = score(side({box(4, 0, 14, 10), box(100, 0, 110, 10), box(50, 0, 53, 3)}),
                                side({box(0, 0, 10, 10), box(200, 0, 220, 20)}), {});
     EXPECT_EQ(result.found.objects, 2U);

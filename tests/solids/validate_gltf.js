@@ -1,4 +1,4 @@
-// What Khronos's validator says of a binary glTF: `node validate_gltf.js <folder with node_modules> <file.glb>`. Status 1
+// Runs Khronos's validator on a binary glTF: `node validate_gltf.js <folder with node_modules> <file.glb>`. Status 1
 // where it finds an error or a warning.
 const fs = require("fs");
 const path = require("path");

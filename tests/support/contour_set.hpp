@@ -10,7 +10,7 @@
 
 namespace d2b::test {
 
-/// Contours of a run side by side, with what relates them.
+/// Contours of a run side by side, with their relations.
 struct ContourSet {
     std::vector<contours::Contour> contours;
     std::vector<std::int64_t> building;   ///< a contour: index into `buildings`, -1 in level 0

@@ -53,7 +53,7 @@ inline double one_sided(const FineRing& from, const FineRing& to) {
     return largest;
 }
 
-/// What is wrong where outlines do not stay valid, nested and disjoint, or lose a hole; else "". What is left
+/// Fault of outlines that do not stay valid, nested and disjoint, or lose a hole; else "". The rest
 /// of a parent has to be its area less its children's: they lie in it then and do not overlap.
 inline std::string nesting_fault(const ContourSet& set, const outline::Outliner& outliner) {
     constexpr double rounding = 1e-9;  // of areas of some hundred cells

@@ -10,7 +10,7 @@
 
 namespace d2b::test {
 
-/// Runs a command in a terminal of its own, as a user sees it. @return what the terminal showed, lines ended
+/// Runs a command in a terminal of its own, as a user sees it. @return the text of the terminal, lines ended
 /// by
 /// "\n" @throws std::runtime_error where there is no terminal to be had
 inline std::string run_in_terminal(const std::vector<std::string>& command, const std::string& folder) {

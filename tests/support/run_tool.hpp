@@ -31,7 +31,7 @@ struct Kill {
 };
 
 struct ToolSetup {
-    std::string stdin_text{};                ///< what the tool can read; nothing by default
+    std::string stdin_text{};                ///< text that the tool can read; nothing by default
     std::vector<std::string> environment{};  ///< NAME=VALUE, in place of or beside those of this process
     std::string working_directory{};         ///< this process's where empty
     std::string stdout_file{};               ///< where stdout goes, "/dev/full" say; captured where empty
@@ -156,7 +156,7 @@ inline bool has_ended(pid_t process) {
            info.si_pid == process;
 }
 
-/// Waits, and notes how it ended and what it took.
+/// Waits, and notes how it ended and how much time and memory it took.
 inline void wait_for(pid_t process, const std::optional<Kill>& signal, ToolResult& result) {
     if (signal) {
         std::this_thread::sleep_for(signal->after);

@@ -36,7 +36,7 @@ inline void expect_gives_back(Spool& spool, std::size_t largest) {
     }
 }
 
-/// Threads append and read what they appended, side by side.
+/// Threads append and read their own bytes, side by side.
 inline void expect_serves_threads(Spool& spool) {
     Executor threads(4);
     std::vector<int> wrong(200, 0);

@@ -4,7 +4,7 @@
 
 namespace d2b::test {
 
-/// For what does not look at the number of threads: some.
+/// Some threads, for work that does not look at their number.
 inline Executor& threads() {
     static Executor executor(4);
     return executor;

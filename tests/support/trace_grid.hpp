@@ -16,7 +16,7 @@ namespace d2b::test {
 
 inline constexpr double nodata = std::numeric_limits<double>::quiet_NaN();
 
-/// Elevations row by row, with what a run over them needs.
+/// Elevations row by row, with all that a run over them needs.
 struct TraceGrid {
     std::int32_t rows = 0;
     std::int32_t cols = 0;

@@ -109,7 +109,7 @@ std::mutex& looking() {
     return mutex;
 }
 
-/// A child has this thread alone, so that what another one holds at the fork, as the allocator's lock, is
+/// A child has this thread alone, so that a lock that another one holds at the fork, as the allocator's, is
 /// never given back in it.
 void fork_between_looks() {
     static const int registered =

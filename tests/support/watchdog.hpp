@@ -8,8 +8,8 @@
 
 namespace d2b::test {
 
-/// Ends the program where what it does hangs: with a message and status 1, and with the programs that it
-/// started. Threads that wait for each other use no processor time, so that is what is looked at: of all
+/// Ends the program where its work hangs: with a message and status 1, and with the programs that it
+/// started. Looks at processor time, because threads that wait for each other use none: at that of all
 /// threads of this process, and of all processes below it.
 class Watchdog {
   public:

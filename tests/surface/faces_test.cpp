@@ -38,7 +38,7 @@ bool is_monotone(const PartitionFace& face, const PlanarPartition& plan) {
     return lowest == 1;
 }
 
-/// The pieces have no interiors, are of the face's area together, and what divides pieces alone divides it.
+/// The pieces have no interiors, are of the face's area together, and edges between only pieces divide it.
 void expect_divided(const PartitionFace& face, const PlanarPartition& plan) {
     Int128 sum = 0;
     for (const PartitionFace& piece : split_into_monotone(face, plan)) {
@@ -108,7 +108,7 @@ TEST(TriangulateFace, everyCornerIsUsed) {
     EXPECT_EQ(triangles->size(), l_face.exterior.size() - 2);
 }
 
-/// What leaves the corner out has the right area, and would leave a gap beside its neighbour.
+/// Triangles that leave the corner out have the right area, and would leave a gap beside its neighbour.
 TEST(TriangulateFace, noCornerMayBeLeftOut) {
     const auto coarse = [](const FinePolygon&) {
         return std::vector<FineTriangle>{{l_plan.nodes[0], l_plan.nodes[2], l_plan.nodes[4]},
@@ -134,7 +134,7 @@ TEST(TriangulateFace, flatAndForeignTrianglesAreRefused) {
     EXPECT_FALSE(triangulate_face(l_face, l_plan, foreign));
 }
 
-/// What fails is tried with rows and columns exchanged.
+/// A failed face is tried with rows and columns exchanged.
 TEST(TriangulateFace, isTriedTurned) {
     int calls = 0;
     const auto fails_first = [&](const FinePolygon& polygon) {

@@ -23,7 +23,7 @@ std::vector<std::int64_t> tops(const SurfaceCluster& cluster) {
     return tops;
 }
 
-/// One cell of 10.1 m beside three of 10 m: together they are 10.025 m high, and hold what they held.
+/// One cell of 10.1 m beside three of 10 m: together they are 10.025 m high, and keep their volume.
 TEST(LevelRoofs, becomeOneAtTheirMean) {
     SurfaceCluster cluster = blocks_of({{"abbb"}}, {10100, 10000});
     const auto steps = level_roofs(cluster, 200);
@@ -35,7 +35,7 @@ TEST(LevelRoofs, becomeOneAtTheirMean) {
     EXPECT_EQ(steps[0].place.col, 1024);
 }
 
-/// Half a metre of houses 3 m high would be more than a hundredth of what they hold.
+/// Half a metre of houses 3 m high would be more than a hundredth of their volume.
 TEST(LevelRoofs, stayWhereTooMuchWouldMove) {
     SurfaceCluster cluster = blocks_of({{"aabb"}}, {3000, 3500});
     const auto steps = level_roofs(cluster, 1000);
@@ -74,7 +74,7 @@ TEST(LevelRoofs, tiersOfAStack) {
     EXPECT_EQ(steps.size(), 1U);
 }
 
-/// Whatever the town: what is lower than asked is named, blocks hold what they held, and no roof moves by
+/// Whatever the town: steps lower than asked are named, blocks keep their volumes, and no roof moves by
 /// more than its share.
 TEST(LevelRoofs, randomTowns) {
     std::mt19937 random(25);

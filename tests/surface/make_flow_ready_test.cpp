@@ -293,7 +293,7 @@ TEST(FlowReady, housesThatTouchInACorner) {
     ASSERT_EQ(changed(ready, FlowProblemKind::touch), 1U);
     for (const FinePoint& corner : ready.outlines[0].exterior)
         EXPECT_EQ(std::ranges::count(ready.outlines[1].exterior, corner), 0);
-    // What is cut off is a corner: the walls stand beyond three metres.
+    // The part cut off is a corner: the walls stand beyond three metres.
     EXPECT_NEAR(area(ready.outlines[0]) + area(ready.outlines[1]), 800, 4);
 }
 
@@ -349,7 +349,7 @@ TEST(FlowReady, outlinesThatCrossAreLeft) {
     EXPECT_FALSE(ready.problems[0].changed);
 }
 
-/// What each block of touching contours of the lowest level covers, in cells.
+/// Areas of the blocks of touching contours of the lowest level, in cells.
 std::map<std::uint32_t, double> block_areas(const SurfaceCluster& cluster,
                                             std::span<const FinePolygon> outlines) {
     DisjointSets blocks(static_cast<std::uint32_t>(cluster.contours.size()));
@@ -379,7 +379,7 @@ void expect_little_changed(const SurfaceCluster& cluster, const FlowReady& ready
         ASSERT_NEAR(after.at(block), cells, 0.0101 * cells + 10 * 0.01 / cell_m) << what;
 }
 
-/// Whatever the town: outlines are a partition, nothing touches in a point, and what falls short is named.
+/// Whatever the town: outlines are a partition, nothing touches in a point, and all shortfalls are named.
 void expect_ready(const SurfaceCluster& cluster, double cell_m, const std::string& what) {
     FlowLimits wanted;
     wanted.gap = wanted.wall = 1;
@@ -432,7 +432,7 @@ TEST(FlowReady, randomTowns) {
         }
 }
 
-/// Looking again at what lies near changes finds what looking at all finds.
+/// Looking again near changes finds the same as looking at everything.
 TEST(FlowFaults, followChanges) {
     std::mt19937 random(36);
     const StopToken stop;
@@ -603,7 +603,7 @@ int work_of(const LetterGrid& grid) {
     return asked;
 }
 
-/// What is mended in a cluster is not mended again because one contour breaks later.
+/// Mended places in a cluster are not mended again because one contour breaks later.
 TEST(FlowReady, aContourThatBreaksLateRepeatsLittle) {
     const int alone = work_of(with_houses({}, 60));
     const int with_towers = work_of(with_houses(breaks_late, 60)) - work_of(breaks_late);

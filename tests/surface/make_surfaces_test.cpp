@@ -12,7 +12,7 @@ namespace {
 
 constexpr Int128 square_cell = Int128{FinePoint::steps} * FinePoint::steps;
 
-/// What must hold of any: both forms closed, and of the area and the volume that the cells have.
+/// Checks that hold for any: both forms closed, and of the area and the volume that the cells have.
 void expect_whole(const MadeSurfaces& made, int cells, Int128 cell_heights, Int128 shell_heights) {
     EXPECT_TRUE(made.left_out.empty());
     EXPECT_TRUE(made.repairs.empty());
@@ -60,7 +60,7 @@ TEST(MakeSurfaces, aPartyWallOfTwoHeights) {
         std::size_t triangles = 0;
         for (const SurfaceBuilding& building : made.shell[0].buildings)
             triangles += building.triangles.size();
-        EXPECT_EQ(triangles, 2 * made.shell[0].points.size() - 4);  // Euler's, of what has no handle
+        EXPECT_EQ(triangles, 2 * made.shell[0].points.size() - 4);  // Euler's, of surfaces without a handle
         ASSERT_EQ(made.solids.size(), 2U);
         EXPECT_EQ(made.solids[0].points.size(), 8U);
         EXPECT_EQ(made.solids[1].points.size(), 8U);
@@ -135,7 +135,7 @@ TEST(MakeSurfaces, aStack) {
     EXPECT_EQ(made.solids[0].points.size(), made.shell[0].points.size());
 }
 
-/// What a stack shares with a neighbour or with what it stands on.
+/// Stacks that share walls with a neighbour or with the tier below.
 TEST(MakeSurfaces, stacksWithCommonWalls) {
     const MadeSurfaces made = surfaces_of(stacks_of({{"333", "321", "123"}}));
     expect_whole(made, 9, 10 * (9 + 6 + 6), 10 * (9 + 6 + 6));
@@ -168,7 +168,7 @@ TEST(MakeSurfaces, aTurnedGrid) {
     expect_whole(made, 9 * 25, 25 * (3 * 20 + 2 * 50 + 4 * 35), 25 * (3 * 20 + 2 * 50 + 4 * 35));
 }
 
-/// Only what is asked for is made.
+/// Only the requested form is made.
 TEST(MakeSurfaces, oneFormAlone) {
     const SurfaceCluster cluster = blocks_of({{"ab"}}, {20, 30});
     const MadeSurfaces solids = make_surfaces(cluster, {true, false}, with_geos);
@@ -201,7 +201,7 @@ std::string shown(const LetterGrid& grid) {
 }
 
 /// Whatever the grid: both forms are closed, nothing is left out, and areas and volumes are those of the
-/// cells but for what mends take.
+/// cells but for the parts that mends take.
 void expect_surfaces(const LetterGrid& grid, const SurfaceCluster& cluster, double cells, double heights) {
     const MadeSurfaces made = surfaces_of(cluster);
     ASSERT_EQ(fault_of(made.shell), "") << shown(grid);

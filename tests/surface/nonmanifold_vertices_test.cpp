@@ -142,7 +142,7 @@ TEST(NonmanifoldVertices, doNotComeNearOthers) {
 }
 
 /// Where cells are no larger than the gap there is no room for it: the corner moves by as much as there is,
-/// by no less than what is taken for one corner.
+/// by no less than the distance at which two are taken for one.
 TEST(NonmanifoldVertices, whereThereIsNoRoomForTheGap) {
     const GapTolerances gaps{{2000, 2000}, {100, 100}};
     const MadeSurfaces made = surfaces_of(blocks_of({{"a a", " a ", "a a"}}, {20}), gaps);
@@ -281,7 +281,7 @@ TEST(GapTolerances, ofCornersThatAreOne) {
     EXPECT_EQ(gap_tolerances({3, 3}).corners, (LatticeDistance{1, 1})) << "each step is as long";
 }
 
-/// Whatever the angle between rows and columns, what lies on the border of the box is as far away.
+/// Whatever the angle between rows and columns, points on the border of the box are as far away.
 TEST(GapTolerances, areLengthsOnTheGround) {
     for (const double angle : {30.0, 90.0, 140.0})
         for (const double down : {0.1, 0.7, 5.0}) {

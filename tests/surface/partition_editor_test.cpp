@@ -57,7 +57,7 @@ TEST(PartitionEditor, mergesNothingAcrossANeighbour) {
     EXPECT_EQ(editor.plan().edges.size(), edges);
 }
 
-/// Two corners and then two more: the wall between them is one, and what lay between is gone.
+/// Two corners and then two more: the wall between them is one, and the area between is gone.
 TEST(PartitionEditor, closesAGap) {
     PartitionEditor editor = editor_of({square(0, 0, 100), square(0, 110, 100)});
     EXPECT_TRUE(editor.merge(node_at(editor, {0, 100}), node_at(editor, {0, 110})));
@@ -79,7 +79,7 @@ TEST(PartitionEditor, takesAwayWhatHasNoArea) {
     EXPECT_TRUE(editor.plan().edges.empty());
 }
 
-/// After splits are taken back all is as before, also to what is done next.
+/// All is as before after splits are taken back, also for later edits.
 TEST(PartitionEditor, takesSplitsBack) {
     PartitionEditor editor = editor_of({square(0, 0, 100), square(0, 110, 100)});
     const PlanarPartition before = editor.plan();

@@ -56,13 +56,13 @@ TEST(MakePartition, whatIsAtOdds) {
     EXPECT_FALSE(odds({box(5, 5, 10, 10), -1, 1, 5}).empty());  // they cross
     EXPECT_FALSE(odds({box(0, 0, 10, 10), -1, 1, 5}).empty());  // they are the same
     EXPECT_FALSE(odds({box(0, 2, 5, 5), -1, 1, 5}).empty());    // it lies within, on the same side of an edge
-    EXPECT_FALSE(odds({box(-5, 2, 5, 5), 0, 0, 5}).empty());    // it lies outside of what it stands on
+    EXPECT_FALSE(odds({box(-5, 2, 5, 5), 0, 0, 5}).empty());    // it lies outside of its parent
     EXPECT_FALSE(odds({box(0, -5, 10, 8), 0, 0, 5}).empty());   // it reaches beyond
     for (const std::uint32_t contour : odds({box(5, 5, 10, 10), -1, 1, 5}))
         EXPECT_EQ(contour, 1U);
 }
 
-/// What overlaps is left out and named, and what does not is made.
+/// Overlapping buildings are left out and named, and the others are made.
 TEST(MakeSurfaces, overlappingBuildings) {
     SurfaceCluster cluster;
     for (const std::int64_t col : {0, 600, 1000, 2000}) {

@@ -32,7 +32,7 @@ class RandomCityJson : public ::testing::Test {
         sink->finish();
         return test::read_cityjson(path_);
     }
-    /// What read_cityjson() does not look at: that nothing is missing.
+    /// Checks a point that read_cityjson() ignores: that nothing is missing.
     void expect_whole(const MadeSurfaces& made, const std::string& grid) const {
         const test::ReadCityJson city = written(made);
         ASSERT_EQ(city.solids.size(), made.solids.size()) << grid;

@@ -9,8 +9,8 @@
 
 namespace d2b::surface {
 
-/// What is wrong with surfaces that stand side by side, with corners of equal coordinates taken for one; ""
-/// where nothing is:
+/// Fault of surfaces that stand side by side, with corners of equal coordinates taken for one; ""
+/// if there is none:
 /// - every corner of a part is used, and no two are equal;
 /// - every directed edge is passed once, and once the other way;
 /// - around each corner faces follow each other in one circle;

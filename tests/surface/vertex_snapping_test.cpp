@@ -35,7 +35,7 @@ TEST(SnapRound, aCornerBehindAWall) {
     EXPECT_EQ(contours[1].outline.exterior, (FineRing{{300, -500}, {700, -500}, {500, 2}}));
 }
 
-/// What is not at odds is not changed, however near its corners lie.
+/// Contours that are not at odds are not changed, however near their corners lie.
 TEST(SnapRound, whatIsSoundStays) {
     std::vector<PartitionContour> contours{house_of({{0, 0}, {1000, 2}, {1000, 1000}, {0, 1000}}, 0),
                                            house_of({{300, -500}, {700, -500}, {500, 0}}, 1)};
@@ -45,7 +45,7 @@ TEST(SnapRound, whatIsSoundStays) {
     EXPECT_EQ(contours[0].outline.exterior, before);
 }
 
-/// A needle whose tip has come to lie beyond its other wall: what is left of it is not passed there and back.
+/// A needle with a tip that has come to lie beyond its other wall: its rest is not passed there and back.
 TEST(SnapRound, aNeedleThatTurnedOver) {
     std::vector<PartitionContour> contours{house_of(
         {{0, 0}, {1000, 0}, {1000, 1000}, {501, 1000}, {500, 1900}, {501, 1950}, {500, 1000}, {0, 1000}}, 0)};
@@ -57,7 +57,7 @@ TEST(SnapRound, aNeedleThatTurnedOver) {
         EXPECT_NE(ring[i], ring[(i + 2) % ring.size()]);
 }
 
-/// What is no wider than a step is not taken for a house of no area: it stays at odds, and is found to be.
+/// A house no wider than a step is not taken for one of no area: it stays at odds, and is found to be.
 TEST(SnapRound, aHouseThatIsGoneIsFound) {
     std::vector<PartitionContour> contours{house_of({{0, 0}, {1, 500}, {0, 1000}, {0, 400}}, 0)};
     snap_round(contours);
@@ -177,7 +177,7 @@ TEST(MergeNearNodes, roofsAMillimetreApart) {
     EXPECT_EQ(fault_of(surfaces_of(blocks_of({{"abc"}}, {50, 51, 52}), {{2, 2}, {1, 1}, 2}).shell), "");
 }
 
-/// What stands a millimetre high is no solid.
+/// A house a millimetre high is no solid.
 TEST(MergeNearNodes, aHouseOfAMillimetre) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"ab"}}, {1, 2}), {{2, 2}, {1, 1}, 2});
     ASSERT_EQ(made.solids.size(), 1U);

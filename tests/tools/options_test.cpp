@@ -61,7 +61,7 @@ TEST(OptionTable, namesEachWordOfAChoiceOnce) {
     }
 }
 
-/// What a dialog says in place of the name of an option.
+/// Titles that a dialog shows in place of the names of options.
 TEST(OptionTable, hasTitlesThatADialogTellsApart) {
     std::set<std::string> titles;
     for (const OptionRow& row : option_table()) {
@@ -73,7 +73,7 @@ TEST(OptionTable, hasTitlesThatADialogTellsApart) {
     }
 }
 
-/// Names of arguments of Python: none is a keyword, or what extract() itself takes.
+/// Names of arguments of Python: none is a keyword, or a parameter of extract() itself.
 TEST(OptionTable, hasNamesThatPythonCanSpell) {
     const std::set<std::string> taken{"if",  "in",  "is",  "as",        "or",       "not", "and", "lambda",
                                       "for", "def", "dem", "transform", "progress", "src", "dst"};

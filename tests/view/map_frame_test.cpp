@@ -44,7 +44,7 @@ TEST(MapFrame, NorthIsUpOnAGridThatIsNotRotated) {
 }
 
 TEST(MapFrame, NorthTurnsWithTheGrid) {
-    // Rows run to the north-east: what is up in the picture is north-west, so north is up and to the right.
+    // Rows run to the north-east: up in the picture is north-west, so north is up and to the right.
     const double step = std::sqrt(0.5);
     const auto north = MapFrame(ground({0, step, step, 0, step, -step}, {1, 1, 1}), {100, 300}).north();
     ASSERT_TRUE(north);

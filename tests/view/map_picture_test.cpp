@@ -170,7 +170,7 @@ TEST(Relief, LevelGroundIsGreyAndSlopesAreShaded) {
     const Pixels map = painted(field(20, 20, {}, {0, 1, 0, 20, 0, -1}), {200, 200}, slope());
     EXPECT_EQ(map.at(75, 75), level_ground);
     EXPECT_EQ(map.at(75, 3), level_ground);
-    EXPECT_EQ(map.at(8, 3), paper);  // no elevation, nor does it shade what is beside it
+    EXPECT_EQ(map.at(8, 3), paper);  // no elevation, nor does it shade cells beside it
     EXPECT_EQ(map.at(35, 5), level_ground);
     EXPECT_LT(map.at(75, 175)[0], level_ground[0] - 20);  // away from the light
     EXPECT_EQ(map.at(199, 199), map.at(0, 199));          // to the edge

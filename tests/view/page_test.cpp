@@ -9,8 +9,8 @@ namespace {
 
 using namespace test;
 
-/// All that pages are made of: an image, shapes of another surface, text. What is drawn of other surfaces
-/// outlives the page, as maps do.
+/// All that pages are made of: an image, shapes of another surface, text. Drawings of other surfaces
+/// outlive the page, as maps do.
 class All {
   public:
     All() {

@@ -16,7 +16,7 @@ namespace d2b::test {
 /// A picture as it is seen.
 class Pixels {
   public:
-    /// What is drawn on white paper.
+    /// A drawing on white paper.
     Pixels(view::PixelSize size, const std::function<void(cairo_t* pen)>& draw)
         : surface_(view::cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)) {
         const view::CairoPtr pen(view::cairo_create(surface_.get()));

@@ -120,7 +120,7 @@ TEST_F(PreviewTest, PartsAloneAreDrawnFromLowToHigh) {
                                        {{0, square(5, 10, 6, 12)}, {0, square(6, 11, 2, 25)}}, format);
         EXPECT_EQ(map.legend, "Height of contours");
         expect_near(at(map, 10, 15), seen(3));
-        expect_near(at(map, 7, 12), seen(5));  // hides what is below
+        expect_near(at(map, 7, 12), seen(5));  // hides the one below
     }
 }
 
@@ -136,7 +136,7 @@ TEST_F(PreviewTest, WhatHasNoHeightIsNotDrawn) {
     Feature root = square(0, 0, 20, 0);
     root.values[1] = FieldValue{};
     EXPECT_EQ(at(picture({layer("contours", "level")}, {{0, root}}), 7.5, 7.5), level_ground);
-    // Nor what a layer without heights holds.
+    // Nor the features of a layer without heights.
     LayerSpec doubtful = layer("doubtful", "");
     doubtful.style.colour = "";
     EXPECT_EQ(at(picture({layer("buildings", ""), doubtful}, {{1, square(5, 10, 5, 12)}}), 7.5, 12.5),

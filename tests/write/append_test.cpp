@@ -20,7 +20,7 @@ class AppendTest : public WriteTest {
         options.append = true;
         return options;
     }
-    /// What is said to a layer like this, before the work and, should it come to be there meanwhile, after
+    /// Message about a layer like this, before the work and, should it come to be there meanwhile, after
     /// it.
     std::string refusal(const WriteOptions& options, const LayerSpec& spec, const Provenance& what) {
         const auto early = open_sink(options, callbacks_);

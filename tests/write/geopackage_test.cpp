@@ -14,7 +14,7 @@ namespace d2b::test {
 
 namespace {
 
-/// What the tables of a GeoPackage say, as text.
+/// Content of the tables of a GeoPackage, as text.
 std::string describe(const std::string& path) {
     std::string text;
     for (const char* statement :
@@ -193,7 +193,7 @@ TEST_F(GeoPackageTest, AKilledRunChangesNothing) {
                 ::raise(SIGKILL);
             });
             ASSERT_TRUE(WIFSIGNALED(status));
-            // Opened for writing, SQLite takes back what the dead process has left in the file.
+            // SQLite, opened for writing, takes back the changes that the dead process has left in the file.
             sql(path("a.gpkg"), "SELECT 1", true);
             EXPECT_EQ(describe(path("a.gpkg")), before) << n << append;
             EXPECT_EQ(sql(path("a.gpkg"), "PRAGMA integrity_check"), "ok");

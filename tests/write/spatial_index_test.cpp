@@ -83,7 +83,7 @@ class SpatialIndexTest : public WriteTest {
     void expect_sound(const std::string& name, int n) const {
         EXPECT_EQ(sql(path(name), "SELECT rtreecheck('rtree_buildings_geom')"), "ok");
         EXPECT_EQ(sql(path(name), "SELECT COUNT(*) FROM rtree_buildings_geom"), std::to_string(n));
-        // Boxes hold what they stand for, and no more than a step of single precision besides.
+        // Boxes hold their features, and no more than a step of single precision besides.
         EXPECT_EQ(sql(path(name),
                       "SELECT COUNT(*) FROM buildings b JOIN rtree_buildings_geom r ON b.fid = r.id WHERE "
                       "r.minx <= ST_MinX(geom) AND r.maxx >= ST_MaxX(geom) AND r.miny <= ST_MinY(geom) AND "

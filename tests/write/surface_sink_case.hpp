@@ -24,7 +24,7 @@ class SurfaceSinkCase : public WriteTest {
     [[nodiscard]] writing::FileDestination materials(const std::string& name, bool overwrite = false) const {
         return writing::resolve_file_target({path(name), overwrite, {}, writing::FileKind::materials});
     }
-    /// Half of a tetrahedron, in two buildings: what is in it is not looked at.
+    /// Half of a tetrahedron, in two buildings: sinks do not look at its shape.
     static SurfacePart part(std::int64_t id) {
         SurfacePart part;
         part.points = {{0, 0, 7000}, {1024, 0, 7000}, {0, 2048, 7250}, {1, 0, 7001}};

@@ -178,7 +178,7 @@ TEST_F(CityJsonSinkTest, writesSolids) {
     EXPECT_EQ(written(), expected) << written().dump();
 }
 
-/// A building that was divided has no geometry, and its parts have what a building has. Parts of others may
+/// A building that was divided has no geometry, because its parts have it. Parts of others may
 /// come between them.
 TEST_F(CityJsonSinkTest, writesPartsOfADividedBuilding) {
     const auto sink = open_cityjson_sink(place("a.city.json"));
@@ -249,7 +249,7 @@ TEST_F(CityJsonSinkTest, saysWhereACrsHasNoCode) {
     EXPECT_FALSE(written()["metadata"].contains("referenceSystem"));
 }
 
-/// A GeoTIFF keeps the codes of the parts, and the file names the pair; what has no number is warned of.
+/// A GeoTIFF keeps the codes of the parts, and the file names the pair; a CRS without a number is warned of.
 TEST_F(CityJsonSinkTest, namesTheDatumOfTheHeights) {
     const auto written_of = [&](const char* crs, Names warnings) {
         meta_.provenance.crs_wkt = crs;

@@ -18,7 +18,7 @@ class DependentObjects : public WriteTest {
         options.overwrite = true;
         return options;
     }
-    /// What is said before the work where the field `height` is going to be called otherwise.
+    /// Message before the work where the field `height` is going to be called otherwise.
     std::string refusal_without_height() {
         const std::string before = bytes("a.gpkg");
         LayerSpec spec = layer_spec("buildings");

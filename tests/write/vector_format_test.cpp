@@ -222,7 +222,7 @@ TEST_F(FormatTest, LongNamesStayApartInPostgreSql) {
         EXPECT_TRUE(CPLIsUTF8(name.c_str(), -1)) << name;
 }
 
-/// How a driver rounds is what its documentation says of its options.
+/// Drivers round as their documentation says of their options.
 TEST_F(FormatTest, KnowsHowCoordinatesAreRounded) {
     const auto rounding = [&](const std::string& name, const Names& layer_options) {
         WriteOptions options = to(name);

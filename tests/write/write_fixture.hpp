@@ -59,7 +59,7 @@ class WriteTest : public ::testing::Test {
         return "";
     }
 
-    /// What a sink for the destination would call the layer of buildings.
+    /// Name that a sink for the destination would give to the layer of buildings.
     [[nodiscard]] static std::string buildings_layer(const WriteOptions& options);
 
     std::filesystem::path folder_;
