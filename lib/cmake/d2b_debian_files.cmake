@@ -1,4 +1,4 @@
-# cpack reads this when all files of the packages are there, before it packs them: adds what Debian asks of each package,
+# cpack reads this when all files of the packages are there, before it packs them: adds files that Debian asks of each package,
 # a copyright file and a changelog, and compresses its man pages.
 if(NOT CPACK_GENERATOR STREQUAL DEB)
   return()

@@ -1,4 +1,4 @@
-# What `cmake --install` copies, but for the tools, which their own folder installs.
+# Files that `cmake --install` copies, except the tools, which their own folder installs.
 include(CMakePackageConfigHelpers)
 set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/dem2buildings)
 set(include_dir ${CMAKE_INSTALL_INCLUDEDIR}/dem2buildings)

@@ -1,4 +1,4 @@
-# `cpack -G DEB` in the build folder: a package with what users run and, where it is built, one with the package for
+# `cpack -G DEB` in the build folder: a package with the programs and, where it is built, one with the package for
 # Python and, where CGAL is found, one with dem2buildings_mesh, which has a license of its own; each with the libraries that it needs as dpkg-shlibdeps finds them,
 # and with Pango, which is loaded when something is drawn. `.ci/package` has lintian look at them.
 set(CPACK_PACKAGE_NAME dem2buildings)
@@ -35,7 +35,7 @@ for GeoPandas, Shapely and all else that reads GeoJSON or WKB.")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-dem2buildings)
   set(CPACK_DEBIAN_PYTHON_FILE_NAME DEB-DEFAULT)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-  # What is compiled suits one minor version of Python.
+  # Compiled code suits one minor version of Python.
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "proj-data, ${drawing}, python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_python})")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-geopandas, python3-matplotlib")
   if(BUILD_SHARED_LIBS)

@@ -1,4 +1,4 @@
-# What pages are made of, from the files of lib/view/page and three.js, which are bundled and packed into C++ here.
+# Parts of pages, from the files of lib/view/page and three.js, which are bundled and packed into C++ here.
 # three.js is Debian's (libjs-three), not npm's: the build asks no network then, the version is that of the release and
 # gets its security updates, and the sources it was made from are in the archive.
 set(D2B_THREE_DIR /usr/share/javascript/three CACHE PATH "Folder of three.module.js, as libjs-three installs it")

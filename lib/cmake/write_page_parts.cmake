@@ -1,4 +1,4 @@
-# Writes C++ that holds what all pages have in common.
+# Writes C++ that holds the common parts of all pages.
 # cmake -D HTML=... -D STYLE=... -D SCRIPT=... -D LICENCE=... -D OUTPUT=... -P write_page_parts.cmake
 
 # An array, since string literals have a least length that every compiler takes.

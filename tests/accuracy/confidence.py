@@ -4,7 +4,7 @@ from osgeo import gdal
 
 
 BINS = np.array([0, 0.2, 0.4, 0.6, 0.8, 1.0])
-LEAST_M2 = 50  # what is smaller is a building or none by where a reference draws its line
+LEAST_M2 = 50  # smaller ones are buildings or none by the limit of the reference
 
 
 def objects_of(out):

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Prints what a higher -min_confidence costs, for the table of docs/tasks/trees.md.
+"""Prints the costs of a higher -min_confidence, for the table of docs/tasks/trees.md.
 
     confidence_price.py <dem2buildings> <folder>...
 
 Each folder has a dsm.tif and a reference_buildings.gpkg. A building is true where half of its area or more lies on those of
-the reference. Printed are the true and the false ones of 0.5, and then how many of each a higher limit drops. Needs Debian's
+the reference. Prints the true and the false ones of 0.5, and then how many of each a higher limit drops. Needs Debian's
 python3-gdal.
 """
 

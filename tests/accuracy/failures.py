@@ -22,7 +22,7 @@ def burnt(parts, raster):
 
 
 def worst_window(wrong, rows, cols):
-    """The first row and column of the window of so many rows and columns that holds most of what is wrong."""
+    """The first row and column of the window of so many rows and columns that holds most of the wrong cells."""
     sums = np.zeros(np.add(wrong.shape, 1), np.int64)
     sums[1:, 1:] = wrong.cumsum(0).cumsum(1)
     held = sums[rows:, cols:] - sums[:-rows, cols:] - sums[rows:, :-cols] + sums[:-rows, :-cols]
@@ -30,7 +30,7 @@ def worst_window(wrong, rows, cols):
 
 
 def shaded(z, cell):
-    """Grey from 0 to 1 of a surface that is lit from the north-west; what is unknown is white."""
+    """Grey from 0 to 1 of a surface that is lit from the north-west; unknown cells are white."""
     known = np.isfinite(z)
     filled = np.where(known, z, np.median(z[known]))
     down, across = np.gradient(filled, cell)

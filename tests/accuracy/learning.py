@@ -22,7 +22,7 @@ HOUSE_M2 = 300  # the larger is the likelier a building up to this; woods are la
 
 
 def form_of(row):
-    """What the form of a small object says, as a logarithm."""
+    """The evidence of a small object's form, as a logarithm."""
     small = np.clip((HOUSE_M2 - row["area_m2"]) / (HOUSE_M2 - COMPACT_M2), 0, 1)
     return small * max(np.log(min(row["compactness"], 3 / np.pi) / EVEN_COMPACTNESS), -0.4)
 
@@ -33,7 +33,7 @@ COLUMNS = {"smooth": lambda row: row["smooth"], "ln step": lambda row: np.log(ma
            "ln area": lambda row: np.log(min(row["area_m2"], HOUSE_M2)), "right angles": lambda row: row["right_angles"],
            "gentle": lambda row: row["gentle"], "form": form_of,
            "constant": lambda row: 1}
-RIDGE = 1e-3  # of the squares of the weights: what only one place has gets none
+RIDGE = 1e-3  # of the squares of the weights: a property of only one place gets none
 
 
 def mask_of(place, path):
@@ -50,7 +50,7 @@ def mask_of(place, path):
 
 
 def objects_of(build, place, work):
-    """What the judge sees of the objects of a place: a dictionary each."""
+    """The judge's evidence of the objects of a place: a dictionary each."""
     mask = os.path.join(work, place.name + "_truth.tif")
     mask_of(place, mask)
     program = os.path.join(build, "tests", "accuracy", "d2b_evidence")
@@ -71,7 +71,7 @@ def chances(features, weights):
 
 
 def fit(places, heaviness=None):
-    """The weights that make what is known most likely, each place as heavy as the others or as `heaviness` says: by
+    """The weights that make the known truth most likely, each place as heavy as the others or as `heaviness` says: by
     Newton's method. The last is the constant."""
     heaviness = [1] * len(places) if heaviness is None else heaviness
     features = np.concatenate([place[0] for place in places])
@@ -92,7 +92,7 @@ def fit(places, heaviness=None):
 
 
 def loss(right, confidence):
-    """Mean of -ln of the chance that was given to what is so; 0.69 for one that knows nothing."""
+    """Mean of -ln of the chance that was given to the truth; 0.69 for one that knows nothing."""
     p = np.clip(confidence, 1e-3, 1 - 1e-3)
     return float(-(right * np.log(p) + (1 - right) * np.log(1 - p)).mean()) if len(right) else None
 
@@ -108,7 +108,7 @@ def kind(place):
 
 def left_out(known, fitted=fit):
     """For each place: its objects with the chances that the weights of all others give, in two columns with whether
-    they are buildings, and the confidences of the program. `known` has rows of a place and what seen() gives."""
+    they are buildings, and the confidences of the program. `known` has rows of a place and the result of seen()."""
     for place, (features, right, now) in known:
         others = [row for row in known if kind(row[0]) != kind(place)]
         if len(right) and others:
@@ -138,7 +138,7 @@ def fit_thin(known):
 
 def with_zeros(known, weights):
     """Rows of a name, its weight, and where it says nothing: half way between the means of buildings and of others.
-    The constant is what is left."""
+    The constant is the rest."""
     features = np.concatenate([row[1][0] for row in known])
     right = np.concatenate([row[1][1] for row in known]) > 0
     zeros = (features[right].mean(axis=0) + features[~right].mean(axis=0)) / 2

@@ -91,7 +91,7 @@ def burn(raster, parts, value):
 
 
 def united(parts):
-    """What polygons cover, in polygons without shared walls."""
+    """The union of polygons, in polygons without shared walls."""
     many = ogr.Geometry(ogr.wkbMultiPolygon)
     for part in parts:
         many.AddGeometry(part)

@@ -4,7 +4,7 @@ import sys
 
 
 def output_of(*command):
-    """What a program prints; ends with what it complains of where it fails."""
+    """The output of a program; ends with its error message if it fails."""
     try:
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout
     except FileNotFoundError:

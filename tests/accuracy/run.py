@@ -95,7 +95,7 @@ def learn(arguments, work):
 
 
 def measure_all(arguments, work):
-    """The figures of scenes, of real places, and of these as scans of coarse cells show them, and what learn() gives."""
+    """The figures of scenes, of real places, and of these as scans of coarse cells show them, and the result of learn()."""
     tools = os.path.join(arguments.build, "tools")
     made = make_scenes(arguments.build, work, arguments.seed, arguments.scenes)
     real = cities(arguments.cities) if arguments.cities else []
@@ -107,7 +107,7 @@ def measure_all(arguments, work):
 
 
 def drawn(real, made):
-    """What --failures shows: all real places, then as many scenes as fill the last row."""
+    """Pictures of --failures: all real places, then as many scenes as fill the last row."""
     worst = sorted((figures for figures in made if figures["built"]), key=lambda figures: figures["iou"])
     scenes = worst[:-len(real) % failures.ACROSS or failures.ACROSS]
     return [figures["drawn"] for figures in real + scenes]

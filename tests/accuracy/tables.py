@@ -78,7 +78,7 @@ def all_tables(made, real, coarse=()):
 
 
 def put_into(page, found):
-    """Replaces what stands between `<!-- table NAME -->` and `<!-- end -->`."""
+    """Replaces the text between `<!-- table NAME -->` and `<!-- end -->`."""
     with open(page, encoding="utf-8") as file:
         content = file.read()
     for name, lines in found.items():

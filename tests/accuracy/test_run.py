@@ -140,7 +140,7 @@ class Thinning(unittest.TestCase):
     def test_so_many_pulses_a_cell(self):
         random = np.random.default_rng(1)
         rows, cols, heights = thinning.pulses(np.where(np.arange(40000) % 2, np.nan, 10.0).reshape(200, 200), 0.5, random)
-        self.assertAlmostEqual(len(heights) / 10000, 1, delta=0.05)  # half fall on what is not known
+        self.assertAlmostEqual(len(heights) / 10000, 1, delta=0.05)  # half fall on unknown cells
         self.assertTrue(((cols.astype(int) % 2) == 0).all())
         self.assertAlmostEqual(heights.mean(), 10, delta=0.002)
 

@@ -33,7 +33,7 @@ def points_along(parts, step):
 
 def signed_distances(found, true, cell):
     """From points on the outlines of `found` to the nearest point of those of `true`, in cells: positive outside of
-    what is true. Those that are nearer than NEAR."""
+    the true ones. Only points nearer than NEAR."""
     places, _ = points_along(found, FOUND_STEP * cell)
     nodes, directions = points_along(true, TRUE_STEP * cell)
     if not len(places) or not len(nodes):

@@ -1,4 +1,4 @@
-"""What is measured: this project's tool, the peer, and the floors, on synthetic cities."""
+"""Contenders of the benchmark: this project's tool, the peer, and the floors, on synthetic cities."""
 import json
 import os
 import shutil
@@ -48,7 +48,7 @@ class Bench:
         return path
 
     def warm(self, path):
-        """Into the system's cache: disks are not what is compared."""
+        """Reads it into the system's cache, because disks are not compared."""
         if path not in self.warmed:
             self.warmed.add(path)
             with path.open("rb") as file:
@@ -65,7 +65,7 @@ class Bench:
         return path
 
     def add(self, name, command, heavy=False, out=None):
-        """@param heavy: once, whatever the number of repeats; what is small has many
+        """@param heavy: once, whatever the number of repeats; small cities have many
         @param out: where the result goes; a GeoPackage in the work folder"""
         if name not in self.contenders:
             is_small = SMALL in name or any(name.endswith(city) for city in self.real)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What twice the cells of one large object cost, with each option that works on outlines.
+"""Measures the cost of twice the cells of one large object, with each option that works on outlines.
 
     doubling.py <dem2buildings> [--cells 8000] [--cell_size 1] [--overall] [--shape ragged]...
                 [--only flow_ready]...
@@ -7,7 +7,7 @@
 A ragged block, a comb, a spiral and a checkerboard of some 8,000 cells and of twice and four times as many, each a single
 block of touching roofs on level ground. Prints the instructions in millions, as Valgrind counts them, which are the same
 on a busy machine, and by how much they grow, less those of a run on one small house with the same options, because the
-start of the program would hide what grows. Where there is no Valgrind it is milliseconds of processor, the least of five
+start of the program would hide the growth. Where there is no Valgrind it is milliseconds of processor, the least of five
 runs, of which nothing is taken off, because they are too uneven. With cells of a metre a wall of two cells is wide enough
 for a building; with smaller ones a limit in metres reaches over more cells. The status is 1 where twice the cells cost
 more than 2.5 times, or with --overall where four times the cells cost more than 2.5 times 2.5. Needs GDAL's Python and

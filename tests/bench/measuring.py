@@ -1,4 +1,4 @@
-"""Runs whole processes by turns and keeps what each took."""
+"""Runs whole processes by turns and keeps the time and memory of each."""
 import json
 import os
 import statistics
@@ -24,7 +24,7 @@ class Contender:
         return [str(word).replace("{out}", str(self.out)) for word in self.command]
 
     def run(self):
-        """Once, unmeasured; what it printed."""
+        """Runs once, unmeasured. @return its output"""
         self.forget()
         done = subprocess.run(self.words(), stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         if done.returncode != 0:
@@ -32,8 +32,8 @@ class Contender:
         return done.stdout
 
     def measure(self):
-        """Once. Time is the wall clock's around the process, memory is what the kernel says of it at its end, which
-        is what /usr/bin/time -v prints as its maximum resident set size."""
+        """Runs once. Time is the wall clock's around the process, memory is the kernel's figure at its end, which
+        /usr/bin/time -v prints as its maximum resident set size."""
         self.forget()
         log = self.out.with_suffix(".log")
         streams = [(os.POSIX_SPAWN_OPEN, 0, os.devnull, os.O_RDONLY, 0),
@@ -54,7 +54,7 @@ class Contender:
         self.forget()
 
     def forget(self):
-        """What is still to be written to the disk must not be written in another's time."""
+        """Removes results, because data still to be written must not cost another's time."""
         self.out.unlink(missing_ok=True)
         for beside in self.out.parent.glob(self.out.name + ".*"):
             beside.unlink()

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What stock Debian gives without this project: NumPy cuts the DEM into classes, GDALPolygonize draws each level.
+"""Draws levels with stock Debian, without this project: NumPy cuts the DEM into classes, GDALPolygonize draws each level.
 
     peer_levels.py <dem> <out.gpkg> <threshold>...
 

@@ -1,4 +1,4 @@
-"""What is asked, and whether it is met."""
+"""Requirements, and whether they are met."""
 from dataclasses import dataclass
 from typing import Callable
 
@@ -92,7 +92,7 @@ EXTRAS = {"-surface city.obj": ["-surface", "{out}.obj"],
 
 
 def extra_rows(bench):
-    """What is written beside the two layers, and one layer alone."""
+    """Rows of files beside the two layers, and of one layer alone."""
     plain = bench.ours("default", 25)
     return [Row(f"default with {words}, 25 M : without", bench.ours_with(words, options, 25), [plain], None, ratio)
             for words, options in EXTRAS.items()]

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Measures the tool beside its peers and its floors, whole processes by turns, and prints what is met.
+"""Measures the tool beside its peers and its floors, whole processes by turns, and prints the requirements that are met.
 
     cmake -S . -B build -D D2B_BUILD_BENCHMARKS=ON && cmake --build build --parallel
     tests/bench/run.py build
@@ -52,7 +52,7 @@ def say(text):
 
 
 def trace(bench, path):
-    """Each preset once on two threads, and what that says of more."""
+    """Runs each preset once on two threads, and estimates times on more."""
     out = bench.work / "timeline.gpkg"
     runs = {}
     for preset, options in PRESETS.items():

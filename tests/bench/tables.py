@@ -1,4 +1,4 @@
-"""Markdown and JSON of what was measured."""
+"""Markdown and JSON of the measurements."""
 import os
 import platform
 import subprocess

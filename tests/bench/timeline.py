@@ -13,14 +13,14 @@ class Span:
     what: str
 
 
-# What has threads work for others, and the words of mangled names.
+# Functions that have threads work for others, and the words of mangled names.
 WRAPPERS = {"std", "d2b", "Executor", "for_each", "for_each_in_room", "for_pieces", "in_order", "for_row_bands", "for_cells",
             "sum_of_row_bands", "for_band_copies", "for_runs_by_label", "ElevationReader", "for_each_below", "pass",
             "_GLOBAL__N_1"}
 
 
 def mangled_names(work):
-    """The names in what no demangler takes: each has its length before it."""
+    """The names in text that no demangler takes: each has its length before it."""
     at = 0
     while found := re.compile(r"\d+").search(work, at):
         at = found.end() + int(found.group())
@@ -72,7 +72,7 @@ def seconds_by_threads(spans, whole):
 
 
 def by_amdahl(seconds, threads):
-    """Wall time on so many threads, and the share of it in which one works alone, from what was measured on some."""
+    """Wall time on so many threads, and the share of it in which one works alone, from measurements on some."""
     serial = seconds.get(1, 0)
     shared = sum(number * time for number, time in seconds.items() if number > 1)
     return serial + shared / threads, serial / (serial + shared / threads)
@@ -89,7 +89,7 @@ def write_chrome(path, runs):
 
 
 def longest_alone(spans, whole, number=8):
-    """The longest of the stretches of one thread by what came before them: where to look."""
+    """The longest of the stretches of one thread with the work before them, because that is where to look."""
     found = sorted(alone(spans, whole), key=lambda span: span.begin - span.end)[:number]
     after = [max((s for s in spans if s.end <= gap.begin), key=lambda s: s.end, default=None) for gap in found]
     return [(gap.begin / 1e6, (gap.end - gap.begin) / 1e6, before.what if before else "the start")

@@ -1,4 +1,4 @@
-"""What must hold of every run, whatever its input."""
+"""Conditions that hold for every run, whatever its input."""
 import json
 import re
 
@@ -6,7 +6,7 @@ from read_result import read_result
 from run_tool import RESULT
 
 HIGHEST_M = 1000
-# What may have made a building taller than any is: the option that mends it stands in the warning.
+# Causes of buildings taller than any real one: the option that mends it stands in the warning.
 CAUSES = re.compile(r"-(zunit|snodata|zrange|ground|b|a_srs)\b")
 
 # HDF5 prints its own stack of errors, whoever calls it, before GDAL hears of one.

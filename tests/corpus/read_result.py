@@ -1,11 +1,11 @@
-"""What a GeoPackage of ours holds, read without our own code: sqlite3 and ogrinfo (GEOS by way of SpatiaLite)."""
+"""Content of a GeoPackage of ours, read without our own code: sqlite3 and ogrinfo (GEOS by way of SpatiaLite)."""
 import math
 import sqlite3
 import struct
 import subprocess
 from dataclasses import dataclass
 
-# SQLite keeps NaN as NULL, which is also "not known": what is always known may not be NULL. In the preset thesis there
+# SQLite keeps NaN as NULL, which is also "not known": fields that are always known may not be NULL. In the preset thesis there
 # is no ground where nothing lies beside a building.
 KNOWN = {"buildings": ["id", "roof", "n_points", "n_cells", "area_m2", "perim_m", "status"],
          "contours": ["id", "level", "threshold", "n_points", "elev_mean", "area_m2", "perim_m", "status"]}

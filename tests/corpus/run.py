@@ -5,7 +5,7 @@
 
 Without folders those of the environment variable D2B_CORPUS, with colons between; without that ../shared/corpus. Each
 file is the DEM of both presets, and mask, cutline, ground and NDVI of a sample; where it is a raster, also of itself.
-D2B_TOOL names the program (build/tools/dem2buildings). Prints what came of it and every fault; ends with 1 where there
+D2B_TOOL names the program (build/tools/dem2buildings). Prints the results and every fault; ends with 1 where there
 is one. Needs Python's standard library, and ogrinfo (gdal-bin) to look at polygons.
 """
 import argparse

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What run.py is to notice, it notices: programs that do it are run in the place of ours."""
+"""Checks that run.py notices faults: programs that have them are run in the place of ours."""
 import json
 import os
 import subprocess

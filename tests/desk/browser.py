@@ -1,4 +1,4 @@
-"""What tests of pages in a real browser share: Debian's Chromium, which draws without a graphics card."""
+"""Helpers that tests of pages in a real browser share: Debian's Chromium, which draws without a graphics card."""
 
 import io
 import json

@@ -1,4 +1,4 @@
-"""What the tests in the real QGIS share: the program, a folder of results, pictures and how they are compared."""
+"""Helpers that the tests in the real QGIS share: the program, a folder of results, pictures and how they are compared."""
 
 import os
 import pathlib
@@ -24,7 +24,7 @@ application = QgsApplication([], True)
 application.initQgis()
 # As the desktop does at its start; the styles of layers are read without their 3D part otherwise.
 Qgs3D.initialize()
-# What has no style gets the same colour every time.
+# Layers without a style get the same colour every time.
 QgsProject.instance().writeEntryBool("DefaultStyles", "/RandomColors", False)
 
 
@@ -43,7 +43,7 @@ class DeskCase(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="d2b_desk_"))
-        for sample in ("town.tif", "hotel_70x85.tif"):  # QGIS writes statistics beside what it shows
+        for sample in ("town.tif", "hotel_70x85.tif"):  # QGIS writes statistics beside the files it shows
             shutil.copy(SAMPLES / sample, cls.folder / sample)
 
     @classmethod

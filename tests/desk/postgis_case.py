@@ -56,6 +56,6 @@ class PostGisCase(unittest.TestCase):
                                 stderr=subprocess.PIPE, text=True, env={**os.environ, **(environment or {})})
 
     def end(self, run):
-        """The status and what was said."""
+        """The status and the messages."""
         said = run.communicate(timeout=120)[1]
         return run.returncode, said

@@ -1,4 +1,4 @@
-"""Programs killed at random moments: what QGIS then finds, with the file open in it and when it opens it again."""
+"""Programs killed at random moments: checks the result in QGIS, with the file open in it and when it opens it again."""
 
 import json
 import os
@@ -54,7 +54,7 @@ class Killed(DeskCase):
         return process.wait() == -signal.SIGKILL
 
     def content(self, path):
-        """What QGIS reads of a file that it opens afresh. @return the number of features in each layer"""
+        """Opens a file afresh in QGIS and reads it. @return the number of features in each layer"""
         return tuple(sum(1 for feature in self.layer(path, name).getFeatures() if not feature.geometry().isNull())
                      for name in ("buildings", "contours"))
 

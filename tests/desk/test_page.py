@@ -1,4 +1,4 @@
-"""The page of -page in Chromium: what is seen, what answers, and that it speaks to nobody."""
+"""The page of -page in Chromium: its view, its answers, and that it speaks to nobody."""
 
 import base64
 import io
@@ -81,7 +81,7 @@ class Page(unittest.TestCase):
             gone = browser.run("const {town} = window.dem2buildings;"
                                "return town.fields.get('change').values.filter((value) => value === 'gone').length")
             self.assertEqual(gone, summary["changes"]["gone"])
-            # What is chosen stays chosen in the other survey, unless it is gone there.
+            # A chosen building stays chosen in the other survey, unless it is gone there.
             browser.run("window.dem2buildings.choose(window.dem2buildings.town.numbered(1))")
             browser.run("window.dem2buildings.turnTo('new')")
             self.assertIn("Building 1", browser.text("building"))
@@ -277,7 +277,7 @@ class Page(unittest.TestCase):
             self.assertIn(f"{values['p90']:,.2f}".rstrip("0").rstrip("."), said)
             browser.press("to3d")
             browser.wait()
-            browser.click(640, 400)  # something, or nothing: what a ray says of it is compared
+            browser.click(640, 400)  # something, or nothing: the building that a ray finds is compared
             said = browser.text("building") if browser.is_seen("building") else ""
             seen = browser.run("return window.dem2buildings.scene.pick(640, 400)")
             self.assertEqual(said.startswith("Building"), seen >= 0)
@@ -503,7 +503,7 @@ class Page(unittest.TestCase):
 
     def with_courtyards(self, name, fall=0.0):
         """A house of 60 by 80 m with two courtyards, in the middle of 140 by 160 m. @param fall of the ground, m a row
-        @return the page, and what is house: rows from the north, columns from the west"""
+        @return the page, and the cells of the house: rows from the north, columns from the west"""
         rows, cols = np.mgrid[0:160, 0:140]
         house = (rows >= 40) & (rows < 120) & (cols >= 40) & (cols < 100)
         for top, left in (50, 55), (85, 70):

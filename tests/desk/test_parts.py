@@ -1,4 +1,4 @@
-"""What dem2buildings_tiles writes in parts opens in QGIS as one: layers of FlatGeobuf files and a raster of GeoTIFFs."""
+"""The parts that dem2buildings_tiles writes open in QGIS as one: layers of FlatGeobuf files and a raster of GeoTIFFs."""
 
 import json
 import pathlib

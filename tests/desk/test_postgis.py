@@ -1,4 +1,4 @@
-"""What is promised of layers in PostGIS."""
+"""Promises about layers in PostGIS."""
 
 import os
 import pathlib
@@ -19,7 +19,7 @@ TIMES = int(os.environ.get("D2B_KILLS", "10"))
 
 class PostGis(PostGisCase):
     def expect_refused(self, expected, *options, status=1, **where):
-        """One sentence that holds what is expected."""
+        """Expects one sentence that holds the given text."""
         got, said = self.end(self.start(*options, **where))
         self.assertEqual(got, status, said)
         self.assertRegex(said, r"\AERROR: [^\n]+\.\n\Z")

@@ -35,7 +35,7 @@ def plugin_metadata(path):
 
 
 class Feedback(QgsProcessingFeedback):
-    """Remembers what it is told, and cancels at a share of the progress."""
+    """Remembers its messages, and cancels at a share of the progress."""
 
     def __init__(self, cancel_at=None):
         super().__init__(False)
@@ -141,7 +141,7 @@ class Toolbox(DeskCase):
         self.assertEqual(page.widget.storageMode(), QgsFileWidget.SaveFile)
         page.setValue("/tmp/town.html")
         self.assertEqual(page.value(), "/tmp/town.html")
-        # What the program decides is called so, not "Not set".
+        # Values that the program decides are called "automatic", not "Not set".
         for name in ("preview_scale", "snodata", "i", "min_gap", "min_wall", "regularize_tolerance"):
             with self.subTest(name):
                 number = panel.wrappers[name]
@@ -345,7 +345,7 @@ class Toolbox(DeskCase):
         target = self.make("kept.gpkg", sample="hotel_70x85.tif")
         before = target.read_bytes()
         feedback = Feedback(cancel_at=5)
-        # As in what a script starts in the background.
+        # Ignores SIGINT, as in programs that a script starts in the background.
         self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.SIG_IGN))
         # Enough to do for the request to arrive in time, also where the machine has much else to do.
         large = str(self.folder / "large.vrt")

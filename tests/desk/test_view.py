@@ -19,7 +19,7 @@ TOLERANCE = 0.05
 
 
 def described(extent, layers, terrain):
-    """Settings of a scene: Python has no class for its terrain, but reads what a project would hold."""
+    """Settings of a scene: Python has no class for its terrain, but reads the XML of a project."""
     document = QDomDocument()
     scene = document.createElement("qgis3d")
     document.appendChild(scene)

@@ -1,5 +1,5 @@
-"""A .glb of -surface in a viewer of the web: three.js reads it with its loader of glTF, in Chromium, and shows what the
-layer holds."""
+"""A .glb of -surface in a viewer of the web: three.js reads it with its loader of glTF, in Chromium, and shows the
+buildings of the layer."""
 
 import base64
 import os

@@ -1,6 +1,6 @@
 """Has the compiler read every source of a configured build folder, without making anything of it: check_syntax.py <build folder>.
 
-Many times quicker than a build, and it finds what another version of a library has under another name or type.
+Many times quicker than a build, and it finds names and types that another version of a library has changed.
 """
 import concurrent.futures
 import json

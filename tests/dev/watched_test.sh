@@ -1,5 +1,5 @@
 #!/bin/sh
-# What a person reads of a build and of tests: watched_test.sh <tools/dev/watched.sh> <scratch folder>
+# Tests the text that a person reads of a build and of tests: watched_test.sh <tools/dev/watched.sh> <scratch folder>
 set -eu
 . "$1"
 rm -rf "$2"

@@ -5,7 +5,7 @@
 
 Every page of docs/ is in the site, in its search, and reached by links from the first page; links and anchors lead
 somewhere; nothing is loaded from another host; there is a light and a dark palette, and a width for phones. Ends with
-status 77 if what builds the site is missing.
+status 77 if a package that builds the site is missing.
 """
 
 import importlib.util
@@ -24,7 +24,7 @@ LOADED = {"script": "src", "img": "src", "iframe": "src", "source": "src"}
 
 
 def missing():
-    """What is needed to build the site, and is not there."""
+    """Names of packages that are missing to build the site."""
     names = []
     for module, package in (("mkdocs", "mkdocs"), ("mkdocstrings", "mkdocstrings"),
                             ("mkdocstrings_handlers", "mkdocstrings-python-handlers")):

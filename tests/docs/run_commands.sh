@@ -1,10 +1,10 @@
 #!/bin/sh
 # Runs every command of README.md and of the pages of docs, except docs/research and docs/design, that stands in a block
-# marked ```sh, in a scratch folder that has sample_dems/, with the tool on the PATH. A block marked ```output holds what the block before it prints;
+# marked ```sh, in a scratch folder that has sample_dems/, with the tool on the PATH. A block marked ```output holds the output of the block before;
 # empty lines do not count. Blocks marked ```sh mesh are run where dem2buildings_mesh is built, those
 # marked ```sh page where pages are (D2B_BUILD_PAGE).
 #   run_commands.sh <source folder> <folder of the tool> <scratch folder> <build folder>
-# What programs are built with is installed in <scratch folder>/installed.
+# The library to build programs with is installed in <scratch folder>/installed.
 set -eu
 source_folder=$1
 PATH=$2:$PATH

@@ -3,7 +3,7 @@
 
     surface_rows.py <dem2buildings> <source folder> [--write]
 
-Prints each row that differs and ends with status 1; with --write the page gets the rows. What OpenFOAM says, in the last
+Prints each row that differs and ends with status 1; with --write the page gets the rows. OpenFOAM's verdict, in the last
 cell of a row, stays as it stands. Needs Debian's python3-gdal and python3-shapely.
 """
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the libFuzzer targets of a build, as many at a time as there are processors, on their seeds and on what earlier
+# Runs the libFuzzer targets of a build, as many at a time as there are processors, on their seeds and on inputs that earlier
 # runs have found worth keeping.
 #   run.sh <build folder> <seconds a target> [<corpus folder>]
 # D2B_FUZZ_SEED lets them try the same things each time; without it they try other ones.
@@ -10,7 +10,7 @@ seeds=$(cd "$(dirname "$0")" && pwd)/seeds
 corpus=${3:-$build/corpus}
 mkdir -p "$corpus"
 cd "$corpus"
-# What a target prints goes to a file a target; libFuzzer leaves the input that breaks it as crash-* in the corpus folder.
+# Each target's output goes to a file of its own; libFuzzer leaves the input that breaks it as crash-* in the corpus folder.
 for target in engine outlines reader values tiles plan command_line city; do
     # Without CGAL there is no target of cities.
     if [ "$target" != city ] || [ -e "$build/tests/fuzz/city_fuzz" ]; then echo "$target"; fi

@@ -1,4 +1,4 @@
-# What has the MIT license knows nothing of CGAL and of dem2buildings_mesh, which is GPL-3-or-later: no source of lib/, tools/ or
+# MIT-licensed code knows nothing of CGAL and of dem2buildings_mesh, which is GPL-3-or-later: no source of lib/, tools/ or
 # tests/ under ROOT includes them but those of the mesh itself, and no list of CMake has CGAL linked but the mesh's own.
 cmake_minimum_required(VERSION 3.22)
 set(mesh "^(tools/dem2buildings_mesh/|tests/mesh/|tests/fuzz/city_fuzz\\.cpp$)")

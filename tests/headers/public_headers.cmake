@@ -1,4 +1,4 @@
-# Looks into the public headers: what they include is beside them, or has the bare name of a header of the standard
+# Looks into the public headers: headers that they include are beside them, or have the bare name of a header of the standard
 # library. <folder> is where they are.
 cmake_minimum_required(VERSION 3.22)
 file(GLOB headers ${folder}/*.hpp ${folder}/*.hpp.in)

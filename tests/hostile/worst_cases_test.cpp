@@ -37,7 +37,7 @@ class WorstCases : public CliTest {
         return {result.cpu_seconds, static_cast<double>(result.peak_bytes), count("contours"),
                 count("contours") + count("buildings")};
     }
-    /// Four times the side, sixteen times the cells: costs that grow with their square would be 256 times as
+    /// Four times the side, sixteen times the cells: time that grows with their square would be 256 times as
     /// long.
     void expect_linear(const Surface& surface, const Arguments& arguments, double bytes_a_cell,
                        double bytes_a_contour = 1500) const {

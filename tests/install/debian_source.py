@@ -21,7 +21,7 @@ def entries(path):
 
 
 def is_in(file, entry):
-    """Whether a file is what an entry names, or lies in that folder; in folders a star stands for one name."""
+    """Whether an entry names a file, or the folder that it lies in; in folders a star matches one name."""
     pattern = "[^/]*".join(map(re.escape, entry.split("*")))
     return re.fullmatch(f"{pattern}(/.*)?", file) is not None
 

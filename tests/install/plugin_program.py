@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""How the plugin of QGIS finds the program and reads what it says; QGIS itself is not needed.
+"""How the plugin of QGIS finds the program and reads its output; QGIS itself is not needed.
 
     plugin_program.py <folder of the plugin>
 """

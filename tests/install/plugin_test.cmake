@@ -1,4 +1,4 @@
-# The zip of the plugin holds its folder with the licence, and its metadata have what QGIS 3 and 4 and their repository of
+# The zip of the plugin holds its folder with the licence, and metadata with fields that QGIS 3 and 4 and their repository of
 # plugins ask for. Without qgisMaximumVersion it would be 3.99.
 cmake_minimum_required(VERSION 3.22)
 file(REMOVE_RECURSE ${work})

@@ -1,4 +1,4 @@
-"""What the tests of the package share: the program, samples as arrays, a made block, and what is in a GeoPackage."""
+"""Helpers that the tests of the package share: the program, samples as arrays, a made block, content of a GeoPackage."""
 
 import os
 import pathlib
@@ -73,7 +73,7 @@ def layer_of(path, name):
 
 
 def values(column):
-    """The values of a column of a result, None for what is NULL."""
+    """The values of a column of a result, None for NULL."""
     listed = column.tolist()
     return [None if isinstance(value, float) and value != value else value for value in listed]
 

@@ -1,4 +1,4 @@
-"""extract_file(): what the program writes, by a call."""
+"""extract_file(): writes the files of the program by a call."""
 
 import pathlib
 import resource

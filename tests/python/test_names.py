@@ -30,7 +30,7 @@ class Names(PythonCase):
         return write_grid(self.place(suffix), array)
 
     def forms(self, path):
-        """What os.fsencode() takes."""
+        """The types of names that os.fsencode() takes."""
         return path, os.fsdecode(path), pathlib.Path(os.fsdecode(path))
 
     def test_the_dem(self):

@@ -1,4 +1,4 @@
-"""What extract() gives: features, WKB, columns, the report; and how other packages take it."""
+"""The result of extract(): features, WKB, columns, the report; and how other packages take it."""
 
 import json
 import struct

@@ -1,4 +1,4 @@
-"""What the package finds is what the program writes, to the bit: geometries and fields."""
+"""The package finds the buildings that the program writes, to the bit: geometries and fields."""
 
 import unittest
 import warnings

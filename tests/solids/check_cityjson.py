@@ -43,7 +43,7 @@ def metres_in_a_unit(city):
     name = city.get("metadata", {}).get("referenceSystem", "")
     if not name:
         return 1.0
-    from osgeo import osr  # what has no CRS is looked at without it
+    from osgeo import osr  # files without a CRS do not need it
     crs = osr.SpatialReference()
     crs.ImportFromEPSG(int(name.rsplit("/", 1)[1]))
     return crs.GetLinearUnits()

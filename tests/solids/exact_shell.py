@@ -1,4 +1,4 @@
-"""What is wrong with a shell in an OBJ, in exact arithmetic: open edges, edges of more than two faces, triangles that look
+"""Faults of a shell in an OBJ, in exact arithmetic: open edges, edges of more than two faces, triangles that look
 inwards, edges that cross faces, corners within a millimetre of each other."""
 
 import collections

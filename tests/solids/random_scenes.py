@@ -4,8 +4,8 @@
     random_scenes.py <dem2buildings> [<how many> [<first seed>]]
 
 A scene is a few blocks of any direction with steps, gables, hips, courtyards and corners that touch, on a slope with bumps, as a raster
-of some thousand cells; its cell, its rotation and the options come from its seed. Of each shell is asked, in exact
-arithmetic, what exact_shell.py asks, and of each solid what check_cityjson.py asks. Prints the sums; the status is 1 where
+of some thousand cells; its cell, its rotation and the options come from its seed. Checks each shell, in exact
+arithmetic, with exact_shell.py, and each solid with check_cityjson.py. Prints the sums; the status is 1 where
 any is not 0. Needs python3-gdal, python3-numpy and python3-jsonschema.
 """
 
@@ -44,7 +44,7 @@ def roof(random, x, y, middle, half, angle):
 
 
 def elevations(random, cell):
-    """Metres; the lengths of what stands are cells."""
+    """Metres; the lengths of buildings are cells."""
     y, x = np.mgrid[0:SIZE, 0:SIZE]
     z = 50 + random.uniform(-0.1, 0.1) * x + random.uniform(-0.1, 0.1) * y + random.normal(0, 0.02, x.shape)
     angles = random.choice([0, 0, random.uniform(0, math.pi / 2)]) + math.pi / 2 * np.arange(2)
@@ -90,12 +90,12 @@ def options(random, surface_of):
 
 FAULTS = ("open edges", "edges of more than two faces", "triangles that look the wrong way", "edges that cross a face",
           "corners that are one in single precision", "corners within a millimetre of another", "faults of solids")
-# What has no fault since it is not there; it is only told of where there is any.
+# Missing buildings, which are no fault; they are reported only where there are any.
 LOST = "buildings left out"
 
 
 def look_at(tool, folder, given):
-    """What there is in the surfaces of a run, and what is wrong with them."""
+    """Counts of the surfaces of a run, and their faults."""
     names = {kind: os.path.join(folder, f"scene.{kind}") for kind in ("tif", "obj", "city.json", "gpkg")}
     command = [tool, "-q", "-overwrite", "-threads", "1", *given, "-surface", names["obj"], "-surface", names["city.json"],
                names["tif"], names["gpkg"]]

@@ -155,7 +155,7 @@ def has_one_fan(faces):
 
 
 def faults(faces, points, step):
-    """What is wrong with a shell. @param faces as rings of numbers of points @param points in whole steps @param step metres
+    """Faults of a shell. @param faces as rings of numbers of points @param points in whole steps @param step metres
     of one along each axis"""
     numbers = sorted({i for rings in faces for ring in rings for i in ring})
     # Near the first point, so that metres are exact enough.

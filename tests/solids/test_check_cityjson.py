@@ -1,4 +1,4 @@
-"""Each rule of check_cityjson.py finds what breaks it. `python3 test_check_cityjson.py`"""
+"""Each rule of check_cityjson.py finds files that break it. `python3 test_check_cityjson.py`"""
 
 import copy
 import unittest

@@ -1,4 +1,4 @@
-"""Each count of exact_shell.py sees what breaks a shell. `python3 test_exact_shell.py`"""
+"""Each count of exact_shell.py sees the fault that it is for. `python3 test_exact_shell.py`"""
 
 import unittest
 

@@ -3,7 +3,7 @@
 
     block_change.py <buildings.gpkg without it> <buildings.gpkg with it>
 
-A block is what touches in the first file. What is in one file and not in the other counts for the block that lost it, or
+A block is a set of touching buildings in the first file. Area in one file alone counts for the block that lost it, or
 whose wall it lies along. Prints a line; the status is 1 where it is more than 1 % of any block. Needs shapely and GDAL's
 Python.
 """

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures what -flow_ready promises, from the files alone.
+"""Measures the promises of -flow_ready, from the files alone.
 
     check_flow.py <metres> <buildings.gpkg>...
 

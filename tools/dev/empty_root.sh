@@ -21,7 +21,7 @@ make_root() {
     mount -t devpts -o newinstance,ptmxmode=0666 devpts "$2/dev/pts" || true
 }
 
-# drop_root folder: what is still mounted there stays, because it is that of this machine
+# drop_root folder: other mounts there stay, because they are those of this machine
 drop_root() {
     umount "$1/dev/pts" "$1/proc" 2>/dev/null || true
     rm -rf --one-file-system "$1"
@@ -33,7 +33,7 @@ copy_source() {
     git ls-files -z | xargs -0 cp --parents -t "$1/source"
 }
 
-# require_in_readme command: only what the README tells users is what they do
+# require_in_readme command: fails if the README does not have it, because users do only its commands
 require_in_readme() {
     grep -qxE " *$1" README.md || { echo "README.md does not have the line: $1" >&2; exit 1; }
 }

@@ -55,7 +55,7 @@ def sums_of_folder(folder):
 
 
 def run(programs, raster, options, destination, threads):
-    """The sums of all files that a run writes, and of what it says."""
+    """The sums of all files and messages that a run writes."""
     with tempfile.TemporaryDirectory() as folder:
         command = [programs / "dem2buildings", "-q", "-threads", str(threads), *options, raster, destination]
         try:

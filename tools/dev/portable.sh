@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Makes, on Debian 12, what runs on other Linux systems without their GDAL, PROJ and GEOS: a wheel for Debian's Python, and an
+# Makes, on Debian 12, packages for other Linux systems without their GDAL, PROJ and GEOS: a wheel for Debian's Python, and an
 # image for containers. Both bring the data of GDAL and PROJ and the sample town. As root or with sudo.
 #   portable.sh [folder]
 # The folder, build-portable by default, gets the libraries, the build, dem2buildings-<version>-*.whl and dem2buildings-oci.tar.
-# What is there already is not built again.
+# Existing parts are not built again.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh
@@ -31,7 +31,7 @@ cmake --build "$build" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" \
 
 # needs file: the libraries of the system that it is linked with
 needs() { readelf --dynamic "$1" | sed -n 's/.*(NEEDED).*\[\(.*\)\]/\1/p'; }
-# copy_data folder: what programs and module look for beside them
+# copy_data folder: copies the data that programs and module look for beside them
 copy_data() {
     mkdir -p "$1/proj"
     cp -r "$root/share/gdal" "$1/gdal"

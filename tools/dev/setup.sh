@@ -1,20 +1,20 @@
 # For try.sh and test.sh, which read this file. Debian packages are installed where they are missing; on systems
-# without apt-get, what is installed already has to do.
+# without apt-get, the installed packages have to do.
 
 build_packages="g++ cmake make ninja-build libgdal-dev libgeos-dev libproj-dev libgeographiclib-dev libsqlite3-dev
     libboost-dev libboost-program-options-dev libeigen3-dev nlohmann-json3-dev pkgconf libcairo2-dev libpango1.0-dev"
 
-# What dem2buildings_mesh is built with; without it, all else is built.
+# Packages to build dem2buildings_mesh; without them, all else is built.
 mesh_packages="libcgal-dev"
 
-# What -page is built with.
+# Packages to build -page.
 page_packages="esbuild libjs-three"
 
-# What the package for Python is built with and needs, and what its tests and its page in docs/ use.
+# Packages to build and use the package for Python, and those of its tests and its page in docs/.
 python_packages="python3-dev pybind11-dev python3-numpy"
 python_test_packages="mypy python3-geopandas python3-matplotlib"
 
-# What the site of docs/ is built with.
+# Packages to build the site of docs/.
 site_packages="mkdocs mkdocs-material mkdocstrings mkdocstrings-python-handlers doxygen"
 
 # as_root command...: with sudo only where it is needed

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Builds GDAL, PROJ, GEOS and what they need as static libraries from Debian's own source packages, with the formats of
+# Builds GDAL, PROJ, GEOS and their dependencies as static libraries from Debian's own source packages, with the formats of
 # docs/install.md and no others: for the program for Windows, and for a wheel and an image that need no libraries of
 # the system. On Debian 12, as root or with sudo.
 #   static_libraries.sh windows|linux <folder>
-# <folder>/sources gets the sources, <folder>/<system>/root the libraries. What is there already is not built again.
+# <folder>/sources gets the sources, <folder>/<system>/root the libraries. Existing parts are not built again.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh
@@ -135,7 +135,7 @@ build_sqlite() {
     "$from/configure" --disable-tcl --disable-readline >/dev/null
     make sqlite3.c sqlite3.h >/dev/null
     cd - >/dev/null
-    # As Debian compiles it, where results can show it: what an existing GeoPackage may use.
+    # Compiles SQLite as Debian does in features that results can show, because existing GeoPackages may use them.
     compile_library sqlite3 "$c_compiler" -DSQLITE_THREADSAFE=1 -DSQLITE_ENABLE_RTREE -DSQLITE_ENABLE_COLUMN_METADATA \
         -DSQLITE_ENABLE_MATH_FUNCTIONS -DSQLITE_ENABLE_FTS3 -DSQLITE_ENABLE_FTS3_PARENTHESIS -DSQLITE_ENABLE_FTS3_TOKENIZER \
         -DSQLITE_ENABLE_FTS4 -DSQLITE_ENABLE_FTS5 -DSQLITE_SECURE_DELETE -DSQLITE_USE_URI -DSQLITE_MAX_VARIABLE_NUMBER=250000 \
@@ -191,7 +191,7 @@ build_geos() {
 }
 
 build_proj() {
-    # Quicker to compile; of what PROJ does, the program waits for little but the database.
+    # Optimises less to compile faster, because the program waits for little of PROJ but its database.
     flags="${flags/-O2/-O1}" cmake_library proj "$(unpack proj)" -DENABLE_CURL=OFF -DENABLE_TIFF=OFF -DBUILD_APPS=OFF -DBUILD_PROJSYNC=OFF \
         -DSQLITE3_INCLUDE_DIR="$root/include" -DSQLITE3_LIBRARY="$root/lib/libsqlite3.a" -DEXE_SQLITE3=/usr/bin/sqlite3
 }

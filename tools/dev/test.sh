@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what is needed, builds, and runs all tests. What a person reads is printed, all of it is in build/test.log.
+# Installs packages, builds, and runs all tests. Prints a summary for people; build/test.log has all output.
 set -eu
 cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh

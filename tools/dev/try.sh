@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what is needed, builds, and finds the buildings of a sample town.
+# Installs the needed packages, builds, and finds the buildings of a sample town.
 set -eu
 cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh

@@ -1,6 +1,6 @@
-# For test.sh, which reads this file: what a person reads of a build and of tests.
+# Functions of test.sh, which reads this file: they print the output of builds and tests for people.
 
-# logged log filter command...: all that the command says goes to the log, and what the filter leaves of it to stdout.
+# logged log filter command...: all output of the command goes to the log, and the lines that pass the filter to stdout.
 # The status is the command's.
 logged() {
     log=$1
@@ -29,7 +29,7 @@ build_progress() {
         { print; fflush() }'
 }
 
-# A line for each tenth of the way; what fails, with all that it says; one line at the end.
+# Prints a line for each tenth of the way, failed tests with all their output, and one line at the end.
 test_progress() {
     # The numbers of CTest have a point.
     LC_ALL=C awk '

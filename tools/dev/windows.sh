@@ -2,7 +2,7 @@
 # Makes dem2buildings-<version>-windows.zip on Debian 12: the plugin for QGIS, with the programs for 64-bit Windows, the data
 # of GDAL and PROJ, the sample town and the licences in it. The programs need no other files. As root or with sudo.
 #   windows.sh [folder]
-# The folder, build-windows by default, gets the libraries, the build and the zip. What is there already is not built again.
+# The folder, build-windows by default, gets the libraries, the build and the zip. Existing parts are not built again.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh

@@ -1,4 +1,4 @@
-"""What the program finds: its blocks as `-surface` writes them, and its terrain."""
+"""Results of the program: its blocks as `-surface` writes them, and its terrain."""
 import json
 import resource
 import subprocess

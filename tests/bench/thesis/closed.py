@@ -75,7 +75,7 @@ def plane(corners, plan):
 
 
 def stood_on(skin, feet, z, cell):
-    """The skin with its feet at the heights of a raster, but below what is over them."""
+    """The skin with its feet at the heights of a raster, but below the points over them."""
     points = skin.points.copy()
     nodes = np.array(sorted({a for a, _ in feet}), dtype=int)
     if not len(nodes):
@@ -121,7 +121,7 @@ def heights_unclosed(skin, terrain, cell, budget, valid=True):
 
 
 def assembled(skin, nodes, feet, ground):
-    """@param ground: the terrain's points: the feet, the corners of the window, and what was added"""
+    """@param ground: the terrain's points: the feet, the corners of the window, and the added ones"""
     place = {node: i for i, node in enumerate(nodes.tolist())}
     inside = [(place[a], place[b]) for a, b in feet]
     net = Triangulation(ground[:, :2])

@@ -12,7 +12,7 @@ BUDGETS = (623, 2642, 4248, 25621)  # of table 5.2
 
 @dataclass
 class Trial:
-    """One surface and what it misses: RMSE, 95th percentile and largest distance in m."""
+    """One surface and its errors: RMSE, 95th percentile and largest distance in m."""
     method: str
     budget: int
     source: str  # raw: the surface model; bare: the same without the canopy that ours found

@@ -1,4 +1,4 @@
-"""What the thesis compares itself with, and what came after: surfaces of about as many points as asked for."""
+"""Methods that the thesis compares itself with, and later ones: surfaces of about as many points as asked for."""
 import bisect
 import heapq
 import struct
@@ -138,7 +138,7 @@ def full_mesh(z, cell):
 
 
 def decimate_pro(z, cell, budget):
-    """Points are taken away while the topology stays (Schroeder 1992): what the thesis ran. Also those on sharp
+    """Takes points away while the topology stays (Schroeder 1992), as in the thesis. Also those on sharp
     edges: with VTK's default angle of 15 degrees it ends at a third to a half of all points."""
     work = vtk.vtkDecimatePro()
     work.PreserveTopologyOn()
@@ -185,7 +185,7 @@ def ogr_line(points):
 
 
 def straightened(lines, tolerance):
-    """What Douglas and Peucker keep of the lines that are longer than twice the tolerance."""
+    """Simplifies by Douglas and Peucker the lines that are longer than twice the tolerance."""
     kept = []
     for line in lines:
         left, right, bottom, top = line.GetEnvelope()
@@ -232,7 +232,7 @@ def knots(size, controls):
 
 
 def spline(z, cell, budget):
-    """Cubic B-splines along rows and columns by least squares; what the thesis calls a NURBS surface, whose points
+    """Cubic B-splines along rows and columns by least squares; the thesis calls it a NURBS surface, and its points
     are its controls."""
     rows, cols = (max(4, min(n, size)) for n, size in zip(grid_of(z.shape, budget), z.shape))
     along = interpolate.make_lsq_spline(np.arange(z.shape[0]), z, knots(z.shape[0], rows))(np.arange(z.shape[0]))

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The thesis's tables and figures again, beside what it compared itself with: the figures of
+"""The thesis's tables and figures again, beside the methods that it compared itself with: the figures of
 docs/research/thesis_tables.md.
 
 The errors of each method are those of docs/research/thesis_methods.md.
@@ -35,7 +35,7 @@ def say(text):
 
 
 class Bench:
-    """What is asked for, and what has been measured."""
+    """The request, and its measurements."""
 
     def __init__(self, tool, cities, out, budgets, pictures):
         self.tool = tool
@@ -83,7 +83,7 @@ def delft(bench):
 
 
 def surveyed(name, folder):
-    """A place whose terrain and buildings a survey knows. @return what measures it"""
+    """A place whose terrain and buildings a survey knows. @return the function that measures it"""
     def measure(bench):
         place = bench.cities / folder
         approximate(bench, open_scene(name, place / "dsm.tif", place / "dtm.tif", place / "reference_buildings.gpkg"))

@@ -1,4 +1,4 @@
-"""Elevations that the bench approximates, and what a survey says of them."""
+"""Elevations that the bench approximates, and a survey's truth about them."""
 from dataclasses import dataclass
 from pathlib import Path
 

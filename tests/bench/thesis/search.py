@@ -37,7 +37,7 @@ LEVELS = {
 }
 BEGINS = {model: [{**level, "walls": walls} for level in levels for kind in KINDS[model] for walls in kind[::3]]
           for model, levels in LEVELS.items()}
-TERRAIN_POINTS = 500  # beside those at the walls; with more the terrain is not what errs
+TERRAIN_POINTS = 500  # beside those at the walls; with more the terrain hardly errs
 
 
 def words(choice):
@@ -56,7 +56,7 @@ def beside(choice, name, values, reach):
 
 
 class Search:
-    """Runs of the program on one scene, each kept, and what they come to at a number of points."""
+    """Runs of the program on one scene, each kept, and their errors at a number of points."""
 
     def __init__(self, tool, scene, model):
         """@param model: value of -surface_of"""

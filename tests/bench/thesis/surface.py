@@ -12,7 +12,7 @@ class Surface:
     triangles: np.ndarray  # m x 3, places in points, counter-clockwise from outside
 
     def count(self):
-        """Distinct (x, y, z) that triangles use: what the thesis counts."""
+        """Distinct (x, y, z) that triangles use, as the thesis counts them."""
         used = self.points[np.unique(self.triangles)]
         return len(np.unique(used.round(6), axis=0))
 

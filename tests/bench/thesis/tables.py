@@ -1,4 +1,4 @@
-"""Markdown of what was measured."""
+"""Markdown of the measurements."""
 from measure import OURS
 from thesis_mode import FOOT
 

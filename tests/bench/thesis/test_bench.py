@@ -1,4 +1,4 @@
-"""The bench on a small made scene, and what docs/research/thesis_tables.md says of the samples."""
+"""The bench on a small made scene, and the figures of docs/research/thesis_tables.md for the samples."""
 import os
 import re
 import subprocess
@@ -29,7 +29,7 @@ PAGE = ROOT / "docs/research/thesis_tables.md"
 
 
 def made_scene(folder):
-    """Two houses and a wood on a slope, and what a survey would say of them."""
+    """Two houses and a wood on a slope, and the truth that a survey would give."""
     rows, cols = np.mgrid[0:90, 0:120]
     terrain = 50 + 0.02 * cols + 0.01 * rows
     houses = ((rows > 15) & (rows < 40) & (cols > 20) & (cols < 60)) | \
@@ -68,7 +68,7 @@ class MadeScene(unittest.TestCase):
         for one in ours:
             self.assertLessEqual(one.points, one.budget)
             self.assertEqual(one.surface.open_edges(), 0)
-            # Houses are flat and the ground is level: what is left are cells at the walls.
+            # Houses are flat and the ground is level: the remaining errors are in cells at the walls.
             self.assertLess(one.to_truth[0], 1.0)
             raw = [t.to_truth[0] for t in rivals if t.budget == one.budget and t.source == "raw"]
             self.assertEqual(len(raw), 8)

@@ -1,4 +1,4 @@
-"""The thesis's own settings: what its method has as contours, and as a closed surface on a level plate."""
+"""The thesis's own settings: its results as contours, and as a closed surface on a level plate."""
 import subprocess
 import tempfile
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ FOOT = 0.3048
 
 @dataclass
 class Setting:
-    """What came of one level of detail and one noise factor."""
+    """The result of one level of detail and one noise factor."""
     name: str
     lod: int
     nf: int

@@ -1,4 +1,4 @@
-"""What mkdocs.yml cannot say of the site.
+"""Changes of the site that mkdocs.yml cannot make.
 
 - Pages outside docs/ that a page links to (CONTRIBUTING.md, ...) become pages in project/, other files are copied there.
 - The marks of blocks that tests read, such as ```sh page, are those of languages.
@@ -126,7 +126,7 @@ def on_files(files, config):
 
 
 def indent_lists(text):
-    """Indents what belongs to an item of a list by four blanks, whatever the width of its mark."""
+    """Indents the lines of an item of a list by four blanks, whatever the width of its mark."""
     lines = []
     width = 0
     fenced = False

@@ -67,7 +67,7 @@ def main(version, root, target):
     files = {f"{place}{digest}": content for digest, content in blobs.items()}
     files["index.json"] = json.dumps({"schemaVersion": 2, "manifests": [manifest]}, sort_keys=True).encode()
     files["oci-layout"] = b'{"imageLayoutVersion": "1.0.0"}'
-    # What Docker reads, which does not take the name from the index.
+    # The manifest for Docker, because it does not take the name from the index.
     files["manifest.json"] = json.dumps([{"Config": place + config["digest"][7:], "RepoTags": [f"dem2buildings:{version}"],
                                           "Layers": [place + packed["digest"][7:]]}]).encode()
     with tarfile.open(target, "w", format=tarfile.GNU_FORMAT) as tar:

@@ -1,4 +1,4 @@
-"""The errors of this package. Each is one sentence that says what is wrong and what to do about it."""
+"""The errors of this package. Each is one sentence that names the fault and its remedy."""
 
 
 class Error(Exception):

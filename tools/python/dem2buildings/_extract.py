@@ -83,7 +83,7 @@ def extract(dem, *, transform=None, progress=None, **options):
 
 @EXTRACT_FILE.describe
 def extract_file(src, dst, *, progress=None, **options):
-    """Does what the program does: finds the buildings of a raster and writes them to a vector dataset.
+    """Works as the program does: finds the buildings of a raster and writes them to a vector dataset.
 
     src: a path of anything that GDAL opens or of a folder of rasters, or a list of paths of rasters on one grid
     dst: a path of any format that GDAL writes, by its extension. It keeps its old content or gets the new one, never

@@ -6,7 +6,7 @@ import tempfile
 
 from ._frames import column
 
-_WORD = "GeoDataFrame"  # what messages and metadata call them
+_WORD = "GeoDataFrame"  # their name in messages and metadata
 
 
 def _is_frame(value):

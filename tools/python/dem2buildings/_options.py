@@ -22,7 +22,7 @@ class Option:
 
     @property
     def help(self):
-        """What people read of it, a sentence after another."""
+        """The text on it for people, a sentence after another."""
         row = self.row
         unit = row.get("unit") and f"Unit: {row['unit']}."
         default = row.get("default") and f"Default: {row['default']}."
@@ -120,7 +120,7 @@ class OptionSet:
         return iter(self._options.values())
 
     def given(self, values):
-        """What the program would be given: pairs of names and values in bytes. None stands for what is not given."""
+        """The program's words: pairs of names and values in bytes. None marks an option that is not given."""
         pairs = []
         for argument, value in values.items():
             if argument not in self._options:

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Packs a built package of Python as a wheel, with what lies in its folder, without another builder of wheels.
+"""Packs a built package of Python as a wheel, with the files in its folder, without another builder of wheels.
 
     make_wheel.py <version> <platform> <folder of the package> <folder of licences> <folder for the wheel>
 

@@ -23,7 +23,7 @@ def icon():
 
 
 def written_layers(options):
-    """Of a command line: what each layer that it writes is, and how it is called."""
+    """The layers that a command line writes: the kind and the name of each."""
     chosen = options[options.index("-layers") + 1] if "-layers" in options else "both"
     prefix = options[options.index("-nln") + 1] if "-nln" in options else None
     layers = []
@@ -41,7 +41,7 @@ class WithItsStyle(QgsProcessingLayerPostProcessorInterface):
     """Processing loads layers without the style that their file holds, and into no group. A group for each file keeps
     the layers of a batch apart, which have the same names."""
 
-    # Processing owns and ends what is behind it, but Python must hold on to what is in front, or nothing of this
+    # Processing owns and ends the C++ object, but Python must hold on to its own in front, or nothing of this
     # class is left when it is called, after the end of the algorithm.
     kept = []
 

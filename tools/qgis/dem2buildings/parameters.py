@@ -9,7 +9,7 @@ from qgis.core import (QgsProcessingException, QgsProcessingFeedback, QgsProcess
                        QgsProcessingParameterRasterLayer, QgsProcessingParameterString,
                        QgsProcessingParameterVectorLayer, QgsProviderRegistry, QgsRasterLayer, QgsVectorFileWriter)
 
-# What the dialog does itself: it shows progress, its file dialog has asked whether to replace a file, and a layer that
+# Options that the dialog replaces: it shows progress, its file dialog has asked whether to replace a file, and a layer that
 # is chosen has its name.
 LEFT_OUT = {"q", "json", "sweep", "help", "help_all", "version", "overwrite", "f", "srcwin", "projwin", "if", "cutline_layer",
             "mask_layer", "split_layer", "footprints_layer", "exclude_layer", "corrections_layer"}
@@ -41,7 +41,7 @@ def speaker(table):
 
 
 def help_of(option, spoken):
-    """What the dialog says of an option, without the sentences on how it is typed on a command line."""
+    """The dialog's help on an option, without the sentences on how it is typed on a command line."""
     text = " ".join(part for part in (option["help"], option["details"]) if part)
     sentences = re.split(r"(?<=\.) (?=[A-Z])", text)
     typing = re.compile(r"needs its path|numbers that follow|^Given as for")
@@ -171,14 +171,14 @@ def _plain(value):
 
 
 def _file_of(layer, name):
-    """What GDAL opens of a layer."""
+    """The name by which GDAL opens a layer."""
     if layer is None:
         raise QgsProcessingException(f"There is no layer that {name} names.")
     return layer.source().split("|")[0]
 
 
 def _polygons(algorithm, option, given, context):
-    """File and layer that hold what was chosen: what is filtered, or in no file, is written into one first."""
+    """File and layer of the chosen polygons: a filtered layer, or one in no file, is written into one first."""
     layer = algorithm.parameterAsLayer(given, option["name"], context)
     if layer is None or isinstance(layer, QgsRasterLayer):
         return [_file_of(layer, option["name"])]

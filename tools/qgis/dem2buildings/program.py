@@ -70,7 +70,7 @@ def percent_of(text):
 
 
 def _pump(stream, name, lines):
-    """Hands on what comes as it comes: progress has no line ends."""
+    """Hands on output as it comes, because progress has no line ends."""
     decoder = codecs.getincrementaldecoder("utf-8")("replace")
     while True:
         piece = os.read(stream.fileno(), 4096)
@@ -83,7 +83,7 @@ def _pump(stream, name, lines):
 
 def run(arguments, feedback):
     """Runs the program and hands on its progress.
-    @return (exit status, what it said on stderr, what on stdout after the progress)"""
+    @return (exit status, its text on stderr, its text on stdout after the progress)"""
     pieces = queue.Queue()
     said = {"stdout": "", "stderr": ""}
     running, stopping = 2, False
@@ -93,7 +93,7 @@ def run(arguments, feedback):
             threading.Thread(target=_pump, args=(getattr(process, name), name, pieces), daemon=True).start()
         while running:
             if feedback.isCanceled() and not stopping:
-                # The program takes back what it has begun. SIGINT would be ignored where a script has started QGIS
+                # The program takes back its unfinished files. SIGINT would be ignored where a script has started QGIS
                 # in the background.
                 process.terminate()
                 stopping = True

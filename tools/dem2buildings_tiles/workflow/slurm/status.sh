@@ -1,5 +1,5 @@
 #!/bin/sh
-# Prints what became of a job for Snakemake: running, success or failed. A job that Slurm has forgotten is said to have
+# Prints the state of a job for Snakemake: running, success or failed. A job that Slurm has forgotten is said to have
 # failed: it is run again, and does nothing where its files stand.
 set -u
 if ! said=$(squeue --noheader -t all -j "$1" -o %T 2>&1); then
