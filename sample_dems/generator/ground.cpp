@@ -9,7 +9,7 @@ namespace d2b::sample {
 
 namespace {
 
-/// From 0 at t <= 0 to 1 at t >= 1, level at both ends.
+/// Rises from 0 at t <= 0 to 1 at t >= 1, level at both ends.
 double smooth_step(double t) {
     const double u = std::clamp(t, 0.0, 1.0);
     return u * u * u * (u * (u * 6 - 15) + 10);

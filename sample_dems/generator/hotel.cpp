@@ -60,7 +60,7 @@ Sample hotel() {
     add_bushes(scene, {right + gap, bottom}, {right + gap, top}, random);
     add_bushes(scene, {left, bottom - gap}, {right, bottom - gap}, random);
     add_bushes(scene, {left + 60 * foot, top + gap}, {right - 60 * foot, top + gap}, random);
-    // In the forecourt between the wings.
+    // Adds bushes in the forecourt between the wings.
     add_bushes(scene, {left + 60 * foot, bottom + 8}, {right - 60 * foot, bottom + 8}, random);
     return sample;
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr float nodata = -9999;
 
-/// Of things that have names, the one that is called so; null where none is.
+/// Finds the thing with a name; null if there is none.
 template <typename Named>
 const Named* find(std::span<const Named> all, std::string_view name) {
     const auto found =

@@ -60,7 +60,7 @@ bool odd_crossings(const WorldRing& ring, const Position& p) {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
         if ((ring[i].y > p.y) == (ring[j].y > p.y))
             continue;
-        // From the lower end to the upper one: both houses at a wall compute the same crossing.
+        // Goes from the lower end to the upper one: both houses at a wall compute the same crossing.
         const Position& low = ring[i].y < ring[j].y ? ring[i] : ring[j];
         const Position& high = ring[i].y < ring[j].y ? ring[j] : ring[i];
         if (p.x < low.x + (high.x - low.x) * (p.y - low.y) / (high.y - low.y))

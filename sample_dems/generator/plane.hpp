@@ -41,7 +41,7 @@ struct Frame {
     [[nodiscard]] Position to_scene(const Position& local) const;
     [[nodiscard]] Position to_local(const Position& scene) const;
     [[nodiscard]] WorldPolygon to_scene(const WorldPolygon& local) const;
-    /// With its origin at a place of this frame.
+    /// This frame with its origin at one of its places.
     [[nodiscard]] Frame moved(const Position& local) const { return {to_scene(local), x_axis}; }
 };
 
@@ -49,7 +49,7 @@ struct Frame {
 [[nodiscard]] Position middle(const Position& a, const Position& b);
 /// How far p lies left of the line from a to b; negative on its right.
 [[nodiscard]] double left_of(const Position& a, const Position& b, const Position& p);
-/// From p to the segment a, b.
+/// Distance from p to the segment a, b.
 [[nodiscard]] double distance_to_segment(const Position& a, const Position& b, const Position& p);
 
 /// Even-odd rule; of two polygons that share a wall exactly one contains a point on it.

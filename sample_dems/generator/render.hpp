@@ -18,7 +18,7 @@ struct Grid {
     AffineTransform transform{0, 1, 0, 0, 0, 1};  ///< from (column, row) to the CRS; north up
 
     [[nodiscard]] Position centre(std::int32_t row, std::int32_t col) const;
-    /// From the scene to the CRS.
+    /// Transforms from the scene to the CRS.
     [[nodiscard]] Position to_world(const Position& scene) const;
 };
 

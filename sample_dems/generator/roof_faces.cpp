@@ -144,8 +144,8 @@ struct PartPlanes {
     std::vector<Plane> planes;
 };
 
-/// Where a part stands higher than a plane. Where both are one plane, the first of two parts is taken to be
-/// the higher one.
+/// The area in which a part stands higher than a plane. Where both are one plane, the first of two parts is
+/// taken to be the higher one.
 WorldRing higher_than(const Plane& plane, const PartPlanes& part, bool first) {
     WorldRing ring = ring_of(part.rect);
     for (const Plane& other : part.planes) {
@@ -250,8 +250,8 @@ OGRMultiPolygon divided(const OGRPolygon& polygon, const Building& building) {
                                 : polygons_of(std::unique_ptr<OGRGeometry>(noded.MakeValid()), building);
 }
 
-/// Without corners on straight lines, from the leftmost of the lowest corners on, in the given direction: the
-/// same for each GEOS.
+/// Ring without corners on straight lines, from the leftmost lowest corner on, in the given direction:
+/// the same for each GEOS.
 WorldRing tidy(const OGRLinearRing& line, bool clockwise) {
     WorldRing ring = corners_of(line);
     if ((line.isClockwise() != 0) != clockwise)
@@ -280,7 +280,7 @@ std::vector<RoofCorner> lifted(const WorldRing& ring, const Plane& plane, const 
     return corners;
 }
 
-/// To a millionth of a degree, because the last bits of arc tangents differ between C libraries.
+/// Rounds to a millionth of a degree, because the last bits of arc tangents differ between C libraries.
 double degrees(double radians) {
     return std::round(radians * 180 / std::numbers::pi * 1e6) / 1e6;
 }

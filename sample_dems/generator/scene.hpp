@@ -20,7 +20,7 @@ struct Tree {
     std::uint64_t seed = 0;
 
     [[nodiscard]] std::optional<double> elevation_at(const Position& p) const;
-    /// Where the crown sends back a pulse: somewhere below its hull, mostly near it. Empty where the pulse
+    /// Height at which a crown returns a pulse: somewhere below its hull, mostly near it. Empty if the pulse
     /// finds a gap.
     /// @param draw a number of the pulse's own
     [[nodiscard]] std::optional<double> first_return(const Position& p, std::uint64_t draw) const;

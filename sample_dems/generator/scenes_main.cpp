@@ -43,7 +43,7 @@ bool read(const std::string& word, std::uint64_t& number) {
     return error == std::errc() && *end == '\0';
 }
 
-/// With a decimal point in any locale.
+/// Reads a number with a decimal point in any locale.
 bool read(const std::string& word, double& number) {
     char* end = nullptr;
     number = CPLStrtod(word.c_str(), &end);

@@ -47,7 +47,7 @@ void build_slabs(const Site& site) {
     if (box.width() >= 34 && box.depth() >= 34) {
         site.scene.ground.level(site.frame, box.grown(2));
         Draft draft = slab_draft(box, site.random);
-        // On the first wing of a box; a drum has no flat rectangle to spare at its rim.
+        // Puts it on the first wing of a box; a drum has no flat rectangle to spare at its rim.
         if (draft.kind != "round tower")
             add_plant_room(draft, draft.parts[0].rect, site.random);
         site.scene.add(draft, site.frame);

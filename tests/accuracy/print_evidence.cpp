@@ -65,7 +65,7 @@ struct Agreement {
     double right = 0;  ///< of these: where it has a building
 };
 
-/// By label - 1.
+/// Agreement by label - 1.
 std::vector<Agreement> compare(const detect::Candidates& judged, const MetreGrid& truth) {
     std::vector<Agreement> result(judged.objects.size());
     for (std::int32_t r = 0; r < judged.regions.rows; ++r)

@@ -153,7 +153,7 @@ class Tiers : public ::testing::Test {
             change(options);
         d2b::run(options, {source}, {sink_});
     }
-    /// From low to high; that of level 1 has the threshold 0.
+    /// Tiers from low to high; that of level 1 has the threshold 0.
     [[nodiscard]] std::vector<Tier> tiers_of(const Shape& shape) const {
         std::map<std::int64_t, Tier> tiers;
         for (std::size_t i = 0; i < sink_.features[contours].size(); ++i) {

@@ -24,7 +24,7 @@ struct Span {
     double from = 0;
     double to = 0;
 
-    /// Where its lots begin: as many as there is room for, in its middle.
+    /// Beginnings of its lots: as many as there is room for, in its middle.
     [[nodiscard]] std::vector<double> lots() const {
         constexpr double avenue = 12;
         constexpr double street = 16;

@@ -7,7 +7,7 @@
 
 namespace d2b::bench {
 
-/// Where buildings stand, and their yards.
+/// Marks the cells of buildings and of their yards.
 /// @param built one value a cell of whole rows; those of a scene's buildings become 1
 void mark_built(const sample::Scene& scene, const sample::Grid& grid, std::int32_t first_row,
                 std::int32_t rows, std::span<char> built);

@@ -39,8 +39,8 @@ class CliTest : public ::testing::Test {
     [[nodiscard]] Layer layer(const std::string& file, const std::string& name) const;
 
     std::filesystem::path folder_;
-    /// Of every run whose arguments name none: most tests look at single points and levels, whatever stands
-    /// there. Empty: the program's own default.
+    /// Preset of every run without one in its arguments: most tests look at single points and levels in any
+    /// place. Empty: the program's own default.
     std::string preset_ = "thesis";
 };
 
@@ -54,7 +54,7 @@ class CliTest : public ::testing::Test {
 /// Gives cells of a raster an elevation, from a row and a column to the last ones.
 void fill(RasterSpec& spec, int row, int last_row, int col, int last_col, double z);
 
-/// Where the file is not, the test is skipped with this message.
+/// Message with which the test is skipped if the file is missing.
 [[nodiscard]] std::string missing_shared(const std::string& file);
 
 }  // namespace d2b::test

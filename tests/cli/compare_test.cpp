@@ -121,7 +121,7 @@ TEST_F(CompareTool, writesALayer) {
     EXPECT_EQ(raised.number("rise"), 2.5);
     const Record& grown = changes.where("id", 5);
     EXPECT_EQ(grown.text("change"), "grown");
-    // On the ellipsoid, at a scale of 0.9996.
+    // Area on the ellipsoid, at a scale of 0.9996.
     EXPECT_NEAR(grown.number("area_old"), 100 / (0.9996 * 0.9996), 0.02);
     EXPECT_EQ(grown.area(), 130);
     EXPECT_NE(sql_value(path("out.gpkg"), "SELECT styleQML FROM layer_styles WHERE f_table_name = 'changes'")

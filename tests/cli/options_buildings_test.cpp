@@ -97,7 +97,7 @@ TEST_F(OptionEffect, max_building_width) {
     find({});
     const double standard = at(buildings(), MadeTown::podium).number("ground");
     EXPECT_NEAR(standard, MadeTown::middle(MadeTown::podium), 1);
-    // Where ground is looked for no farther than 8 m away, the roof of the podium is ground; towers are not.
+    // The roof of the podium is ground if ground is looked for no farther than 8 m away; towers are not.
     find({"-max_building_width", "8"});
     double highest = 0;
     for (const Record& record : buildings().records)
@@ -119,7 +119,7 @@ TEST_F(OptionEffect, min_building_height) {
     const Record& podium = at(all, MadeTown::podium);
     EXPECT_LT(flat.number("p90"), 8);
     EXPECT_GT(podium.number("p90"), 20);  // a tower on a podium of 9 m
-    // By p90 as it is written, and whole: the podium is kept with the tower, which -min_height cuts out.
+    // Uses p90 as it is written, and whole: the podium is kept with the tower, which -min_height cuts out.
     find({"-min_building_height", number_text(podium.number("p90")), "-write_rejected"});
     ASSERT_EQ(buildings().records.size(), 1U);
     EXPECT_EQ(buildings().records[0].wkt(), podium.wkt());

@@ -42,7 +42,7 @@ struct WrittenRaster {
     std::string unit;
 };
 
-/// Where the outline of a building may leave a cell out.
+/// True where the outline of a building may leave a cell out.
 bool at_corner(int row, int col) {
     return std::ranges::any_of(std::array{MadeTown::flat, MadeTown::gabled, MadeTown::podium},
                                [&](const Box& box) {

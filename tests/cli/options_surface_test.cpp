@@ -26,7 +26,7 @@ std::string nameless(const std::string& file) {
     return bytes;
 }
 
-/// Of the layer, in the plane of the CRS.
+/// Sum of the layer's areas, in the plane of the CRS.
 double areas(const Layer& buildings) {
     double sum = 0;
     for (const Record& record : buildings.records)
@@ -197,7 +197,7 @@ TEST_F(OptionEffect, surface__asCityJson) {
     EXPECT_TRUE(undivided.parts.empty());
 }
 
-/// Of tiers a solid is their union.
+/// A solid of tiers is their union.
 TEST_F(OptionEffect, surface_of__asCityJson) {
     find({"-surface", "tiers.city.json", "-surface_of", "contours"});
     const ReadCityJson city = read_cityjson(path("tiers.city.json"));

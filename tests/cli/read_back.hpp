@@ -30,7 +30,7 @@ class Record {
     [[nodiscard]] std::string text(const std::string& field) const;
     [[nodiscard]] OGRGeometryH geometry() const { return OGR_F_GetGeometryRef(feature_.get()); }
     [[nodiscard]] std::string wkt() const;
-    /// In the plane of the CRS.
+    /// Area in the plane of the CRS.
     [[nodiscard]] double area() const { return OGR_G_Area(geometry()); }
     [[nodiscard]] bool valid() const { return OGR_G_IsValid(geometry()) != 0; }
     [[nodiscard]] OGREnvelope box() const;
@@ -62,7 +62,7 @@ struct Layer {
 
 /// Fails the test where the file cannot be opened.
 [[nodiscard]] OpenDataset open_vector(const std::string& path);
-/// Without QGIS's table of styles, which OGR lists, too.
+/// Names without QGIS's table of styles, which OGR lists, too.
 [[nodiscard]] std::vector<std::string> layer_names(const std::string& path);
 /// An empty layer without a name where there is none of this one, and a failed test.
 [[nodiscard]] Layer read_layer(const std::string& path, const std::string& name);

@@ -20,10 +20,10 @@ struct ReadCityJson {
     std::map<std::string, std::vector<std::string>> parents;  ///< by names of parts
 
     [[nodiscard]] const nlohmann::json& attributes(std::int64_t building) const;
-    /// In cubic units of the CRS.
+    /// Volume in cubic units of the CRS.
     [[nodiscard]] double volume() const;
     [[nodiscard]] double volume_of(const SurfacePart& solid) const;
-    /// As seen from above.
+    /// Area as seen from above.
     [[nodiscard]] double plan_area(FaceKind kind) const;
     [[nodiscard]] SurfaceFrame frame() const;
 };

@@ -69,7 +69,7 @@ class GlbReader {
     }
 
   private:
-    /// Where the numbers of an accessor begin.
+    /// Place at which the numbers of an accessor begin.
     [[nodiscard]] std::size_t begin(const Json& accessor, int type, int stride) const {
         EXPECT_EQ(accessor.at("componentType"), type);
         const Json& view = root_.at("bufferViews").at(accessor.at("bufferView").get<std::size_t>());
@@ -78,7 +78,7 @@ class GlbReader {
                   view.at("byteLength").get<std::size_t>());
         return bin_ + view.value("byteOffset", std::size_t{0}) + offset;
     }
-    /// With the place of the building that all corners of each belong to.
+    /// Triangles with the place of the building that all corners of each belong to.
     [[nodiscard]] std::vector<std::pair<std::size_t, ReadObj::Triangle>> triangles(
         const Json& primitive) const {
         const auto accessor = [&](const Json& number) -> const Json& {

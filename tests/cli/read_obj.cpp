@@ -57,7 +57,7 @@ int ReadObj::flat_triangles() const {
     return flat;
 }
 
-/// From a corner of its own, since cones from far away would lose all digits.
+/// Uses cones from one of its own corners, because those from far away would lose all digits.
 double ReadObj::volume() const {
     const Corner from = groups.empty() ? Corner{} : groups.begin()->second.at(0)[0];
     double sum = 0;

@@ -91,7 +91,7 @@ TEST_F(ScoreTool, measuresShapes) {
     EXPECT_EQ(shape["direction_pairs"], 2);
     EXPECT_NEAR(shape["direction_median_deg"], angle / 2, 1e-9);
     EXPECT_NEAR(shape["direction_p90_deg"], 0.9 * angle, 1e-9);
-    // Without a raster nobody knows the cells.
+    // Nobody knows the cells without a raster.
     const json without = json::parse(score({"-json", both_[0], both_[1]}).out)["shape"];
     EXPECT_EQ(without["cell_m"], nullptr);
     EXPECT_EQ(without["found"]["short_edge_share"], nullptr);

@@ -24,7 +24,7 @@ class TilesOverHttp : public CliTest {
         return run_tool(
             {python, D2B_SAMPLES "/../tests/cli/serve.py", "served", "/bin/sh", "-c", begin + lines}, setup);
     }
-    /// Of steps beside a run of all at once, when all has been read over the network.
+    /// Compares steps with a run of all at once, when all has been read over the network.
     void expect_one_run(const ToolResult& result) {
         EXPECT_EQ(result.status, 0) << result.err;
         EXPECT_EQ(result.out, "");

@@ -69,7 +69,7 @@ TEST(FindChanges, needsMoreThanTheLimits) {
     EXPECT_EQ(change_to(box_building(0, 0, 12, 10, 6)), "same");  // by 20 m2
     EXPECT_EQ(change_to(box_building(0, 0, 12.01, 10, 6)), "grown");
     EXPECT_EQ(change_to(box_building(0, 0, 7.99, 10, 6)), "shrunk");
-    // By 90 m2, which are 9 % of 1000.
+    // Grows by 90 m2, which are 9 % of 1000.
     EXPECT_EQ(changes_between({box_building(0, 0, 100, 10, 6)}, {box_building(0, 0, 109, 10, 6)}), "same");
     EXPECT_EQ(changes_between({box_building(0, 0, 100, 10, 6)}, {box_building(0, 0, 110.1, 10, 6)}), "grown");
 }
@@ -126,7 +126,7 @@ TEST(FindChanges, countsOnlyWhereBothSurveysHaveData) {
         with_heights(place_of({box_building(0, 0, 10, 10, 6), box_building(96, 0, 136, 10, 6),
                                box_building(92, 10, 104, 20, 6), box_building(200, 0, 210, 10, 6)}),
                      300);
-    // Of those at the border four tenths, one tenth and two thirds are in both surveys.
+    // Shared parts of those at the border are four tenths, one tenth and two thirds.
     const SurveyChanges changes = find_changes(before, after, 1);
     EXPECT_EQ(names_of(changes), "same new");
     EXPECT_EQ(changes.old_outside, 1U);

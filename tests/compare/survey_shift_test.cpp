@@ -71,7 +71,7 @@ TEST(SurveyShift, isNotThatOfTheNextHouse) {
 }
 
 TEST(SurveyShift, isAppliedBeforeBuildingsAreMatched) {
-    // By two cells of 2.5 m, houses of 8 m and less than half of them shared.
+    // Shifts by two cells of 2.5 m, houses of 8 m and less than half of them shared.
     SurveyedPlace before = place_of(street(0, 0));
     SurveyedPlace after = place_of(street(5, 5));
     before.cell_m = after.cell_m = 2.5;

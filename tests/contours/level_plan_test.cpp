@@ -184,7 +184,7 @@ TEST(Quantise, CountsByTheDefinition) {
 
 using test::TraceGrid;
 
-/// Where the points of a contour lie, seen from its polygon: in -trace cells in its cells; in -trace points
+/// Points of a contour, seen from its polygon: in -trace cells those in its cells; in -trace points those
 /// at the corners of its squares.
 std::set<LatticePoint> points_of(const Contour& contour, TraceMode mode) {
     const std::set<LatticePoint> squares = test::squares_inside(contour);

@@ -115,7 +115,7 @@ TEST(BlockPool, HoldsNoMoreThanWasInUseAtATime) {
 }
 
 #if !D2B_SANITIZED && defined(__linux__)
-/// So many bytes of addresses beside those that are taken, as long as it lives.
+/// Leaves so many bytes of addresses beside those that are taken, as long as it lives.
 class FewAddresses {
   public:
     explicit FewAddresses(std::size_t bytes) {

@@ -220,7 +220,7 @@ TEST(CoordinateTransform, GoesThereAndBack) {
 }
 
 TEST(CoordinateTransform, GivesGisOrder) {
-    // On the central meridian, latitude is the length of the meridian arc.
+    // Latitude on the central meridian is the length of the meridian arc.
     const double north = 0.9996 * grs80.meridian(0, 48);
     std::vector<Position> places{{500000, north}};
     CoordinateTransform(Crs("EPSG:25832"), Crs("EPSG:4326"), places).apply(places);

@@ -11,7 +11,7 @@ inline double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-/// In closed form, to check areas and lengths against.
+/// Ellipsoid in closed form, to check areas and lengths against.
 struct Ellipsoid {
     double a = 6378137;
     double f = 1 / 298.257223563;
@@ -30,7 +30,7 @@ struct Ellipsoid {
         const double s = std::sin(radians(latitude));
         return a * std::cos(radians(latitude)) / std::sqrt(1 - e2() * s * s) * radians(degrees);
     }
-    /// By Simpson's rule.
+    /// Length of a meridian by Simpson's rule.
     [[nodiscard]] double meridian(double south, double north) const {
         const auto radius = [&](double latitude) {
             const double s = std::sin(radians(latitude));

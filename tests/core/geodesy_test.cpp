@@ -73,7 +73,7 @@ TEST(Geodesy, PolygonIsExteriorLessInteriors) {
     EXPECT_EQ(plane.polygon(polygon).area_m2, 0);
 }
 
-/// As narrow as a hair and nearly half round the Earth: an error of 1e-7 of its area would take a vertex
+/// Ring as narrow as a hair and nearly half round the Earth: an error of 1e-7 of its area would take a vertex
 /// every few centimetres. With as many as there may be it is a few metres wide on the mean.
 TEST(Geodesy, CutsNoEdgeWithoutEnd) {
     Geodesy geodesy{Crs("EPSG:4326")};
@@ -277,7 +277,7 @@ TEST(Geodesy, UtmAnywhereInItsZone) {
                              utm_area(east, 5500000, 200000, 100000), 1e-7);
 }
 
-/// In many pieces, brought to longitude and latitude, where no piece is long enough to be cut.
+/// Areas in many pieces, brought to longitude and latitude, where no piece is long enough to be cut.
 TEST(Geodesy, AgreesWithBruteForce) {
     struct Case {
         const char* crs;

@@ -115,7 +115,7 @@ TEST(Moments, OfManyAreThoseOfEach) {
     EXPECT_EQ(all.squares.value(), each.squares.value());
     EXPECT_EQ(all.mean(), each.mean());
     EXPECT_EQ(all.standard_deviation(), each.standard_deviation());
-    // Without the largest, beside which the others count for little.
+    // Leaves out the largest, beside which the others count for little.
     Moments rest;
     rest.add_valid(std::span<const double>(values).subspan(12));
     Moments each_of_rest;

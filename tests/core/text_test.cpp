@@ -38,7 +38,7 @@ TEST(Hundredths, OfAShareAreNotRoundedUp) {
 namespace d2b::test {
 namespace {
 
-/// As a report in JSON has it.
+/// Text as a report in JSON has it.
 std::string in_json(const std::string& bytes) {
     const std::string quoted =
         nlohmann::json(bytes).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

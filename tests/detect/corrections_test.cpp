@@ -98,7 +98,7 @@ TEST(Corrections, APolygonOverGroundHasNoEffect) {
     EXPECT_TRUE(corner.effective.empty());
 }
 
-/// Of the house 10 of 18 columns lie in the first polygon, and 6 in the second.
+/// 10 of 18 columns of the house lie in the first polygon, and 6 in the second.
 TEST(Corrections, APolygonTakesAnObjectWholeIfHalfOfItLiesInIt) {
     const Town town = two_houses();
     const Detection before = correct(town, {}).detection;

@@ -34,7 +34,7 @@ Grid<T> flipped(const Grid<T>& grid) {
     return result;
 }
 
-/// Where something stands, and its elevation above the terrain there, by row and column.
+/// Height of things above the terrain, by row and column.
 using Shape = std::function<float(std::int32_t, std::int32_t)>;
 
 /// Ground with things on it.

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// Where the logarithm of the segments' cells says nothing.
+/// Number of the segments' cells at which its logarithm says nothing.
 constexpr double even_cells = 48;
 constexpr ObjectFeatures as_well_a_tree{0.4, 2.2, 0.4, even_cells, 0};
 
@@ -29,7 +29,7 @@ TEST(ObjectFeatures, SumsOfAHandMadeObject) {
     Town town(5, 9);
     town.block(1, 1, 4, 5, 105);
     town.block(2, 6, 4, 8, 103);
-    // Where nothing is known, the step goes down to the terrain.
+    // The step goes down to the terrain where nothing is known.
     town.surface.at(0, 2) = unknown;
     town.terrain.at(0, 2) = 90;
     Grid<std::uint8_t> flags(5, 9, smooth_along_row | smooth_along_column | smooth_any_way);
@@ -109,7 +109,7 @@ TEST(ObjectFeatures, ASlopeHasNoWallsHoweverSteep) {
         for (const double side : {0.5, 1.0, 2.5}) {
             const ObjectFeatures slope = of_a_slope(rise, side);
             EXPECT_EQ(slope.walled, 0) << rise << " " << side;
-            // Of eight directions the steepest is at most 22.5 degrees off.
+            // The steepest of eight directions is at most 22.5 degrees off.
             EXPECT_LE(slope.fall, static_cast<double>(rise) * 1.001);
             EXPECT_GE(slope.fall, static_cast<double>(rise) * 0.92);
         }

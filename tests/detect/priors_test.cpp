@@ -65,7 +65,7 @@ std::vector<DetectedObject> objects_of(const std::vector<double>& confidences) {
     return objects;
 }
 
-/// So many of a confidence beyond doubt, of one above a half, and of one below.
+/// Objects: so many of a confidence beyond doubt, of one above a half, and of one below.
 std::vector<DetectedObject> place(int sure, int likely, int doubtful) {
     std::vector<double> confidences;
     confidences.insert(confidences.end(), static_cast<std::size_t>(sure), 0.99);
@@ -187,7 +187,7 @@ constexpr PriorShare half{0.5, 0.5};
 struct Place {
     Place(std::int32_t rows, std::int32_t cols) : cells(rows, cols) {}
 
-    /// In scan order.
+    /// Adds objects in scan order.
     void add(std::int32_t r, std::int32_t c, double confidence) {
         cells.at(r, c) = 1;
         objects.push_back({confidence, CounterEvidence::rough, 1});

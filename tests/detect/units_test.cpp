@@ -108,7 +108,7 @@ TEST(UnitMerger, SliversAreLeftOut) {
 const Window whole_window{100, 7, 40, 30};
 const UnitGrid unit_grid(whole_window, {1, 1}, 0, {0, 15});
 
-/// For each unit, in order.
+/// Calls for each unit, in order.
 template <typename Use>
 void for_units(const Use& use) {
     for (std::int32_t row = 0; row < unit_grid.rows(); ++row)
@@ -176,7 +176,7 @@ TEST(LabelRows, ComeBackWithOtherNumbers) {
     }
 }
 
-/// Of an axis: the stretches that units own and see, from the borders of their windows.
+/// Stretches of an axis that units own and see, from the borders of their windows.
 struct Stretch {
     std::int32_t begin;
     std::int32_t end;

@@ -34,7 +34,7 @@ struct Found {
     [[nodiscard]] SamplingReport report() const { return detect::sampling_report(counted(), 1); }
 };
 
-/// Of a wall at 0, blurred by a normal distribution.
+/// A wall at 0, blurred by a normal distribution.
 double blurred(double place, double blur) {
     return std::erfc(-place / blur / std::numbers::sqrt2) / 2;
 }

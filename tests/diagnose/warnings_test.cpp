@@ -15,7 +15,7 @@
 namespace d2b::diagnose {
 namespace {
 
-/// So many cells of a height above the ground, and so many of another.
+/// Fit of so many cells of a height above the ground, and so many of another.
 detect::GroundFit heights(int bare, float low, int raised, float high, double min_height = 2) {
     detect::GroundFit fit(min_height);
     std::vector<float> surface(static_cast<std::size_t>(bare), low);
@@ -268,7 +268,7 @@ DetectOptions by_lots() {
     return options;
 }
 
-/// Of a thousand square metres, and 300 metres of cuts with walls beside them.
+/// Report of a thousand square metres, and 300 metres of cuts with walls beside them.
 ParcelReport usual() {
     ParcelReport report;
     report.cut_length_m = 400;
@@ -400,7 +400,7 @@ TEST(Words, ACauseByItself) {
     EXPECT_EQ(as_sentence("-ground none"), "-ground none.");
 }
 
-/// Of a raster of elevations from 100 to 120.
+/// Report of a raster of elevations from 100 to 120.
 RunReport report() {
     RunReport report;
     report.input = "dem";

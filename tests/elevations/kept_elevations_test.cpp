@@ -44,7 +44,7 @@ TEST(ElevationCache, GivesPartsOfBandsToTheLastBit) {
 TEST(ElevationCache, KeepsNothingWhereMemoryIsShort) {
     ElevationCache too_large(window, 12 * sizeof(float) - 1);
     EXPECT_FALSE(too_large.wanted());
-    // As floats they would fit; one of them is wide.
+    // The cells would fit as floats, but one of them is wide.
     ElevationCache wider(window, 12 * sizeof(float));
     keep_both(wider);
     EXPECT_FALSE(wider.complete());

@@ -98,7 +98,7 @@ TEST(ValueBins, FindWhatManyCellsShareFarFromAllOthers) {
     EXPECT_EQ(seen_in(std::vector<double>(100, 5)).bins.shared(100).size(), 0U);  // nothing else is there
 }
 
-/// As the sentence has it, a value against all others.
+/// Shares as the sentence defines them, a value against all others.
 std::map<double, std::int64_t> shared_by_hand(const std::vector<double>& values) {
     std::map<double, std::int64_t> counts;
     for (const double z : values)

@@ -34,7 +34,7 @@ class CommitFaults : public FaultyTest, public testing::WithParamInterface<const
         setup.environment.emplace_back("OGR_CURRENT_DATE=2026-01-01T00:00:00Z");
         return run(arguments, setup);
     }
-    /// By the order in which they are to show; the layers of a database show first.
+    /// Names in the order in which they are to show; the layers of a database show first.
     [[nodiscard]] std::vector<std::string> in_order(bool replaces) const {
         std::vector<std::string> names{"ground.tif", "city.glb", "city.obj"};
         const bool in_place = replaces && destination_ == "out.gpkg";

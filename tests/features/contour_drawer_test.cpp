@@ -21,7 +21,7 @@ const WorldPolygon square{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}};
 DrawParts gives(const Parts& parts) {
     return [parts] { return parts; };
 }
-/// As an overlay of GEOS that does not come to its end.
+/// Fails as an overlay of GEOS that does not come to its end.
 Parts fails() {
     throw GeometryError("GEOS failed on a polygon: TopologyException: side location conflict.");
 }
@@ -194,7 +194,7 @@ TEST(DrawnStack, IsTheHighestContourInTheBuildings) {
     EXPECT_EQ(StackError().rms(fixed), 0);
 }
 
-/// Where a stack ends, a tier is the mean of all that it holds.
+/// A tier at the end of a stack is the mean of all that it holds.
 TEST(DrawnStack, OfEachLevelIsWhatIsLeftOfIt) {
     const FixedPoint fixed(100);
     DrawnStack stack(std::make_unique<MemorySpool>(), {0, 0, 1, 6});

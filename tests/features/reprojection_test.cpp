@@ -47,7 +47,7 @@ TEST(RingTransform, knowsWhatIsTorn) {
     EXPECT_EQ(fate_of(box_ring(10, 80, 20), "EPSG:4326", "EPSG:25832", 64), RingProjection::no_image);
 }
 
-/// Beside a pole a straight edge is a curve in longitude and latitude: it is followed.
+/// Follows a straight edge beside a pole, because it is a curve in longitude and latitude.
 TEST(RingTransform, followsEdgesThatBend) {
     WorldRing ring = box_ring(1, -8, 16);  // its left side passes the pole at a distance of 1 m
     RingTransform transform(Crs("EPSG:3413"), Crs("EPSG:4326"), ring, 64);

@@ -23,7 +23,7 @@ class SurfaceLatticeTest : public ::testing::Test {
         return SurfaceLattice(
             {*georeference_, crs_, target_, window, {{0, 0}, {100, 200}}, cell_m, vertical, origin});
     }
-    /// Where a point of the lattice comes to lie, in the units of the CRS.
+    /// Place of a point of the lattice, in the units of the CRS.
     std::array<double, 3> placed(const SurfaceLattice& on, LatticePoint point) {
         const FinePoint p = fine(point);
         const auto polygon = on.place({{p, {p.row + 8, p.col}, {p.row + 8, p.col + 8}}, {}}, transform_);

@@ -1,4 +1,4 @@
-// For compilers without libFuzzer: runs a target on the files of a folder, and on so many that are made of
+// Replaces libFuzzer for other compilers: runs a target on the files of a folder, and on so many made of
 // them by changing some bytes.
 //   replay <folder> <count>
 #include <algorithm>

@@ -38,7 +38,7 @@ constexpr std::array types{Type{GDT_Byte, 0, 255},
                            Type{GDT_Float32, -infinity, infinity, true},
                            Type{GDT_Float64, -infinity, infinity, true}};
 
-/// Numbers that stand for something in some file, and their neighbours.
+/// Numbers with a meaning in some file, and their neighbours.
 constexpr std::array interesting{0.,
                                  1.,
                                  7.,
@@ -200,7 +200,7 @@ std::optional<double> reference(const Case& c, const d2b::ReadOptions& options, 
             return {};
         if (c.holes == Holes::nodata && !options.nodata && same(stored, stored_as(c.type, c.nodata)))
             return {};
-        // Of other types than floats a value that they cannot hold stands in no cell.
+        // Types other than floats have no cell with a value that they cannot hold.
         if (options.nodata &&
             same(stored, c.type.type == GDT_Float32 ? stored_as(c.type, *options.nodata) : *options.nodata))
             return {};

@@ -168,7 +168,7 @@ Blocks pyramid(float step) {
 TEST(WalledBack, AHillStays) {
     // Within two blocks it falls by less than a wall's 1.5 m.
     EXPECT_EQ(pyramid(0.6F).left(), pyramid(0.6F).before());
-    // By 2.4 m: 3.6 m are the third step.
+    // Rises by 2.4 m: 3.6 m are the third step.
     const Drawing steep = pyramid(1.2F).left();
     EXPECT_EQ(steep[2], "###############");
     for (std::size_t i = 3; i < 12; ++i)
@@ -383,7 +383,7 @@ TEST(Plateaus, OfARoofTheLowerPartsBelongToIt) {
                                                   " ######## ",  //
                                                   " ######## ",  //
                                                   "          "}));
-    // From 0.85 m on it is another roof: 0.3 times a diagonal.
+    // Another roof begins at 0.85 m: 0.3 times a diagonal.
     for (float& z : blocks.grid.row(3))
         z = z == 6.5F ? 6.1F : z;
     EXPECT_EQ(picture(roofs_of(blocks))[2], " ######## ");

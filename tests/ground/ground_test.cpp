@@ -316,7 +316,7 @@ TEST(GroundRules, ChangeEvenlyUpToCellsOfTwoMetres) {
     for (std::size_t k = 0; k < fine.size(); ++k)
         EXPECT_NEAR(between[k], (fine[k] + coarse[k]) / 2, 1e-12) << k;
     EXPECT_EQ(of_cells(rules_for({5, 5})), coarse);
-    // Of cells that are not square, those of a square of the same area.
+    // Rules for cells that are not square are those of a square of the same area.
     EXPECT_EQ(of_cells(rules_for({1, 4})), coarse);
 }
 

@@ -100,7 +100,7 @@ TEST(Tiles, DoNotShowInLimits) {
     surface.cell = {1, 1};
     OpeningParameters small = elements;
     small.last_radius = 28;  // no blocks of blocks
-    // In steps of a metre, a centimetre, a millimetre, and of nothing that is whole.
+    // Tries steps of a metre, a centimetre, a millimetre, and none that is whole.
     for (const float step : {1.0F, 0.01F, 0.001F, 0.0123F}) {
         surface.grid = test::random_surface(5, 700, 1300, 9);
         for (float& z : surface.grid.values)

@@ -38,7 +38,7 @@ class HostileTest : public CliTest, public ::testing::WithParamInterface<Way> {
         write(path("dem.tif"), spec);
         return buildings("dem.tif", "out.gpkg", more);
     }
-    /// Of one_block().
+    /// Area of one_block().
     [[nodiscard]] double block_area() const { return thesis() ? 19 * 24 : 20 * 25; }
     /// Detection takes a cell or two off corners, and walls do not give all of that back.
     [[nodiscard]] double slack() const { return thesis() ? 0 : 6; }

@@ -72,8 +72,8 @@ TEST_P(OddPlaces, besideAPole) {
     }
 }
 
-/// Where areas are measured in blocks of cells, the middle of a block may lie beyond the raster, and the
-/// pole.
+/// The middle of a block may lie beyond the raster, and the pole, where areas are measured in blocks of
+/// cells.
 TEST_P(OddPlaces, nothingIsMeasuredBeyondThePole) {
     RasterSpec spec = one_block();
     spec.crs = "EPSG:4326";

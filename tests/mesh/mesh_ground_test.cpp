@@ -184,7 +184,7 @@ TEST_F(MeshGround, bringsTheRasterToTheCity) {
     (*spec.transform)[0] = std::floor(middle[0].x) - 30;
     (*spec.transform)[3] = std::floor(middle[0].y) + 30;
     write(path("g.tif"), spec);
-    // Beside its corners nothing is known, but no building stands there.
+    // Nothing is known beside its corners, but no building stands there.
     mesh_well(on_ground_);
     const ReadMesh mesh = read("out.obj");
     EXPECT_TRUE(mesh.is_closed());
@@ -221,7 +221,7 @@ TEST_F(MeshGround, sharesItsVerticesInCityJson) {
 TEST_F(MeshGround, refusesTerrainElsewhere) {
     city(two_boxes());
     ground([](double, double) { return 2; }, "");
-    // Without a CRS coordinates are taken as the city's.
+    // Coordinates without a CRS are taken as the city's.
     const ToolResult bare = mesh(on_ground_);
     EXPECT_EQ(bare.status, 0);
     expect_has(bare.err, "has no coordinate reference system");
@@ -250,7 +250,7 @@ TEST_F(MeshGround, refusesTerrainElsewhereWhateverTheSystems) {
     city(two_boxes());
     ground([](double, double) { return 2; }, "EPSG:25833");
     expect_refused(1, apart, on_ground_);
-    // Where both are at the same place without a CRS nothing is missing.
+    // Nothing is missing where both are at the same place without a CRS.
     nlohmann::json here = made_city(two_boxes());
     here["metadata"].erase("referenceSystem");
     write_text(path("in.city.json"), here.dump());

@@ -80,7 +80,7 @@ TEST(RefinePlan, leavesAnglesOfTheInput) {
               1);
 }
 
-/// By the area where edges are short, else by the length of the edges that are drawn.
+/// Estimates by the area where edges are short, else by the length of the edges that are drawn.
 TEST(RefinePlan, tellsHowManyPointsShortEdgesTake) {
     const double area = 1100;
     const double length = 100 * 3 + 10 * 2 + 1 * 2;

@@ -20,7 +20,7 @@ struct ReadMesh {
     /// Every edge once each way, by coordinates in single precision.
     [[nodiscard]] bool is_closed() const;
     [[nodiscard]] double volume() const;
-    /// Of the triangles of a group, as seen from above.
+    /// Area of the triangles of a group, as seen from above.
     [[nodiscard]] double plan_area(const std::string& object) const;
     [[nodiscard]] double smallest_plan_angle() const;  ///< degrees, of all that is not upright
     [[nodiscard]] double longest_edge() const;

@@ -3,7 +3,7 @@
 namespace d2b::test {
 namespace {
 
-/// From a raster to a mesh, with the files that the program itself writes.
+/// Tests from a raster to a mesh, with the files that the program itself writes.
 class MeshTown : public MeshTool {
   protected:
     MeshTown() { preset_ = ""; }
@@ -11,7 +11,7 @@ class MeshTown : public MeshTool {
         const ToolResult made = run(arguments);
         ASSERT_EQ(made.status, 0) << made.err;
     }
-    /// Of the OBJ alone, by a program that shares no code with this one.
+    /// Checks the OBJ alone, by a program that shares no code with this one.
     /// @param reported angles below the bound in the mesher's own report
     void expect_forced_angles(std::size_t reported) const {
         ToolSetup setup;

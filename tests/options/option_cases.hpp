@@ -20,7 +20,7 @@ struct OptionCase {
     [[nodiscard]] bool is_given_with(const OptionCase& other) const;
 };
 
-/// For each option of the table that is not hidden at least one case, for a choice one a word. Files are
+/// At least one case for each option of the table that is not hidden, for a choice one a word. Files are
 /// those of OptionScene.
 [[nodiscard]] std::vector<OptionCase> option_cases();
 

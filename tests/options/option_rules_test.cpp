@@ -48,7 +48,7 @@ bool is_a_sentence(const std::string& text) {
     return std::regex_match(text, std::regex("-[a-z_0-9]+ [^\n]*[^.]\\."));
 }
 
-/// Without a value in option_cases.cpp an option would be tried with nothing.
+/// An option without a value in option_cases.cpp would be tried with nothing.
 TEST(OptionRules, knowACaseOfEveryOption) {
     for (const OptionRow& row : option_table())
         if (!row.hidden && !row.name.starts_with("help") && row.name != "version") {

@@ -21,7 +21,7 @@ const Texts texts = [] {
     return all;
 }();
 
-/// As the documentation has it: digits with a point, an exponent or a sign. Found without our parser.
+/// True as the documentation has it: digits with a point, an exponent or a sign. Found without our parser.
 bool is_number(const std::string& text, bool whole) {
     static const std::regex real(R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)");
     static const std::regex integer(R"([+-]?[0-9]+)");

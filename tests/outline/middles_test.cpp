@@ -36,7 +36,7 @@ struct Case {
     }
 };
 
-/// From (0, 0) to (n, n), a step along a row and a step along a column in turn.
+/// A staircase from (0, 0) to (n, n), a step along a row and a step along a column in turn.
 std::vector<LatticePoint> staircase(std::int32_t n) {
     std::vector<LatticePoint> trace{{0, 0}};
     for (std::int32_t i = 0; i < n; ++i) {

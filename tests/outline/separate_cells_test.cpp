@@ -116,7 +116,7 @@ TEST(ShiftWall, GoesToTheLeftOfTheWay) {
 class MoveInward : public testing::Test {
   protected:
     TraceSums samples_{{{0, 0}, {0, 4}}, false, north_up};
-    /// Where a wall along a row is after a move by 0.5: rows to the north.
+    /// Place of a wall along a row after a move by 0.5: rows to the north.
     [[nodiscard]] double moved(int higher, double limit) const {
         std::vector<WallSegment> walls{{0, 4, 0, {{2, 0}, {-1, 0}}, {}}};
         move_inward(samples_, higher, 0.5, limit, walls);

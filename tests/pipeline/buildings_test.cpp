@@ -246,7 +246,7 @@ TEST(Buildings, SayNothingOfOptionsWithoutEffect) {
 
 TEST(BuildingGrids, DegreesWithCellsThatAreNotSquare) {
     TownRun town;
-    // At 60 degrees north a degree of longitude is half of one of latitude, so that cells are 1.1 m by 0.9 m.
+    // A degree of longitude at 60 degrees north is half of one of latitude, so cells are 1.1 m by 0.9 m.
     town.dem.edit().transform = {20, 2e-5, 0, 60, 0, -8e-6};
     town.dem.edit().crs_wkt = Crs("EPSG:4326").wkt();
     town.run();

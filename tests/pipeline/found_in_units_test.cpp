@@ -148,7 +148,7 @@ TEST_P(FoundInUnits, PartsBelongTogetherAsInTheWhole) {
     EXPECT_EQ(wholes.size(), whole.buildings.footprints.size() - 14);
 }
 
-// Of 64 cells every building is cut somewhere.
+// Units of 64 cells cut every building somewhere.
 INSTANTIATE_TEST_SUITE_P(, FoundInUnits,
                          testing::Values(UnitCase{64, false}, UnitCase{64, true}, UnitCase{150, true},
                                          UnitCase{300, false}));

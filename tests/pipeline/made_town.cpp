@@ -5,7 +5,7 @@
 namespace d2b::test {
 namespace {
 
-/// By the number of edges to the right of it.
+/// Counts the edges to the right of it.
 bool inside(const WorldRing& ring, double x, double y) {
     bool odd = false;
     for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -49,7 +49,7 @@ struct MadeTown {
         return static_cast<std::size_t>(row) * cols + static_cast<std::size_t>(col);
     }
 
-    /// Without noise.
+    /// Height without noise.
     [[nodiscard]] static double roof(int row, int col) {
         if (flat.holds(row, col))
             return middle(flat) + flat_height;

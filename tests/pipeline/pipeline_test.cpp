@@ -35,7 +35,7 @@ TEST(Pipeline, ABlockInPlainUnits) {
 }
 
 TEST(Pipeline, GeodesicAreasOnAProjectedGrid) {
-    // On the central meridian of UTM lengths are 0.9996 of the true ones.
+    // Lengths on the central meridian of UTM are 0.9996 of the true ones.
     MemorySource source = block();
     source.edit().transform = {500000, 1, 0, 5000000, 0, -1};
     source.edit().crs_wkt = Crs("EPSG:25832").wkt();
@@ -94,7 +94,7 @@ TEST(Pipeline, ManyLevelsNeedSixteenBits) {
     EXPECT_EQ(result.report.levels[890].points, 10);  // 890 to 899
 }
 
-/// As long as it lives, no thread can be started: there is no room for its stack.
+/// Prevents threads from starting as long as it lives: there is no room for their stacks.
 class NoRoomForThreads {
   public:
     NoRoomForThreads() {

@@ -50,7 +50,7 @@ TEST_F(TwoTiles, TheTileWithMostOfItDrawsWhatLiesAtTheSeam) {
     EXPECT_EQ(left[0].seen.own_cells, 25);
     EXPECT_EQ(left[0].joined, AssignedObject::none);
 
-    // In the order of the units that saw them first, with all cells and a box around both parts.
+    // Objects in the order of the units that saw them first, with all cells and a box around both parts.
     const std::vector<AssignedObject> right = placed.of(1);
     ASSERT_EQ(right.size(), 2U);
     EXPECT_EQ(right[0].unit, 0);

@@ -170,7 +170,7 @@ TEST(Rejected, WhatTheFilterTookIsThereAsItWasTraced) {
     EXPECT_EQ(sink.layers[rejected].title, "Rejected");
     EXPECT_EQ(reasons(sink), (std::map<std::string, int>{{"contour_short", 2}, {"hole_short", 1}}));
     expect_all_are_there(sink, report);
-    // In the order of keys: level 1, the hole in the plate before the cell below it; then level 2.
+    // Features in the order of keys: level 1, the hole in the plate before the cell below it; then level 2.
     const std::array<Position, 3> low{Position{3, -4}, {14, -15}, {10, -5}};
     const std::array<std::int64_t, 3> level{1, 1, 2};
     for (std::size_t i = 0; i < 3; ++i) {

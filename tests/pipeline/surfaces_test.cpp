@@ -217,7 +217,7 @@ TEST(Surfaces, cutsEndWithTheWholeStack) {
     }
 }
 
-/// As traced, sums of points say the same as cells.
+/// Sums of points say the same as cells in traced outlines.
 TEST(Surfaces, cutsOfTheThesis) {
     Options options;
     options.preset = Preset::thesis;

@@ -26,7 +26,7 @@ TEST(TileIds, WaitBetweenLevels) {
     take(numbers, 0, 4, 4);
     numbers.spool_level(0);
 
-    // On level 2 there are the numbers of level 1, by their places in the tile, and of its buildings.
+    // Level 2 has the numbers of level 1, by their places in the tile, and of its buildings.
     EXPECT_EQ(numbers.of(0).before, 0);
     EXPECT_EQ(numbers.of(0).written, (Numbers{1, 3, 4}));
     EXPECT_EQ(numbers.of(0).buildings, (Buildings{{1, 0, 10}, {3, 0, 30}, {4, 0, 40}}));
@@ -37,7 +37,7 @@ TEST(TileIds, WaitBetweenLevels) {
     take(numbers, 1, 7);
     numbers.spool_level(1);
 
-    // On level 3 those of level 1 are gone, and places count from behind them.
+    // Level 3 has lost those of level 1, and places count from behind them.
     EXPECT_EQ(numbers.of(0).before, 3);
     EXPECT_EQ(numbers.of(0).written, (Numbers{5, 6}));
     EXPECT_EQ(numbers.of(0).buildings, (Buildings{{1, 0, 10}, {3, 0, 30}, {4, 0, 40}}));

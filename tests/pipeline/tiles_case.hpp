@@ -35,7 +35,7 @@ class StepsInTiles {
     void join();
     void draw(std::int64_t tile);
     void merge(Result& result);
-    /// In the place of merge: the features of all tiles that are written in parts, in the order of their
+    /// Replaces merge: writes the features of all tiles that are written in parts, in the order of their
     /// numbers. Begins with the last tile.
     void number_and_write(Result& result);
     /// All of them.

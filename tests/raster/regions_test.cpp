@@ -219,7 +219,7 @@ TEST(RegionOverlaps, CountsTheCellsOfEachPair) {
 TEST(RegionOverlaps, HolderIsTheOneWithMostCells) {
     const Regions one = regions_of({"#####", ".....", "####.", ".....", "#...."});
     const Regions other = regions_of({"##.##", "...#.", "##.##", ".....", "....#"});
-    // Of two with as many cells the first; the last region is in none.
+    // The first of two with as many cells; the last region is in none.
     EXPECT_EQ(containing_regions(one, other), (std::vector<Label>{0, 1, 3, 0}));
 }
 

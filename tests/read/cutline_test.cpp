@@ -124,7 +124,7 @@ TEST_F(ReadCutline, invalidPointsStayInvalid) {
     expect_values(valid(), {21, 23});
 }
 
-/// Of a bow-tie with its waist at (500030, 5538660) two triangles are inside, as of two parcels; far from
+/// Two triangles of a bow-tie with its waist at (500030, 5538660) are inside, as of two parcels; far from
 /// the window nobody needs to know.
 TEST_F(ReadCutline, whatIsNotValidIsTakenByTheEvenOddRuleWithAWarning) {
     const std::string tie =

@@ -131,7 +131,7 @@ TEST_F(ParcelReaderTest, saysWhoseACellIs) {
     EXPECT_TRUE(heard_of_.empty());
 }
 
-/// In longitude and latitude; a metre is 1.4e-5 degrees of longitude there.
+/// Parcels in longitude and latitude; a metre is 1.4e-5 degrees of longitude there.
 TEST_F(ParcelReaderTest, bringsThemToTheCrsOfTheDem) {
     write_layer(path("p.gpkg"),
                 {"parcels", {{"POLYGON((8.9 51.4,9.000143 51.4,9.000143 51.5,8.9 51.5,8.9 51.4))"}}, 4326});

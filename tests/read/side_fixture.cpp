@@ -8,7 +8,7 @@ namespace d2b::test {
 
 namespace {
 
-/// From one code to the other, in place; axes as GIS programs have them.
+/// Transforms from one code to the other, in place; axes as GIS programs have them.
 void transform(const std::string& from, const std::string& to, std::vector<double>& x,
                std::vector<double>& y) {
     if (to.empty() || from == to)

@@ -22,7 +22,7 @@ class SideTest : public ReadTest {
     /// Writes side.tif with the surface's values at the centres of its cells, which it finds in `crs` by way
     /// of OGR: spec.crs and `crs` are codes, "" for coordinates that are the same.
     void side(RasterSpec spec, const Surface& surface, const std::string& crs = "");
-    /// Of the surface at the centres of the window's cells.
+    /// Values of the surface at the centres of the window's cells.
     [[nodiscard]] std::vector<double> expected(const Surface& surface) const;
 
     std::vector<double> terrain(double dem_vertical_metres = 1);

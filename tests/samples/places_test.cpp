@@ -182,7 +182,7 @@ TEST(Scenes, WriteFoldersThatTellTheTruth) {
         blocks += block.polygon->get_Area();
     EXPECT_NEAR(blocks, area, 1e-3);
     EXPECT_LT(layers[1].footprints.size(), layers[0].footprints.size() / 3);
-    // Where no pulse came down on a narrow house its cell may have been filled from beside it.
+    // A cell of a narrow house without a pulse may have been filled from beside it.
     EXPECT_LE(low, roof / 50);
     VSIRmdirRecursive(folder.c_str());
 }

@@ -22,7 +22,7 @@ namespace {
 
 using namespace sample;
 
-/// On level ground of 100 m.
+/// A building on level ground of 100 m.
 Building built(const Draft& draft, const Frame& frame = {}) {
     Scene scene;
     scene.ground.base = 100;
@@ -40,7 +40,7 @@ double area_of(const std::vector<RoofCorner>& ring) {
     return twice / 2;
 }
 
-/// Of holes it is negative.
+/// Area of a ring; that of holes is negative.
 double area_of(const RoofFace& face) {
     double area = 0;
     for (const std::vector<RoofCorner>& ring : face.rings)

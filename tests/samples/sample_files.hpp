@@ -30,7 +30,7 @@ struct Raster {
         return z[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) +
                  static_cast<std::size_t>(col)];
     }
-    /// Of a cell's centre, in the CRS.
+    /// Centre of a cell, in the CRS.
     [[nodiscard]] OGRPoint centre(int row, int col) const;
 };
 [[nodiscard]] Raster read_raster(const std::string& folder, const std::string& name);

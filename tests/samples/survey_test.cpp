@@ -83,7 +83,7 @@ TEST(Scan, LeavesAsManyCellsWithoutAReturnAsChanceDoes) {
     EXPECT_EQ(share_of_nan(seen), 0);
 }
 
-/// Of the cells that a house of 12 x 8 m, 6 m high, raises, in m2.
+/// Area of the cells that a house of 12 x 8 m, 6 m high, raises, in m2.
 double raised_area(double beam) {
     Scene scene;
     scene.add(box_house("house", {0, 0, 12, 8}, {Roof::flat, 6, 0}), {{5, 7}, {}});

@@ -29,7 +29,7 @@ inline std::string run_in_terminal(const std::vector<std::string>& command, cons
     }
     std::string shown;
     std::array<char, 4096> buffer{};
-    // When the last process is gone Linux says EIO.
+    // Linux says EIO when the last process is gone.
     for (ssize_t got = 0; (got = ::read(terminal, buffer.data(), buffer.size())) > 0;)
         for (const char letter : std::string(buffer.data(), static_cast<std::size_t>(got)))
             if (letter != '\r')

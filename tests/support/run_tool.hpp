@@ -141,7 +141,7 @@ inline double seconds(const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Of a process that has not been waited for.
+/// Processor time of a process that has not been waited for.
 inline double cpu_seconds_of(pid_t process) {
     clockid_t clock = 0;
     timespec time{};

@@ -575,7 +575,7 @@ TEST(FlowReady, aContourThatWouldBreakStays) {
 /// Towers of cells of 40 cm of which one breaks when all others are mended already.
 const LetterGrid breaks_late{{"20002", "33112", "00333", "32110", "32322"}};
 
-/// As many houses of 16 x 16 m, each with a step of 40 cm, in rows of ten, south of that.
+/// Adds as many houses of 16 x 16 m, each with a step of 40 cm, in rows of ten, south of that.
 LetterGrid with_houses(LetterGrid grid, int count) {
     for (int first = 0; first < count; first += 10) {
         grid.rows.resize(grid.rows.size() + 5);

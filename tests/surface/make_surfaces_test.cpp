@@ -67,7 +67,7 @@ TEST(MakeSurfaces, aPartyWallOfTwoHeights) {
     }
 }
 
-/// On a slope a block stands at its lowest ground, and each solid at its own.
+/// A block on a slope stands at its lowest ground, and each solid at its own.
 TEST(MakeSurfaces, basesOfTwoHeights) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"ab"}}, {30, 40}, {5, 12}));
     expect_whole(made, 2, 25 + 28, 25 + 35);
@@ -87,7 +87,7 @@ TEST(MakeSurfaces, aTowerInABlock) {
     const MadeSurfaces made = surfaces_of(blocks_of({{"aaa", "aba", "aaa"}}, {20, 80}));
     expect_whole(made, 9, 8 * 20 + 80, 8 * 20 + 80);
     ASSERT_EQ(made.shell.size(), 1U);
-    // On the ground both have their borders, since each has a ground of its own.
+    // Both have their borders on the ground, because each has a ground of its own.
     EXPECT_EQ(made.shell[0].points.size(), 2U * 4 + 3 * 4);
 }
 
@@ -154,7 +154,7 @@ TEST(MakeSurfaces, whatHasNoHeightIsNotThere) {
     EXPECT_TRUE(made.solids.empty());
 }
 
-/// On a grid that is turned by the angle of 3 to 4, where no edge is parallel to an axis.
+/// A grid that is turned by the angle of 3 to 4, where no edge is parallel to an axis.
 TEST(MakeSurfaces, aTurnedGrid) {
     SurfaceCluster cluster = blocks_of({{"aab", "acb", "ccc"}}, {20, 50, 35});
     for (PartitionContour& contour : cluster.contours) {
@@ -192,7 +192,7 @@ LetterGrid random_grid(std::mt19937& random, const std::string& letters) {
     return grid;
 }
 
-/// As text, for messages.
+/// Grid as text, for messages.
 std::string shown(const LetterGrid& grid) {
     std::string text = "\n";
     for (const std::string& row : grid.rows)

@@ -20,7 +20,7 @@ struct Sums {
     double volume;
 };
 
-/// In cells and heights of cells.
+/// Sums in cells and heights of cells.
 Sums sums_of(const std::vector<SurfacePart>& parts) {
     constexpr double cell = static_cast<double>(FinePoint::steps) * static_cast<double>(FinePoint::steps);
     return {static_cast<double>(twice_plan_area(parts, FaceKind::roof)) / 2 / cell,
@@ -244,7 +244,7 @@ TEST(NonmanifoldVertices, wedgesAroundAPoint) {
     EXPECT_EQ(made.shell.size(), 4U);
 }
 
-/// Where there is no room at all, one of those in the way is left out and named, and the rest is made.
+/// Leaves one of those in the way out and names it where there is no room at all; the rest is made.
 TEST(NonmanifoldVertices, noRoom) {
     SurfaceCluster cluster;
     const std::vector<FineRing> slivers{{{0, 0}, {2000, -60000}, {2001, -60000}},

@@ -133,7 +133,7 @@ TEST(MergeNearNodes, aShortWall) {
     EXPECT_EQ(merged(house, {3, 3}).nodes.size(), 5U);
 }
 
-/// In a lattice whose rows are long, neighbours along a column are far apart.
+/// Neighbours along a column are far apart in a lattice with long rows.
 TEST(MergeNearNodes, eachAxisForItself) {
     const SurfaceCluster house = houses({{{0, 0}, {1000, 0}, {1000, 700}, {997, 700}, {0, 1000}}}, {50});
     EXPECT_EQ(merged(house, {2, 9}).nodes.size(), 5U);
@@ -154,7 +154,7 @@ TEST(MergeNearNodes, cornersAcrossANarrowGap) {
     EXPECT_TRUE(surfaces_of(two, {{21, 21}, {2, 2}}).repairs.empty()) << "two rows apart";
 }
 
-/// Of near corners on both sides of zero, in rows and columns.
+/// A house with near corners on both sides of zero, in rows and columns.
 TEST(MergeNearNodes, cornersAroundTheOrigin) {
     const SurfaceCluster house = houses({{{-1, -1}, {1, 2}, {1000, 700}, {-900, 900}}}, {50});
     EXPECT_EQ(merged(house, {4, 4}).nodes.size(), 3U);

@@ -17,7 +17,7 @@
 namespace d2b::test {
 namespace {
 
-/// Without the white space, so that line breaks do not matter.
+/// Text without the white space, so that line breaks do not matter.
 std::string squeezed(std::string text) {
     std::erase_if(text, [](char letter) { return letter == ' ' || letter == '\n'; });
     return text;

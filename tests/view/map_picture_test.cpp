@@ -149,7 +149,7 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 Pixels painted(const MapArea& ground, PixelSize size, const std::vector<float>& z) {
     Relief relief(MapFrame(ground, size));
-    // In two pieces, as bands come.
+    // Adds two pieces, as bands come.
     const std::int32_t first = ground.dem.rows / 3;
     const auto cells = static_cast<std::size_t>(first * ground.dem.cols);
     relief.write({0, 0, first, ground.dem.cols}, std::span(z).first(cells));

@@ -216,7 +216,7 @@ TEST(PageRelief, isTheMeanOrTheLowest) {
         values[10] = -1.5F;
         values[1600] = 2;
         values[1601] = 1;
-        // From right to left, as units may come.
+        // Goes from right to left, as units may come.
         for (const auto& [col, cols] : {std::pair{800, 802}, std::pair{0, 800}})
             relief.add({10, 20 + col, 1, cols}, std::span(values).subspan(static_cast<std::size_t>(col),
                                                                           static_cast<std::size_t>(cols)));
@@ -256,7 +256,7 @@ class PageTest : public WriteTest {
         part.buildings[0].values = {id, 12.34567};
         return part;
     }
-    /// Of the whole file, with the third building.
+    /// Writes the whole file, with the third building.
     std::string written(const std::string& name) {
         const Page page = open_page(place(name), {dem_});
         page.surface->begin(meta_);

@@ -106,7 +106,7 @@ TEST_F(Drawing, hasHeightsAsTextsInsideTheirBuildings) {
             continue;
         EXPECT_EQ(entity.layer, "heights");
         texts.push_back(entity.text);
-        // In the middle of the whole width, below or above the courtyard.
+        // Lies in the middle of the whole width, below or above the courtyard.
         EXPECT_EQ(entity.points[0][0], 30);
         EXPECT_TRUE(entity.points[0][1] < 10 || entity.points[0][1] > 40) << entity.points[0][1];
         EXPECT_EQ(entity.points[0][2], 40);

@@ -159,7 +159,7 @@ TEST_F(GeoPackageTest, TitlesStayDifferent) {
     EXPECT_EQ(titled("old"), "Buildings");
     EXPECT_EQ(titled("new"), "Buildings (new)");
     EXPECT_EQ(titled("new"), "Buildings (new)");
-    // As of ogr2ogr, whose layers are called as their tables.
+    // Title as of ogr2ogr, whose layers are called as their tables.
     sql(path("a.gpkg"), "UPDATE gpkg_contents SET identifier = 'buildings' WHERE table_name = 'old'", true);
     EXPECT_EQ(titled("new"), "Buildings (new)");
 }

@@ -9,7 +9,7 @@
 
 namespace d2b::test {
 
-/// Of sinks of surfaces: a folder, and parts to write.
+/// Case for sinks of surfaces: a folder, and parts to write.
 class SurfaceSinkCase : public WriteTest {
   protected:
     SurfaceSinkCase() {

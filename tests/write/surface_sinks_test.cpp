@@ -19,7 +19,7 @@ namespace {
 
 using namespace test;
 
-/// Of each format.
+/// Sinks of each format.
 class EachSurfaceSink : public SurfaceSinkCase, public ::testing::WithParamInterface<std::string> {
   protected:
     [[nodiscard]] std::unique_ptr<SurfaceSink> open(bool overwrite = false) const {
@@ -492,7 +492,7 @@ TEST_F(StlSinkTest, writesNoFileWithoutBuildings) {
 namespace d2b::writing {
 namespace {
 
-/// With a point, whatever the locale says.
+/// Reads a number with a point, whatever the locale says.
 float first_number(const std::string& text) {
     float number = 0;
     number_from_chars(text.data(), text.data() + text.size(), number);

@@ -48,7 +48,7 @@ TEST_F(FormatTest, ExtensionTellsTheFormat) {
                                                             {"x.y/a.gpkg", "GPKG"}};
     for (const auto& [name, format] : expected)
         EXPECT_EQ(format_for(named(name)).name, format) << name;
-    // As ogr2ogr, the first of two drivers for an extension.
+    // Takes the first of two drivers for an extension, as ogr2ogr does.
     EXPECT_EQ(format_for(named("a.kml")).name, GDALGetDriverByName("LIBKML") == nullptr ? "KML" : "LIBKML");
 }
 

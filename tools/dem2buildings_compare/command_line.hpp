@@ -23,7 +23,7 @@ struct CompareOption : ToolOption {
     std::function<void(CompareCommand&, const std::string&)> apply;  ///< @throws OptionError
 };
 
-/// In the order in which help lists them.
+/// Options in the order in which help lists them.
 [[nodiscard]] const std::vector<CompareOption>& compare_options();
 
 /// Reads a command line; opens no file. Options may stand anywhere, with one dash or two, their values behind

@@ -27,7 +27,7 @@ void compare(const CompareCommand& request) {
     const auto text = [&request](const SurveyComparison& comparison) {
         return request.json ? comparison_json(comparison) : comparison_text(comparison, request.quiet);
     };
-    // Without a file the text is the whole result; beside one it is a summary, whose loss leaves the result.
+    // The text is the whole result without a file; beside one it is a summary that may be lost.
     const bool is_aside = !request.json && !(request.destination.empty() && request.page.empty());
     const SurveyComparison comparison = compare_surveys(
         request, callbacks,

@@ -21,7 +21,7 @@ struct WallPanel {
     std::int64_t right_high = 0;
 };
 
-/// Where heights on both sides of an edge of the plan differ.
+/// Panels where heights on both sides of an edge of the plan differ.
 [[nodiscard]] std::vector<WallPanel> wall_panels(const PlanMesh& mesh, const PlanHeights& heights);
 
 /// The corners of the vertical line over each node.

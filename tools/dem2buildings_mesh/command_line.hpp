@@ -28,7 +28,7 @@ struct MeshOption : ToolOption {
     std::function<void(MeshCommand&, const std::string&)> apply;  ///< @throws OptionError
 };
 
-/// In the order in which help lists them.
+/// Options in the order in which help lists them.
 [[nodiscard]] const std::vector<MeshOption>& mesh_options();
 
 /// Reads a command line; opens no file. Where a text is asked for, file names are not looked at.

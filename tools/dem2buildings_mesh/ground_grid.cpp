@@ -8,7 +8,7 @@
 namespace d2b::mesh {
 namespace {
 
-/// Where a line at the height y crosses an edge; low ends belong to edges and high ones do not.
+/// True if a line at the height y crosses an edge; low ends belong to edges and high ones do not.
 bool crosses(const Position& a, const Position& b, double y) {
     return (a.y <= y) != (b.y <= y);
 }

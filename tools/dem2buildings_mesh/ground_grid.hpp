@@ -15,7 +15,7 @@ namespace d2b::mesh {
 /// outer corner of the first cell.
 class GroundGrid {
   public:
-    /// From the plane to cells: x = t[0] + t[1] x + t[2] y, y = t[3] + t[4] x + t[5] y.
+    /// Transform from the plane to cells: x = t[0] + t[1] x + t[2] y, y = t[3] + t[4] x + t[5] y.
     using Affine = std::array<double, 6>;
 
     /// @param elevations in steps of height, row by row; NaN where none is known, but not everywhere: there
@@ -32,9 +32,9 @@ class GroundGrid {
     /// Cells whose centres lie within these rings say nothing of the terrain. @param edges from and to, on
     /// the plane; all of some rings
     void leave_out(const std::vector<std::array<Position, 2>>& edges);
-    /// On the plane, of a cell that errors() names.
+    /// Middle on the plane of a cell that errors() names.
     [[nodiscard]] Position middle(std::size_t cell) const;
-    /// How many cells say something.
+    /// Number of cells with a known elevation.
     [[nodiscard]] std::int64_t measured() const;
     /// Those of them in a triangle, with how far it is from their elevations. Ends where `take` returns
     /// false.

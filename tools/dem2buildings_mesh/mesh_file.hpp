@@ -19,7 +19,7 @@ struct NamedShell {
     const Shell& shell;
 };
 
-/// Where it is to go. @throws OptionError: not .stl, .obj or .city.json, exists, is read by this run.
+/// Destination of the mesh. @throws OptionError: not .stl, .obj or .city.json, exists, is read by this run.
 /// @throws OutputError
 [[nodiscard]] writing::FileDestination locate_mesh(const MeshRequest& request);
 

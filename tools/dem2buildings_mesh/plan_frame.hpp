@@ -13,7 +13,7 @@ namespace d2b::mesh {
 /// Points that are added lie between the steps of the file, on parts of these.
 inline constexpr std::int64_t parts_a_step = std::int64_t{1} << 14;
 
-/// From the steps of a file to the plane that is divided into triangles, and on to the steps of the mesh. The
+/// Maps steps of a file to the plane that is divided into triangles, and on to the steps of the mesh. The
 /// plane's unit is the file's step to the east, so that corners of square cells stay whole numbers.
 struct PlanFrame {
     FinePoint corner;      ///< of the file, at 0 0 of the plane
@@ -40,7 +40,7 @@ struct PlanFrame {
                 -corner.row * parts_a_step + std::llround(at.y / ratio * static_cast<double>(parts_a_step)),
                 z};
     }
-    /// In the units of the CRS.
+    /// Position in the units of the CRS.
     [[nodiscard]] Position world(const Position& at) const {
         const double x = static_cast<double>(corner.col) + at.x;
         const double y = at.y / ratio - static_cast<double>(corner.row);

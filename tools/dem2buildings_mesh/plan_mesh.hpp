@@ -13,7 +13,7 @@
 
 namespace d2b::mesh {
 
-/// In place of a region: outside of the terrain.
+/// Region outside of the terrain.
 inline constexpr std::int32_t beyond = -2;
 
 /// Partition of the plane, to be divided into triangles. Lengths are steps of the plan, x to the

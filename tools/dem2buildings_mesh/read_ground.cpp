@@ -61,7 +61,7 @@ DemInfo grid_of(const DemInfo& raster, const CityModel& city, const Crs& crs) {
     return grid;
 }
 
-/// From the plane of the plan to cells, which three points say.
+/// Transform from the plane of the plan to cells, derived from three points.
 GroundGrid::Affine to_cells(const DemInfo& grid, const PlanFrame& frame) {
     const Position origin = frame.plane(at(grid.transform, 0, 0));
     const Position right = frame.plane(at(grid.transform, 1, 0));

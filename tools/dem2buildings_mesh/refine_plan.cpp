@@ -171,7 +171,7 @@ void PlanRefiner::insert_edges() {
         }
 }
 
-/// On the left of the first piece of the way between two nodes of an edge.
+/// Face on the left of the first piece of the way between two nodes of an edge.
 Face PlanRefiner::left_face(const Vertex& from, const Vertex& to) {
     const auto dx = to->point().x() - from->point().x();
     const auto dy = to->point().y() - from->point().y();

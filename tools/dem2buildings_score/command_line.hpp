@@ -25,7 +25,7 @@ struct ScoreOption : ToolOption {
     bool of_roofs = false;                                         ///< has a meaning with -roofs alone
 };
 
-/// In the order in which help lists them.
+/// Options in the order in which help lists them.
 [[nodiscard]] const std::vector<ScoreOption>& score_options();
 
 /// Reads a command line; opens no file. Options may stand anywhere, with one dash or two, their values behind

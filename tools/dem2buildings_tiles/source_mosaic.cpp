@@ -42,7 +42,7 @@ SourceMosaic::SourceMosaic(const std::string& list, const fs::path& work, int ba
     if (error)
         refuse_folder(work, error);
     const fs::path path = mosaic_of_list(work.string());
-    // Beside its place, since the names in it are relative to its folder.
+    // Builds it beside its place, because the names in it are relative to its folder.
     const Passing hidden(work / (".source." + std::to_string(system::process_id()) + ".vrt"));
     reading::build_mosaic(hidden.path.string(), rasters, band);
     if (fs::exists(path, error) && bytes_of(path) == bytes_of(hidden.path))

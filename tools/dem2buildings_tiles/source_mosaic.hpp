@@ -21,7 +21,7 @@ struct Passing {
 /// The mosaic that plan makes of a list of rasters. Without keep() the work folder is as it was before.
 class SourceMosaic {
   public:
-    /// Where the same mosaic is there, it stays. @throws InputError as build_mosaic(), OutputError;
+    /// Keeps an existing mosaic that is the same. @throws InputError as build_mosaic(), OutputError;
     /// OptionError where another plan has another one
     SourceMosaic(const std::string& list, const std::filesystem::path& work, int band);
     void keep();

@@ -236,7 +236,7 @@ void merge(const TileCommand& command, OwnStdout& own_stdout, const Callbacks& c
         std::cout << summary(report, report.layers, report.output);
 }
 
-/// Where all parts are there, each layer is shown as one.
+/// Shows each layer as one when all parts are there.
 void show_parts(const tiles::TileRun& run, std::int64_t after) {
     const std::optional<tiles::NumberedWhole> whole = tiles::written_totals(run, after);
     if (!whole)

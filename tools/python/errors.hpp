@@ -2,7 +2,7 @@
 
 namespace d2b {
 
-/// From now on the library's errors are raised in Python as those of the same names in dem2buildings._errors.
+/// Raises the library's errors in Python as those of the same names in dem2buildings._errors from now on.
 void translate_errors();
 
 }  // namespace d2b

@@ -27,7 +27,7 @@ namespace {
 
 namespace py = pybind11;
 using PyArray = std::pair<py::array, std::optional<py::array>>;  ///< values, and the masked cells
-/// By the option that each stands for.
+/// Arrays by their options.
 using PyArrays = std::map<std::string, PyArray>;
 using Opener = std::function<std::unique_ptr<DemSource>(const ReadOptions&, const Callbacks&)>;
 

@@ -111,7 +111,7 @@ py::dict feature_of(const CollectedLayer& layer, std::size_t i) {
     return feature;
 }
 
-/// As Python counts: -1 is the last one.
+/// Counts as Python does: -1 is the last one.
 py::dict item(const CollectedLayer& layer, py::ssize_t i) {
     const auto size = static_cast<py::ssize_t>(layer.features.size());
     if (i < -size || i >= size)

@@ -26,7 +26,7 @@ struct News {
     bool done = false;
 };
 
-/// Where the two threads meet.
+/// Meeting place of the two threads.
 class Mailbox {
   public:
     /// Comes back when the warning has been heard: it may be an error there. @throws Cancelled
