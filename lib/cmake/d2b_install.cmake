@@ -21,7 +21,7 @@ install(FILES ${PROJECT_BINARY_DIR}/dem2buildingsConfig.cmake
   ${PROJECT_BINARY_DIR}/dem2buildingsConfigVersion.cmake ${CMAKE_CURRENT_LIST_DIR}/FindGeographicLib.cmake
   DESTINATION ${config_dir})
 
-# For build systems other than CMake. A static library leaves its libraries to the program.
+# Serves build systems other than CMake. A static library leaves its libraries to the program.
 file(RELATIVE_PATH to_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
 if(BUILD_SHARED_LIBS)

@@ -17,7 +17,7 @@ def objects_of(out):
 
 
 def area_of(geometry):
-    """Of a polygon, or of the polygons of a collection."""
+    """Area of a polygon, or of the polygons of a collection."""
     if geometry.GetGeometryCount() and geometry.GetGeometryName() not in ("POLYGON", "MULTIPOLYGON"):
         return sum(area_of(part) for part in geometry)
     return geometry.Area() if geometry.GetDimension() == 2 else 0.0

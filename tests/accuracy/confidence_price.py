@@ -27,7 +27,7 @@ def polygons(path):
 
 
 def area(geometry):
-    """Of its polygons: an intersection may have lines and points as well."""
+    """Area of its polygons, because an intersection may have lines and points as well."""
     kind = ogr.GT_Flatten(geometry.GetGeometryType())
     if kind in (ogr.wkbPolygon, ogr.wkbMultiPolygon):
         return geometry.GetArea()

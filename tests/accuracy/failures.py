@@ -12,7 +12,7 @@ MISSED, FALSE, SHARED = (0.84, 0.15, 0.16), (1.0, 0.6, 0.0), (0.12, 0.47, 0.71)
 
 
 def burnt(parts, raster):
-    """Where polygons are, on cells a part of the raster's: booleans."""
+    """Cells of polygons, as booleans, a part of the raster's cells in size."""
     x0, dx, _, y0, _, dy = raster.GetGeoTransform()
     grid = gdal.GetDriverByName("MEM").Create("", raster.RasterXSize * FINE, raster.RasterYSize * FINE)
     grid.SetGeoTransform((x0, dx / FINE, 0, y0, 0, dy / FINE))
@@ -39,7 +39,7 @@ def shaded(z, cell):
 
 
 def picture_of(place, out):
-    """Of the worst window: red, green and blue of each part of a cell, and the share of the place's errors in it."""
+    """Picture of the worst window: red, green and blue of each part of a cell, and the share of the place's errors in it."""
     raster = gdal.Open(place.dsm)
     band = raster.GetRasterBand(1)
     z = band.ReadAsArray().astype(float)

@@ -41,7 +41,7 @@ class Place:
         return polygons(self.reference, ("blocks_dissolved", "buildings"))
 
     def area_of_interest(self):
-        """Where the reference is complete; None where that is everywhere."""
+        """Area with a complete reference; None if that is everywhere."""
         found = polygons(self.reference, ("aoi",))
         return found[0] if found else None
 

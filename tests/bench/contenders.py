@@ -79,7 +79,7 @@ class Bench:
                                              self.city(size), "{out}"], heavy=size == 1000)
 
     def ours_with(self, name, options, size):
-        """With more options, whose files are called as the result, and more."""
+        """Adds a run with more options; its files begin with the name of the result."""
         return self.add(f"default {size} {name}", [self.programs["dem2buildings"], "-json", *options, self.city(size),
                                                    "{out}"], out=self.work / "extra.gpkg")
 
@@ -106,7 +106,7 @@ class Bench:
         return folder
 
     def peer(self, size):
-        """With the thresholds that ours chose."""
+        """Adds the peer with the thresholds that ours chose."""
         self.result("thesis", size)
         levels = [repr(level["threshold"]) for level in self.reports["thesis", size]["levels"][1:]]
         script = Path(__file__).with_name("peer_levels.py")

@@ -40,7 +40,7 @@ OPTIONS = [
 
 
 def ragged(rows, cols):
-    """As a picture or a crown has it: many courtyards, gaps and narrow parts."""
+    """A ragged block, as in a picture or a crown: many courtyards, gaps and narrow parts."""
     squares = np.fft.fftfreq(rows)[:, None]**2 + np.fft.fftfreq(cols)[None, :]**2
     squares[0, 0] = 1
     noise = np.random.default_rng(0).normal(size=(rows, cols))

@@ -31,7 +31,7 @@ def asked_table(rows):
 
 
 def command_text(contender):
-    """Without the folders of one machine."""
+    """Text of a command without the folders of one machine."""
     return " ".join(Path(word).name if "/" in str(word) else str(word) for word in contender.command)
 
 
@@ -43,7 +43,7 @@ def contender_table(contenders):
 
 
 def stage_table(contenders):
-    """Where the time goes, by the tool's own report: seconds of all threads together."""
+    """Time of each stage, by the tool's own report: seconds of all threads together."""
     ours = [c for c in contenders if c.reports]
     lines = [[c.name, *(f"{c.stage(stage):.3f}" for stage in STAGES)] for c in ours]
     return table(["seconds", *STAGES], lines)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""serve.py FOLDER COMMAND...: serves a folder on this machine while a command runs, in whose words {url} stands for its
+"""serve.py FOLDER COMMAND...: serves a folder on this machine while a command runs, and replaces {url} in its words by the
 address. As servers of rasters do, it answers with the ranges of bytes that it is asked for, and says when a file was
 changed. How many ranges were asked for goes to stderr. Ends with the status of the command."""
 import functools

@@ -22,7 +22,7 @@ SAMPLES = SOURCE / "sample_dems"
 
 application = QgsApplication([], True)
 application.initQgis()
-# As the desktop does at its start; the styles of layers are read without their 3D part otherwise.
+# Initialises 3D as the desktop does, because the styles of layers are read without their 3D part otherwise.
 Qgs3D.initialize()
 # Layers without a style get the same colour every time.
 QgsProject.instance().writeEntryBool("DefaultStyles", "/RandomColors", False)
@@ -79,7 +79,7 @@ class DeskCase(unittest.TestCase):
         return job.renderedImage()
 
     def difference(self, picture, name):
-        """To the expected picture, which the documents show. D2B_DESK_PICTURES=<folder> keeps the new ones; look at
+        """Difference to the expected picture of the documents. D2B_DESK_PICTURES=<folder> keeps the new ones; look at
         them and copy them to docs/pictures/ when they are better."""
         keep = os.environ.get("D2B_DESK_PICTURES")
         if keep:

@@ -24,7 +24,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 TOOL = os.environ.get("D2B_TOOL", str(SOURCE / "build/tools/dem2buildings"))
 TOWN = SOURCE / "sample_dems/town.tif"
 PICTURES = SOURCE / "docs/pictures"
-# Of a mean over all pixels: letters of another font and another way to draw lines are less.
+# Limit of a mean over all pixels: letters of another font and another way to draw lines are less.
 SAME = 4
 
 
@@ -60,7 +60,7 @@ class Page(unittest.TestCase):
             self.assertTrue(address.startswith("file://"), address)
 
     def test_two_surveys_are_shown_in_turns(self):
-        """As on the page of docs about changes: houses below 90 m2 are gone."""
+        """Follows the page of docs about changes: houses below 90 m2 are gone."""
         results = []
         for name, options in (("old", []), ("new", ["-min_area", "90"])):
             results.append(self.folder / f"survey_{name}.gpkg")
@@ -154,7 +154,7 @@ class Page(unittest.TestCase):
             self.assertLess(abs(around()), 1e-6)
 
     def test_corners_are_those_of_the_surface(self):
-        """Of the triangles in the page, and of the CityJSON; a solid has corners more where walls of others end."""
+        """Corners of the triangles in the page, and of the CityJSON; a solid has more where walls of others end."""
         city = json.loads((self.folder / "town.city.json").read_text())
         scale, translate = city["transform"]["scale"], city["transform"]["translate"]
         roofs = set()
@@ -191,7 +191,7 @@ class Page(unittest.TestCase):
         self.assertLess(len(missed), 0.02 * len(expected))
 
     def test_roofs_are_those_of_the_layer(self):
-        """With -roofs the page begins with slanted roofs: corners, counts and elevations are those of the layer."""
+        """The page of -roofs begins with slanted roofs: corners, counts and elevations are those of the layer."""
         page = self.make(TOWN, "roofs.html", "-roofs")
         result = ogr.Open(str(page.with_suffix(".gpkg")))
         faces = [(feature.GetGeometryRef().Clone(), feature["kind"]) for feature in result.GetLayerByName("roofs")]
@@ -377,18 +377,18 @@ class Page(unittest.TestCase):
             self.quiet(browser)
 
     def test_the_sun_casts_shadows(self):
-        """Of a house 12 m high on level ground, as long and in the direction that the sun's place says."""
+        """Shadow of a house 12 m high on level ground, with the length and direction that the sun's place gives."""
         page, house = self.with_courtyards("shadow")
         with Browser() as browser:
             browser.open(page)
             latitude, _ = browser.run("return window.dem2buildings.town.about.position")
             browser.press("tosun")
             self.enter(browser, "hour", "12", "input")
-            # At noon of 21 June the sun is 90 degrees minus latitude plus 23.44 degrees above the south.
+            # The sun is 90 degrees minus latitude plus 23.44 degrees above the south at noon of 21 June.
             height = np.radians(90 - latitude + 23.44)
             self.assertIn(f"{np.degrees(height):.0f}°", browser.text("sunheight"))
             length = 12 / np.tan(height)
-            # From above, a metre a pixel: north of the northern wall the ground is dark for this length.
+            # Looks from above, a metre a pixel: north of the northern wall the ground is dark for this length.
             browser.run("""
                 const {scene, town} = window.dem2buildings;
                 const [west, south, east, north] = town.extent;
@@ -560,7 +560,7 @@ class Page(unittest.TestCase):
             self.quiet(browser)
 
     def test_walls_of_a_courtyard_reach_the_ground(self):
-        """Where the ground falls by 8 m along a house, walls go on below its base, around its courtyards too."""
+        """Walls go on below the base of a house if the ground falls by 8 m along it, around its courtyards too."""
         page, _ = self.with_courtyards("slope", fall=0.1)
         with Browser() as browser:
             browser.open(page)

@@ -56,7 +56,7 @@ class Styles(DeskCase):
             self.assertGreater(layer.extent().width(), 500)
 
     def test_the_file_is_a_valid_geopackage(self):
-        """By GDAL's own checker, which knows the specification, tables of metadata and fields included."""
+        """Checks with GDAL's own checker, which knows the specification, tables of metadata and fields included."""
         checked = subprocess.run(["/usr/bin/python3", "-m", "osgeo_utils.samples.validate_gpkg", str(self.town)],
                                  capture_output=True, text=True)
         self.assertEqual((checked.returncode, checked.stdout), (0, ""), checked.stderr)
@@ -136,7 +136,7 @@ class Styles(DeskCase):
         self.assertLess(max(counts) - min(counts), 0.1 * layer.featureCount())
 
     def test_doubt_is_seen_without_colours(self):
-        """In grey a doubtful object has as dark lines as a building has, over a fill as light as paper."""
+        """A doubtful object in grey has lines as dark as a building's, over a fill as light as paper."""
         sure = self.make("grey.gpkg", "-write_doubtful", "-min_confidence", "0.97")
         doubtful = self.layer(sure, "doubtful")
         doubtful.setLabelsEnabled(False)
@@ -161,7 +161,7 @@ class Styles(DeskCase):
         self.assertEqual((clause.expression().expression(), clause.ascending()), ('"level"', True))
 
     def test_labels_are_written_on_large_maps(self):
-        """Of one layer at a time: those of the parts are there, and off."""
+        """Labels one layer at a time: those of the parts are there, and off."""
         for name, scale in (("buildings", 2500), ("contours", 1000), ("doubtful", 2500)):
             layer = self.layer(self.town, name)
             self.assertEqual(layer.labelsEnabled(), name != "contours")

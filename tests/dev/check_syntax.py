@@ -19,7 +19,7 @@ def check(entry):
 
 def main(folder):
     entries = json.loads((pathlib.Path(folder) / "compile_commands.json").read_text())
-    # Without sources that a build would make, and without those of tests/headers, whose headers are in all the others.
+    # Leaves out sources that a build would make, and those of tests/headers, because all others include their headers.
     entries = [entry for entry in entries
                if pathlib.Path(entry["file"]).exists() and "/tests/headers/" not in entry["file"]]
     failed = 0

@@ -12,7 +12,7 @@ mkdir -p "$corpus"
 cd "$corpus"
 # Each target's output goes to a file of its own; libFuzzer leaves the input that breaks it as crash-* in the corpus folder.
 for target in engine outlines reader values tiles plan command_line city; do
-    # Without CGAL there is no target of cities.
+    # There is no target of cities without CGAL.
     if [ "$target" != city ] || [ -e "$build/tests/fuzz/city_fuzz" ]; then echo "$target"; fi
 done |
     xargs -P "$(nproc)" -I '{}' sh -c '

@@ -48,7 +48,7 @@ class Source(unittest.TestCase):
         self.assertEqual(sorted(packages), sorted(path.stem for path in DEBIAN.glob("*.install")))
 
     def test_it_is_built_with_what_the_project_needs(self):
-        """As tools/dev/setup.sh has it, but for compilers and make, which each Debian package is built with."""
+        """Needs the packages of tools/dev/setup.sh, except compilers and make, because each Debian package has them."""
         setup = (SOURCE / "tools/dev/setup.sh").read_text()
         words = {word for name in ("build", "mesh", "page", "python")
                  for word in re.search(rf'{name}_packages="([^"]+)"', setup)[1].split()}

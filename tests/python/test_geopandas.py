@@ -54,7 +54,7 @@ class GeoPandas(PythonCase):
             self.found.to_geodataframe("roofs")
 
     def test_gaps_of_columns(self):
-        """Without a CRS there is none, and a value that a feature lacks is missing."""
+        """A missing CRS stays missing, and so does a value that a feature lacks."""
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             found = dem2buildings.extract(block(), ground="none")

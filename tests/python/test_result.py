@@ -142,7 +142,7 @@ class Results(PythonCase):
 
 
 def area(closed):
-    """Of a ring, positive where it runs counter-clockwise."""
+    """Area of a ring, positive if it runs counter-clockwise."""
     x, y = numpy.array(closed)[:, :2].T
     return float(((x[:-1] - x[0]) * (y[1:] - y[0]) - (x[1:] - x[0]) * (y[:-1] - y[0])).sum() / 2)
 

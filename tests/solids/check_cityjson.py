@@ -39,7 +39,7 @@ def face_faults(rings, kind, vertices, step, slanted=False):
 
 
 def metres_in_a_unit(city):
-    """Of the coordinates: those of metres where the file has no CRS."""
+    """Unit of the coordinates: metres if the file has no CRS."""
     name = city.get("metadata", {}).get("referenceSystem", "")
     if not name:
         return 1.0
@@ -71,7 +71,7 @@ def solid_faults(solid, vertices, step):
 
 
 def surface_faults(geometry, vertices, step):
-    """Of a building's triangles, or of a relief, which looks up."""
+    """Faults of a building's triangles, or of a relief, which looks up."""
     if geometry["type"] == "CompositeSurface":
         if any(normal(face, vertices)[2] <= 0 for face in geometry["boundaries"]):
             yield "terrain does not look up"
@@ -84,7 +84,7 @@ def surface_faults(geometry, vertices, step):
 
 
 def shell_faults(triangles, vertices, has_border):
-    """Of all triangles together: no edge is passed twice the same way, and but for the border of a terrain each is passed
+    """Faults of all triangles: no edge is passed twice the same way, and but for the border of a terrain each is passed
     once each way; the border is one ring."""
     ways = collections.Counter((tuple(vertices[a]), tuple(vertices[b])) for t in triangles for a, b in zip(t, t[1:] + t[:1]))
     if any(count != 1 for count in ways.values()):

@@ -11,12 +11,12 @@ from check_cityjson import dot, normal
 
 
 def volume(geometry, vertices):
-    """In cubed steps."""
+    """Volume in cubed steps."""
     return sum(dot(normal(rings, vertices), vertices[rings[0][0]]) for rings in geometry["boundaries"][0]) / 6
 
 
 def shares(city, metres=1.0):
-    """Of each solid its volume over that of its attributes, and the sums of both."""
+    """Volume of each solid over that of its attributes, and the sums of both."""
     x, y, z = city["transform"]["scale"]
     found, sums = {}, [0.0, 0.0]
     for name, thing in city["CityObjects"].items():

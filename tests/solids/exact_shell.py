@@ -93,13 +93,13 @@ def inverted(corners, triangles, groups, slanted=False):
 
 
 def side(a, b, c):
-    """On which side of a line from a to b a point of the same plane lies: 1, 0 or -1."""
+    """Side of a line from a to b on which a point of the same plane lies: 1, 0 or -1."""
     twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     return (twice > 0) - (twice < 0)
 
 
 def edges_meet(a, b, c, d):
-    """Of one plane; touching is meeting."""
+    """Whether two edges of one plane meet; touching is meeting."""
     sides = side(a, b, c), side(a, b, d), side(c, d, a), side(c, d, b)
     if not any(sides):
         return all(max(a[i], b[i]) >= min(c[i], d[i]) and max(c[i], d[i]) >= min(a[i], b[i]) for i in (0, 1))

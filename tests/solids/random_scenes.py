@@ -35,7 +35,7 @@ def box(x, y, middle, half, angle):
 
 
 def roof(random, x, y, middle, half, angle):
-    """Of a block, above its eaves: level, a slope, a gable or a hip, in cells."""
+    """Roof of a block, above its eaves: level, a slope, a gable or a hip, in cells."""
     along = (x - middle[0]) * math.cos(angle) + (y - middle[1]) * math.sin(angle)
     across = (y - middle[1]) * math.cos(angle) - (x - middle[0]) * math.sin(angle)
     slope = random.uniform(0.2, 1.2)

@@ -12,7 +12,7 @@ ROUNDING = 1e-9  # m, of coordinates that are as far apart as the tolerance
 
 
 def snapped(points):
-    """For each point the number of the first one within the tolerance of it, which may be its own. Points are in metres."""
+    """Number of the first point within the tolerance of each point, which may be its own. Points are in metres."""
     size, known, first = 2 * TOLERANCE, collections.defaultdict(list), []
     for number, point in enumerate(points):
         cell = tuple(math.floor(value / size) for value in point)
@@ -34,7 +34,7 @@ def dot(a, b):
 
 
 def normal(rings, points):
-    """Of a polygon, twice its area long (Newell)."""
+    """Normal of a polygon, twice its area long (Newell)."""
     sums = [0, 0, 0]
     for ring in rings:
         for a, b in zip(ring, ring[1:] + ring[:1]):
@@ -61,7 +61,7 @@ def side(a, b, c):
 
 
 def edges_meet(a, b, c, d):
-    """Of one plane; touching is meeting."""
+    """Whether two edges of one plane meet; touching is meeting."""
     if any(max(a[i], b[i]) < min(c[i], d[i]) or max(c[i], d[i]) < min(a[i], b[i]) for i in (0, 1)):
         return False
     return side(a, b, c) * side(a, b, d) <= 0 and side(c, d, a) * side(c, d, b) <= 0

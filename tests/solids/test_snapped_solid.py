@@ -1,4 +1,4 @@
-"""Of solids that are valid to the last step, and are none when corners within a millimetre are one."""
+"""Tests solids that are valid to the last step, and are none when corners within a millimetre are one."""
 
 import unittest
 

@@ -57,7 +57,7 @@ def turn(a, b, c):
 
 
 def corners(ring):
-    """Without those at which a wall goes straight on."""
+    """Corners without those at which a wall goes straight on."""
     points = list(ring.coords)[:-1]
     while True:
         kept = [b for a, b, c in zip(points[-1:] + points[:-1], points, points[1:] + points[:1])

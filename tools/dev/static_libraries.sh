@@ -146,7 +146,7 @@ build_sqlite() {
 build_geographiclib() {
     local from
     from=$(unpack geographiclib)
-    # Without its 20 programs, for which there is no switch.
+    # Leaves out its 20 programs, because there is no switch for them.
     configure_library geographiclib "$from" -DBUILD_BOTH_LIBS=OFF -DBUILD_DOCUMENTATION=OFF
     cmake --build "$work/geographiclib" --parallel "$jobs" --target GeographicLib_STATIC
     find "$work/geographiclib" -name libGeographicLib.a -exec cp '{}' "$root/lib/" ';'
@@ -223,7 +223,7 @@ END
         -DSQLite3_INCLUDE_DIR="$root/include" -DSQLite3_LIBRARY="$root/lib/libsqlite3.a" \
         -DACCEPT_MISSING_SQLITE3_RTREE=ON -DACCEPT_MISSING_SQLITE3_MUTEX_ALLOC=ON \
         -DPROJ_DIR="$root/lib/cmake/proj" -DPROJ_INCLUDE_DIR="$root/include"
-    # Without it, find_package() of the static GDAL ends with an unknown command.
+    # Adds it, because find_package() of the static GDAL ends with an unknown command otherwise.
     sed -i '1i include(CMakePushCheckState)' "$root/lib/cmake/gdal/packages/FindSQLite3.cmake"
 }
 
@@ -301,7 +301,7 @@ build_once() {
     for library in "$@"; do
         if [ ! -e "$root/built/$library" ]; then
             echo "Building $library for $system"
-            # In the background, because Bash goes on after errors in a command that || follows.
+            # Runs in the background, because Bash goes on after errors in a command that || follows.
             "build_$library" >"$work/$library.log" 2>&1 &
             wait $! || { tail -30 "$work/$library.log" >&2; exit 1; }
             touch "$root/built/$library"

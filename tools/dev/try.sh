@@ -5,7 +5,7 @@ cd "$(dirname "$0")/../.."
 . tools/dev/setup.sh
 
 install_packages $build_packages $page_packages gdal-bin
-# Without the tests, unless they are there already.
+# Leaves out the tests, unless they are there already.
 if [ -e build/CMakeCache.txt ]; then configure -DD2B_BUILD_PAGE=ON; else configure -DD2B_BUILD_PAGE=ON -DD2B_BUILD_TESTS=OFF; fi
 # All that `cmake --install build` copies.
 build --target installed_files

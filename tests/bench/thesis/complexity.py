@@ -25,7 +25,7 @@ class Row:
 
 
 def run(tool, source, given, vector):
-    """On one thread. @return the report and the seconds of a processor"""
+    """Runs on one thread. @return the report and the seconds of a processor"""
     command = [str(tool), "-json", "-overwrite", "-threads", "1", "-layers", "contours", *given, str(source), vector]
     start = children_seconds()
     done = subprocess.run(command, capture_output=True, text=True, check=True)

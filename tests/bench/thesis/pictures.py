@@ -51,7 +51,7 @@ def renderer_of(surface, title, camera, height):
 
 
 def view_of(surface, closer):
-    """From the south-south-west, 40 degrees above the horizon, onto the middle of a surface."""
+    """View from the south-south-west, 40 degrees above the horizon, onto the middle of a surface."""
     low, high = surface.points.min(axis=0), surface.points.max(axis=0)
     middle = (low + high) / 2
     reach = np.linalg.norm((high - low)[:2]) / closer

@@ -102,13 +102,13 @@ def vtk_image(z, cell):
 
 
 def from_vtk(data):
-    """Of an image, whose rows VTK counts to the north."""
+    """Surface of an image; VTK counts its rows to the north."""
     points = vtk_to_numpy(data.GetPoints().GetData()).astype(float) * [1, -1, 1]
     return Surface(points, vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3).astype(int))
 
 
 def triangles_of(points):
-    """Of a surface of so many points, of which about as many are on its border as there would be on a square grid."""
+    """Triangles of a surface of so many points, with about as many on its border as a square grid would have."""
     return int(2 * points - 2 - 3.2 * np.sqrt(points))
 
 
@@ -226,7 +226,7 @@ class Spline(Surface):
 
 
 def knots(size, controls):
-    """Of a cubic spline with so many controls, evenly spread."""
+    """Knots of a cubic spline with so many controls, evenly spread."""
     inner = np.linspace(0, size - 1, controls - 2)[1:-1]
     return np.concatenate([[0] * 4, inner, [size - 1] * 4])
 

@@ -7,7 +7,7 @@ from scene import figures
 
 STRAIGHT = [("-flow_ready", length) for length in (0, 1, 2, 3, 5, 8, 12, 20)]
 SIMPLIFIED = [("-simplify", tolerance) for tolerance in (0.5, 0.75, 1, 1.25, 1.5, 2, 3, 4, 5, 6, 8)]
-# By the value of -surface_of: stacks of tiers, and slanted roofs, which -flow_ready does not take.
+# Kinds by the value of -surface_of: stacks of tiers, and slanted roofs, which -flow_ready does not take.
 KINDS = {"contours": (STRAIGHT, SIMPLIFIED), "roofs": ([STRAIGHT[0], *SIMPLIFIED],)}
 WALLS = {"walls": None}  # values of one kind: it stays
 SMALLEST = {"-min_area": [10, 30, 50, 80], "-min_height": [1.5, 2, 3]}

@@ -43,7 +43,7 @@ def pieces(points, triangles, shape, at_once=20000):
 
 
 def repeated(first, last):
-    """For each i the numbers first[i] .. last[i], one after the other, and which i each belongs to."""
+    """The numbers first[i] .. last[i] of each i, one after the other, and the i that each belongs to."""
     counts = np.maximum(last - first + 1, 0)
     which = np.repeat(np.arange(len(first)), counts)
     starts = np.repeat(np.cumsum(counts) - counts, counts)
@@ -68,7 +68,7 @@ def cells_in(corners, shape):
 
 
 def spans(corners, rows):
-    """Where each triangle meets its row, from left to right."""
+    """Stretch in which each triangle meets its row, from left to right."""
     left = np.full(len(rows), np.inf)
     right = np.full(len(rows), -np.inf)
     for i in range(3):

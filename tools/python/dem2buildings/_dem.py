@@ -42,7 +42,7 @@ def elevations(dem, argument="dem", beside=None):
 
 
 def six_terms(transform):
-    """Of GDAL's order. An affine.Affine, as rasterio has it, knows them by itself."""
+    """Terms in GDAL's order. An affine.Affine, as rasterio has it, knows them by itself."""
     if transform is None:
         return None
     terms = [float(term) for term in (transform.to_gdal() if hasattr(transform, "to_gdal") else transform)]

@@ -21,7 +21,7 @@ class _Ears:
         self.progress = progress
 
     def warn(self, text):
-        # From here to extract(), and to who called that.
+        # Warns from here to extract(), and to its caller.
         warnings.warn(self._options.in_python(text), stacklevel=3)
 
     @contextlib.contextmanager

@@ -15,12 +15,12 @@ LEFT_OUT = {"q", "json", "sweep", "help", "help_all", "version", "overwrite", "f
             "mask_layer", "split_layer", "footprints_layer", "exclude_layer", "corrections_layer"}
 # The option that names the layer of another one, where that is not its name with _layer.
 LAYER_OF = {"split_by": "split_layer"}
-# In the order in which they are asked for; the table says which option is in which.
+# Sections in the order in which they are asked for; the table says which option is in which.
 SECTIONS = ("Basic", "Ground", "Trees", "Detail", "Output", "Advanced")
 TERRAIN = "_model"
 # The first item of a choice, and the text of a number, that the program decides if it is not given.
 AUTOMATIC = "automatic"
-# Of a Basic option only this parameter is shown at first; the other one is for those who need it.
+# Only this parameter of a Basic option is shown at first; the other one is for those who need it.
 ADVANCED_PARTS = {"ground"}
 
 
@@ -104,7 +104,7 @@ def _text(option):
 
 
 def _endings(option):
-    """Of the names of files that an option writes; none of other options."""
+    """Endings of the names of files that an option writes; none for other options."""
     return option["kind"].split(":")[1].split(",") if option["kind"].startswith("file:") else []
 
 
@@ -157,7 +157,7 @@ def all_of(table):
         for parameter in make(option):
             if option["section"] != "Basic" or parameter.name() in ADVANCED_PARTS:
                 parameter.setFlags(parameter.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
-            # The option stands for two parameters where it is the terrain.
+            # The option of the terrain has two parameters.
             parameter.setHelp("Elevations of the bare ground, as a raster. Without it "
                               f'"{option["title"]}" decides.' if parameter.name() == option["name"] + TERRAIN else
                               help_of(option, spoken))

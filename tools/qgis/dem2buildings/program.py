@@ -35,7 +35,7 @@ def find():
 
 
 def _source(platform):
-    """Where users of a system get the program."""
+    """The place from which users of a system get the program."""
     if platform == "win32":
         return ("For Windows it comes with the plugin: install the plugin from dem2buildings-<version>-windows.zip of the "
                 "release. A program elsewhere is found if its folder is on the PATH of the OSGeo4W shell.")
