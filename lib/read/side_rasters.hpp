@@ -35,7 +35,7 @@ enum class TerrainGaps { reported, expected };
 /// Options for reading a terrain model.
 struct TerrainReadOptions {
     TerrainGaps gaps = TerrainGaps::reported;  ///< decides if a share of the window outside is reported
-    /// Keeps values that seem to stand for NoData without being declared (core/undeclared_values.hpp) as
+    /// Keeps values that seem to stand for NoData without being declared (core/undeclared_nodata.hpp) as
     /// elevations.
     bool keeps_undeclared = false;
 };
