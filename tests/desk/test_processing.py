@@ -127,7 +127,7 @@ class Toolbox(DeskCase):
         """Processing shows outputs whatever their flags say; files have a widget that asks for a name to write."""
         from processing.gui.ParametersPanel import ParametersPanel
         from qgis.gui import QgsFileWidget, QgsMessageBar
-        from qgis.PyQt.QtWidgets import QDialog, QLineEdit
+        from qgis.PyQt.QtWidgets import QComboBox, QDialog, QLineEdit
 
         class Window(QDialog):
             def messageBar(self):
@@ -151,6 +151,19 @@ class Toolbox(DeskCase):
                 self.assertEqual(number.value(), 2.5)
                 number.setValue(None)
                 self.assertEqual((number.value(), line.text() or line.placeholderText()), (None, "automatic"))
+        extent = panel.wrappers["te"]
+        self.assertIn("whole raster", [line.text() for line in extent.widget.findChildren(QLineEdit)])
+        extent.setValue("391150,391210,5820180,5820240 [EPSG:25833]")
+        self.assertIn("391150", extent.value())
+        extent.setValue(None)
+        self.assertIsNone(extent.value())
+        self.assertIn("whole raster", [line.text() for line in extent.widget.findChildren(QLineEdit)])
+        for name in ("a_srs", "t_srs"):
+            with self.subTest(name):
+                crs = panel.wrappers[name]
+                self.assertEqual(crs.widget.findChild(QComboBox).currentText(), "as the raster")
+                crs.setValue("EPSG:25833")
+                self.assertEqual(crs.value().authid(), "EPSG:25833")
         window.close()
 
     def test_a_model_may_give_each_number(self):

@@ -53,6 +53,11 @@ def default_of(option):
     return option["default"] or option["usual"]
 
 
+def _show_if_not_given(parameter, text):
+    """Names the value that the program then chooses. Processing says "Not set"."""
+    parameter.setMetadata({"widget_wrapper": {"class": f"{__package__}.widgets.Automatic", "text": text}})
+
+
 def _number(option):
     kinds = QgsProcessingParameterNumber
     whole = option["kind"] == "whole"
@@ -61,7 +66,7 @@ def _number(option):
     if default:
         parameter.setDefaultValue(float(default))
     else:
-        parameter.setMetadata({"widget_wrapper": {"class": f"{__package__}.widgets.AutomaticNumber"}})
+        _show_if_not_given(parameter, AUTOMATIC)
     for bound, setter in (("lowest", parameter.setMinimum), ("highest", parameter.setMaximum)):
         if bound in option:
             setter(option[bound])
@@ -128,6 +133,8 @@ def _file(option, name, endings):
 SIMPLE = {"raster": QgsProcessingParameterRasterLayer, "vector": QgsProcessingParameterVectorLayer,
           "dataset": QgsProcessingParameterMapLayer, "crs": QgsProcessingParameterCrs,
           "extent": QgsProcessingParameterExtent}
+# What an option that is not given stands for.
+NOT_GIVEN = {"crs": "as the raster", "extent": "whole raster"}
 
 
 def make(option):
@@ -143,7 +150,10 @@ def make(option):
         model = QgsProcessingParameterRasterLayer(name + TERRAIN, _label(option, "Terrain model (DTM), if there is one"), optional=True)
         return [_choice(option), model]
     if kind in SIMPLE:
-        return [SIMPLE[kind](name, _label(option), optional=True)]
+        parameter = SIMPLE[kind](name, _label(option), optional=True)
+        if kind in NOT_GIVEN:
+            _show_if_not_given(parameter, NOT_GIVEN[kind])
+        return [parameter]
     if kind.startswith("file:"):
         return [_file(option, *file) for file in _files(option).items()]
     return [_text(option)]
