@@ -538,7 +538,7 @@ std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
 
 /// Steps beside corners at which two stretches of five cells or more enclose less than 58 degrees.
 std::vector<std::uint8_t> sharp_steps(const TraceSums& samples, const std::vector<std::size_t>& points) {
-    constexpr double min_length = 5;
+    constexpr double min_length = 8;  // cells
     constexpr std::size_t around = 3;
     const std::size_t steps = samples.steps();
     std::vector<std::uint8_t> sharp(steps);
