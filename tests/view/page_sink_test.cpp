@@ -175,6 +175,15 @@ TEST(PageStack, hasFacesOfRoofsBehindTheTiers) {
     EXPECT_EQ(stack.faces().contours, 2);
     EXPECT_EQ(stack.faces().corners, 11);
 
+    // The triangles of a divided plane count once.
+    SurfaceBuilding divided = building;
+    divided.faces.back().exterior = {1, 7, 8};
+    divided.faces.push_back({FaceKind::roof, {1, 8, 2}, {}, 0});
+    PageStack triangles;
+    triangles.add(divided, points);
+    EXPECT_EQ(triangles.faces().contours, 2);
+    EXPECT_EQ(triangles.faces().corners, 13);
+
     PageStack tiers;
     building.faces.clear();
     tiers.add(building);

@@ -23,7 +23,7 @@ std::size_t nearest_step(const TraceSums& samples, Vec2 place, std::size_t low, 
     return best;
 }
 
-constexpr double sagitta = 0.1;         // cells between a circle and its polygon
+constexpr double sagitta = 0.1;          // cells between a circle and its polygon
 constexpr double min_sine = 0.2;         // walls at a smaller angle do not intersect
 constexpr std::size_t corner_reach = 8;  // steps before and behind the end of a wall
 constexpr double max_kink = 0.6;         // cells: parallel walls closer than this are joined into one line

@@ -536,7 +536,7 @@ std::vector<WallLine> PathFinder::find(std::size_t first, std::size_t last,
     return lines;
 }
 
-/// Steps beside corners at which two stretches of five cells or more enclose less than 58 degrees.
+/// Steps beside corners at which two stretches of eight cells or more enclose less than 58 degrees.
 std::vector<std::uint8_t> sharp_steps(const TraceSums& samples, const std::vector<std::size_t>& points) {
     constexpr double min_length = 8;  // cells
     constexpr std::size_t around = 3;

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -408,12 +409,15 @@ void PageStack::add(const SurfaceBuilding& building, const std::vector<SurfacePo
     }
     numbers_.put(building.faces.size());
     corner_.z = building.base;
-    for (const SurfaceFace& face : building.faces)
+    std::set<std::int32_t> planes;  // twisted ones are divided into triangles
+    for (const SurfaceFace& face : building.faces) {
+        if (face.roof < 0 || planes.insert(face.roof).second)
+            ++faces_.contours;
         add_face(face, points);
+    }
 }
 
 void PageStack::add_face(const SurfaceFace& face, const std::vector<SurfacePoint>& points) {
-    ++faces_.contours;
     numbers_.put(1 + face.interiors.size());
     const auto add = [&](const std::vector<std::uint32_t>& ring) {
         numbers_.put(ring.size());

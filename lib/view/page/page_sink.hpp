@@ -88,7 +88,7 @@ class PageStack {
     [[nodiscard]] std::vector<Count> counts() const;
     [[nodiscard]] const VarintBuffer& packed() const { return numbers_; }
     [[nodiscard]] std::int64_t buildings() const { return buildings_; }
-    /// Faces of roofs and their vertices.
+    /// Faces of roofs, where the triangles of a divided one count once, and their vertices.
     [[nodiscard]] const Count& faces() const { return faces_; }
 
   private:
