@@ -216,7 +216,7 @@ TEST_F(OptionEffect, surface__doesNotDependOnLayers) {
     find({"-surface", "both.obj"});
     find({"-surface", "contours.obj", "-layers", "contours"});
     std::ifstream both(path("both.obj"));
-    std::ifstream contours(path("contours.obj"));
+    std::ifstream one_layer(path("contours.obj"));
     const auto without_comments = [](std::istream& in) {
         std::vector<std::string> lines;
         for (std::string line; std::getline(in, line);)
@@ -224,7 +224,7 @@ TEST_F(OptionEffect, surface__doesNotDependOnLayers) {
                 lines.push_back(line);
         return lines;
     };
-    EXPECT_EQ(without_comments(both), without_comments(contours));
+    EXPECT_EQ(without_comments(both), without_comments(one_layer));
 }
 
 TEST_F(OptionEffect, surface_of) {

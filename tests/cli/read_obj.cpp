@@ -14,8 +14,14 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
+Vector wide(const ReadObj::Corner& corner) {
+    return {static_cast<double>(corner[0]), static_cast<double>(corner[1]), static_cast<double>(corner[2])};
+}
+
 Vector minus(const ReadObj::Corner& a, const ReadObj::Corner& b) {
-    return {double{a[0]} - double{b[0]}, double{a[1]} - double{b[1]}, double{a[2]} - double{b[2]}};
+    const Vector from = wide(b);
+    const Vector to = wide(a);
+    return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
 Vector cross(const Vector& a, const Vector& b) {

@@ -36,13 +36,13 @@ void expect_normal(const ReadObj::Triangle& t, const ReadObj::Corner& normal) {
     std::array<double, 3> u{};
     std::array<double, 3> v{};
     for (std::size_t i = 0; i < 3; ++i) {
-        u[i] = double{t[1][i]} - double{t[0][i]};
-        v[i] = double{t[2][i]} - double{t[0][i]};
+        u[i] = static_cast<double>(t[1][i]) - static_cast<double>(t[0][i]);
+        v[i] = static_cast<double>(t[2][i]) - static_cast<double>(t[0][i]);
     }
     const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                                   u[0] * v[1] - u[1] * v[0]};
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(n[i] / std::hypot(n[0], n[1], n[2]), double{normal[i]}, 0.01);
+        EXPECT_NEAR(n[i] / std::hypot(n[0], n[1], n[2]), static_cast<double>(normal[i]), 0.01);
 }
 
 }  // namespace
