@@ -81,14 +81,15 @@ bool measures_drawn(const RunPlan& plan) {
            !plan.asked.write.has_footprints();
 }
 
-outline::OutlineRules outline_rules(const RunSetup& setup) {
+outline::OutlineRules outline_rules(const RunSetup& setup, const Context& context) {
     const OutlineOptions& asked = setup.plan.asked.outline;
     return {setup.plan.walls,
             setup.plan.wall_tolerance(setup.cell_m()),
             RunPlan::wall_price(setup.cell_m()),
             asked.wall_inset,
             asked.simplify,
-            setup.target.kind() != Crs::Kind::none};
+            setup.target.kind() != Crs::Kind::none,
+            context.report.units.vertical_metres};
 }
 
 double x_stretch_of(const RunSetup& setup) {
@@ -367,14 +368,14 @@ double PolygonMaker::azimuth(const Position& at, const Position& step) {
 outline::OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
                                                      const RunSetup& setup, Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    return outline::outline_dependencies(contours, outline_rules(setup), setup.georeference,
+    return outline::outline_dependencies(contours, outline_rules(setup, context), setup.georeference,
                                          x_stretch_of(setup), context.threads->stop());
 }
 
 outline::Outliner draw_outlines(const contours::ContourList& contours, const RunSetup& setup,
                                 Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    const outline::OutlineRules rules = outline_rules(setup);
+    const outline::OutlineRules rules = outline_rules(setup, context);
     return {contours,
             outline::choose_outline_method(rules, setup.georeference),
             rules,

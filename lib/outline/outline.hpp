@@ -18,11 +18,12 @@ namespace d2b::outline {
 /// Options for drawing outlines.
 struct OutlineRules {
     Walls walls = Walls::off;
-    double wall_tolerance = 0;  ///< cells; largest distance between a wall and the midpoints of its steps
-    double wall_price = 1;      ///< area in cells that a wall has to be worth
-    double wall_inset = 0;      ///< cells by which walls move inward, within the tolerance
-    double simplify = 0;        ///< tolerance in units of the CRS; 0 keeps every corner
-    bool reprojected = false;   ///< corners are transformed afterwards
+    double wall_tolerance = 0;   ///< cells; largest distance between a wall and the midpoints of its steps
+    double wall_price = 1;       ///< area in cells that a wall has to be worth
+    double wall_inset = 0;       ///< cells by which walls move inward, within the tolerance
+    double simplify = 0;         ///< tolerance in units of the CRS; 0 keeps every corner
+    bool reprojected = false;    ///< corners are transformed afterwards
+    double vertical_metres = 1;  ///< metres per unit of elevation
 };
 
 /// Largest distance in cells between an outline with walls and its trace: walls lie near the midpoints of

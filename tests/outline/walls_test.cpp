@@ -311,6 +311,27 @@ TEST(Walls, ATowerOnThreeWallsFollowsTheFootprint) {
         EXPECT_TRUE(of_plate.contains(p));
 }
 
+/// A block with a ragged tier at 45 degrees to the grid.
+std::size_t corners_of_tier(double step, double vertical_metres) {
+    TraceGrid grid = paint(80, [](Place p) { return in_box(p, {40, -40}, 0, 70, 70) ? 1 : 0; });
+    for (std::int32_t row = 0; row < 80; ++row)
+        for (std::int32_t col = 0; col < 80; ++col) {
+            const double teeth = (row * 7 + col * 13) % 5 * 0.5;
+            if (in_box({col + 0.5, -(row + 0.5)}, {40, -40}, std::numbers::pi / 4, 40 + teeth, 24 + teeth))
+                grid.z[static_cast<std::size_t>(row * 80 + col)] += step;
+        }
+    OutlineRules rules = walls();
+    rules.vertical_metres = vertical_metres;
+    const Drawn drawn(grid, rules, {10, 20 + step / 2});
+    return drawn.outliner.outline(2).exterior.size();
+}
+
+TEST(Walls, FollowTiersTheMoreCloselyTheHigherTheirStep) {
+    EXPECT_GT(corners_of_tier(8, 1), 2 * corners_of_tier(1, 1));
+    EXPECT_EQ(corners_of_tier(8 / 0.3048, 0.3048), corners_of_tier(8, 1));
+    EXPECT_LE(corners_of_tier(1, 1), 8U);
+}
+
 TEST(Walls, ACourtyardIsDrawnInside) {
     const double angle = 0.5;
     const Drawn drawn(paint(90, [&](Place p) {

@@ -213,6 +213,7 @@ FetchedCluster::FetchedCluster(const contours::ContourList& contours, const Clus
         stop.check();
         contours_.push_back(contours.fetch(number));
         cluster_.contours.push_back(&contours_.back());
+        cluster_.tiers.push_back(contours.head(number).tier_z);
     }
     cluster_.parents = plan.parents;
 }

@@ -15,15 +15,17 @@ struct WallOptions {
     Walls walls = Walls::automatic;
     double tolerance = 0;  ///< cells
     CellShape shape;
-    double inset = 0;  ///< cells by which walls are moved inward
-    double price = 1;  ///< of a wall, in cells of area that it has to be worth
+    double inset = 0;            ///< cells by which walls are moved inward
+    double price = 1;            ///< of a wall, in cells of area that it has to be worth
+    double vertical_metres = 1;  ///< metres per unit of elevation
 };
 
 /// Contours whose walls are fitted together.
 struct WallCluster {
     std::vector<const contours::Contour*> contours;  ///< parents before children
     std::vector<std::int32_t>
-        parents;  ///< index of the parent of each contour; -1 if it is not in the cluster
+        parents;                     ///< index of the parent of each contour; -1 if it is not in the cluster
+    std::vector<double> tiers = {};  ///< tier_z of each contour; empty if heights do not matter
 };
 
 /// Indices of a cluster whose contours have not been fetched.

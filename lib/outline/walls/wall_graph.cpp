@@ -1,6 +1,7 @@
 #include "outline/walls/wall_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
@@ -150,6 +151,7 @@ class Builder {
     [[nodiscard]] std::size_t arcs() const { return walls_.graph.arcs.size(); }
     [[nodiscard]] std::uint32_t node_of(std::uint32_t end) const { return walls_.ends[end / 2][end % 2]; }
     [[nodiscard]] int higher_side(const Chain& chain) const;
+    [[nodiscard]] double mean_step(const Chain& chain) const;
     void walk(std::uint32_t from_end);
 
     const WallCluster& cluster_;
@@ -262,6 +264,24 @@ int Builder::higher_side(const Chain& chain) const {
     return (own(sides.left) - own(sides.right)) * (first.reversed ? -1 : 1);
 }
 
+double Builder::mean_step(const Chain& chain) const {
+    double squares = 0;
+    double steps = 0;
+    for (std::size_t k = 0; k < chain.arcs.size(); ++k) {
+        const WallGraph::Sides& sides = walls_.sides[chain.arcs[k].arc];
+        if (cluster_.tiers.empty() || sides.left < 0 || sides.right < 0)
+            continue;
+        const double step = cluster_.tiers[static_cast<std::size_t>(sides.left)] -
+                            cluster_.tiers[static_cast<std::size_t>(sides.right)];
+        if (std::isnan(step))
+            continue;
+        const double length = chain.node_steps[k + 1] - chain.node_steps[k];
+        squares += length * step * step;
+        steps += length;
+    }
+    return steps > 0 ? std::sqrt(squares / steps) : 0;
+}
+
 /// @param from_end arc end at which the chain begins
 void Builder::walk(std::uint32_t from_end) {
     stop_.check();
@@ -276,6 +296,7 @@ void Builder::walk(std::uint32_t from_end) {
     chain.closed = end == from_end;
     tracer_.trace(chain);
     chain.higher = higher_side(chain);
+    chain.step = mean_step(chain);
     for (std::uint32_t k = 0; k < chain.arcs.size(); ++k)
         walls_.index_in_chain[chain.arcs[k].arc] = k;
     walls_.chains.push_back(std::move(chain));

@@ -17,6 +17,7 @@ struct Chain {
     int rank = 0;
     int higher = 0;  ///< side on which contours of its own level lie: 1 left, -1 right, 0 both
     bool closed = false;
+    double step = 0;  ///< quadratic mean of the differences of tiers on both sides; 0 if it is unknown
     std::vector<ArcUse> arcs;
     std::vector<std::uint32_t> nodes;       ///< first nodes of its arcs, and the end node of the last
     std::vector<std::uint32_t> node_steps;  ///< unit steps from its first point to each node, ascending
