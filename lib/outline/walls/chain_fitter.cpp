@@ -101,7 +101,8 @@ void Composer::append(const ChainFitMode::Stretch& stretch, ChainPolyline& chain
 constexpr double rounding_error = 0.002;  // cells that rounding to the fine lattice may move a vertex
 // Cells. Walls of tiers, which are many and short, stay closer to their traces than those of footprints
 // because beyond half a cell every row of cells on the wrong side costs more than the saved vertices are
-// worth; twice as far for low steps.
+// worth. Rings of low steps may lie twice as far; walls that end on others would meet them at slanting
+// angles.
 constexpr double tier_tolerance = 1;
 constexpr double outside_cost = 1.5;      // of a cell of lower ground, beyond the soft distance of the path
 constexpr double tier_price = 0.5;        // relative to that of other walls
@@ -111,11 +112,11 @@ constexpr double max_side =
     2;  // cells; limits the longer side because that of sheared cells says nothing about their staircases
 constexpr int max_tightenings = 4;  // limits the iterations; each one leaves less that is far from the trace
 
-/// Returns the price of a wall between two tiers relative to that of one that is 2 m high. The error of a
+/// Returns the price of a wall between two tiers relative to that of one that is 2.5 m high. The error of a
 /// stack is the area on the wrong side of the wall times the square of its height, so the low steps of a
 /// slope may have few and straight walls, and high ones follow their trace.
 double step_share(double step_m) {
-    constexpr double usual_m = 2;
+    constexpr double usual_m = 2.5;
     return step_m > 0 ? std::clamp(std::pow(usual_m / step_m, 2), 0.25, 4.0) : 1;
 }
 
@@ -123,7 +124,8 @@ WallParameters parameters_for(const Chain& chain, const WallOptions& options) {
     const bool tier = chain.rank > WallGraph::highest_low_rank;
     const double share = tier ? step_share(chain.step * options.vertical_metres) : 1;
     return {.walls = options.walls,
-            .tolerance = tier ? std::min(options.tolerance, std::clamp(share, 1.0, 2.0) * tier_tolerance)
+            .tolerance = tier ? std::min(options.tolerance,
+                                         (chain.closed ? std::clamp(share, 1.0, 2.0) : 1) * tier_tolerance)
                               : options.tolerance,
             .price = (tier ? tier_price : 1) * share * options.price,
             .higher = chain.higher,
