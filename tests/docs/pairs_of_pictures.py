@@ -68,8 +68,14 @@ def write(path, made):
     path.with_suffix(".png.aux.xml").unlink(missing_ok=True)
 
 
+def cells_of(path):
+    """@return the first three bands of a picture, or its only one"""
+    cells = gdal.Open(str(path)).ReadAsArray()
+    return cells[:3] if cells.ndim == 3 else cells[np.newaxis]
+
+
 def share_of_difference(made, path):
-    kept = gdal.Open(str(path)).ReadAsArray() if path.exists() else np.empty(0)
+    kept = cells_of(path) if path.exists() else np.empty(0)
     if kept.shape != made.shape:
         return 1.0
     return float((abs(kept.astype(int) - made) > A_SHADE).any(axis=0).mean())
@@ -101,5 +107,5 @@ def main(program, source, cities, anew):
 
 if __name__ == "__main__":
     if sys.argv[1] == "--compare":
-        sys.exit(differs(gdal.Open(sys.argv[2]).ReadAsArray()[:3], pathlib.Path(sys.argv[3])))
+        sys.exit(differs(cells_of(sys.argv[2]), pathlib.Path(sys.argv[3])))
     sys.exit(main(sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), "--write" in sys.argv[4:]))
