@@ -117,7 +117,7 @@ constexpr int max_tightenings = 4;  // limits the iterations; each one leaves le
 /// slope may have few and straight walls, and high ones follow their trace.
 double step_share(double step_m) {
     constexpr double usual_m = 2.5;
-    return step_m > 0 ? std::clamp(std::pow(usual_m / step_m, 2), 0.25, 4.0) : 1;
+    return step_m > 0 ? std::clamp(std::pow(usual_m / step_m, 2), 0.5, 4.0) : 1;
 }
 
 WallParameters parameters_for(const Chain& chain, const WallOptions& options) {
