@@ -73,6 +73,10 @@ def draw(path, panels, columns, size, closer=1.0):
     window.SetMultiSamples(8)
     window.SetSize(columns * size[0], rows * size[1])
     camera = view_of(panels[0][1], closer)
+    # Places without a panel are black otherwise.
+    paper = vtk.vtkRenderer()
+    paper.SetBackground(1, 1, 1)
+    window.AddRenderer(paper)
     for place, (title, surface) in enumerate(panels):
         row, column = divmod(place, columns)
         made = renderer_of(surface, title, camera, size[1])
