@@ -19,6 +19,15 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   # GCC 12 sees overlaps in std::string's own operator+ (GCC bug 105651).
   target_compile_options(d2b_compile INTERFACE -Wno-restrict)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 15)
+  # std::stable_sort of GCC 12's library calls a function that the library itself deprecates.
+  target_compile_options(d2b_compile INTERFACE -Wno-deprecated-declarations)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 16
+   AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 20)
+  # Boost 1.74 has constants beyond the range of their enumeration, which these take for an error, also in system headers.
+  target_compile_options(d2b_compile INTERFACE -Wno-enum-constexpr-conversion)
+endif()
 if(D2B_WARNINGS_AS_ERRORS)
   target_compile_options(d2b_compile INTERFACE -Werror)
 endif()

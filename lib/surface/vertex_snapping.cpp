@@ -73,11 +73,12 @@ std::vector<FinePoint> Corners::points_of(const std::vector<PartitionContour>& c
 
 /// Returns vertices near a segment in its direction; the same for both directions.
 std::vector<FinePoint> Corners::beside(FinePoint from, FinePoint to) const {
-    const auto [a, b] = std::minmax(from, to);
+    const FinePoint a = std::min(from, to);
+    const FinePoint b = std::max(from, to);
     std::vector<std::pair<Int128, FinePoint>> found;
     Box box = box_of(a, 1);
     box.add(box_of(b, 1));
-    tree_.query(box, [&, a = a, b = b](std::size_t i) {
+    tree_.query(box, [&](std::size_t i) {
         if (is_near(a, b, points_[i]))
             found.emplace_back(along(a, b, points_[i]), points_[i]);
     });

@@ -154,7 +154,7 @@ TEST(Crs, RefusesWhatIsNoCrs) {
     const std::string advice =
         "; give a code such as EPSG:25832 or EPSG:25832+7837, WKT, PROJJSON or a PROJ string.";
     const auto message = [](const std::string& text) {
-        return error_of<OptionError>([&, text = text] { Crs crs(text); });
+        return error_of<OptionError>([&, given = text] { Crs crs(given); });
     };
     const std::string unknown = message("EPSG:99999");
     EXPECT_TRUE(
@@ -184,7 +184,7 @@ TEST(Crs, SuggestsTheCodeThatIsMeant) {
                                      {"epsg4326", "EPSG:4326"},
                                      {"EPSG 4326", "EPSG:4326"}}) {
         EXPECT_EQ(guess_epsg_code(text), code);
-        EXPECT_EQ(error_of<OptionError>([&, text = text] { Crs crs(text); }),
+        EXPECT_EQ(error_of<OptionError>([&, given = text] { Crs crs(given); }),
                   std::string("'") + text + "' is not a coordinate reference system; write " + code +
                       " if that is meant.");
     }

@@ -298,8 +298,8 @@ TEST(BorderSums, RightAnglesAreThoseOfTheRasterOrTurned) {
     // A ramp along the rows, one along the columns and one along both: each alone keeps to one direction.
     for (const auto& [across, down] : {std::pair(1.0F, 0.0F), std::pair(0.0F, 1.0F), std::pair(1.0F, 2.0F)}) {
         Town town(5, 5);
-        town.build([across = across, down = down](std::int32_t r, std::int32_t c) {
-            return 100 + across * static_cast<float>(c) + down * static_cast<float>(r);
+        town.build([x = across, y = down](std::int32_t r, std::int32_t c) {
+            return 100 + x * static_cast<float>(c) + y * static_cast<float>(r);
         });
         BorderSums sums;
         sums.add(town.scene(), Mask(5, 5, 1), 2, 2);
