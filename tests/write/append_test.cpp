@@ -211,7 +211,7 @@ TEST_F(AppendTest, FormatsThatTakeNoMoreAreRefused) {
          std::vector<std::pair<std::string, std::string>>{{"a.gml", "GML"}, {"a.kml", "KML"}}) {
         write(to(name, format), 2);
         const std::string before = bytes(name);
-        EXPECT_EQ(thrown<OptionError>([&, name = name, format = format] { write(more(name, format), 1); }),
+        EXPECT_EQ(thrown<OptionError>([&, file = name, kind = format] { write(more(file, kind), 1); }),
                   "GDAL cannot append to \"" + path(name) + "\", a dataset of format " + format +
                       "; write to another destination, or to a GeoPackage.");
         EXPECT_EQ(bytes(name), before);

@@ -331,7 +331,7 @@ TEST_F(OverwriteTest, WhatIsNoDatasetOfTheFormatStays) {
              {"a.gpkg", "GPKG"}, {"a.geojson", "GeoJSON"}, {"a.shp", "ESRI Shapefile"}}) {
         put(name, "thesis");
         EXPECT_EQ(
-            thrown<OptionError>([&, name = name] { write(over(name), 1); }),
+            thrown<OptionError>([&, file = name] { write(over(file), 1); }),
             quote + path(name) + "\" exists and is not a dataset of format " + format + "; remove it first.");
         EXPECT_EQ(bytes(name), "thesis");
     }
