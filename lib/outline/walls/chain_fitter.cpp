@@ -121,17 +121,20 @@ double step_share(double step_m) {
 }
 
 WallParameters parameters_for(const Chain& chain, const WallOptions& options) {
-    const bool tier = chain.rank > WallGraph::highest_low_rank;
-    const double share = tier ? step_share(chain.step * options.vertical_metres) : 1;
-    return {.walls = options.walls,
-            .tolerance = tier ? std::min(options.tolerance,
-                                         (chain.closed ? std::clamp(share, 1.0, 2.0) : 1) * tier_tolerance)
-                              : options.tolerance,
-            .price = (tier ? tier_price : 1) * share * options.price,
-            .higher = chain.higher,
-            .outside_cost = outside_cost,
-            .inset = options.inset,
-            .side = std::min(max_side, options.shape.longer_side())};
+    WallParameters parameters{.walls = options.walls,
+                              .tolerance = options.tolerance,
+                              .price = options.price,
+                              .higher = chain.higher,
+                              .outside_cost = outside_cost,
+                              .inset = options.inset,
+                              .side = std::min(max_side, options.shape.longer_side())};
+    if (chain.rank > WallGraph::highest_low_rank) {
+        const double share = step_share(chain.step * options.vertical_metres);
+        const double reach = chain.closed ? std::clamp(share, 1.0, 2.0) : 1;
+        parameters.tolerance = std::min(options.tolerance, reach * tier_tolerance);
+        parameters.price *= tier_price * share;
+    }
+    return parameters;
 }
 
 }  // namespace

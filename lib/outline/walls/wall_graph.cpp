@@ -265,11 +265,13 @@ int Builder::higher_side(const Chain& chain) const {
 }
 
 double Builder::mean_step(const Chain& chain) const {
+    if (cluster_.tiers.empty())
+        return 0;
     double squares = 0;
     double steps = 0;
     for (std::size_t k = 0; k < chain.arcs.size(); ++k) {
         const WallGraph::Sides& sides = walls_.sides[chain.arcs[k].arc];
-        if (cluster_.tiers.empty() || sides.left < 0 || sides.right < 0)
+        if (sides.left < 0 || sides.right < 0)
             continue;
         const double step = cluster_.tiers[static_cast<std::size_t>(sides.left)] -
                             cluster_.tiers[static_cast<std::size_t>(sides.right)];
