@@ -58,7 +58,8 @@ struct StepHistogram {
 
 /// Estimates the step in m to which elevations were rounded: the smallest frequent difference, if almost all
 /// differences of up to 10 m are its multiples. Detects steps from 1 mm to 3 m; 32-bit floats of centimetres
-/// are recognised up to some 2,000 m. For steps of a decimetre and more, much of the surface has to rise in
+/// are recognised up to some 2,000 m. For steps of a decimetre and more half of the differences suffice,
+/// because some cells may have been interpolated after the rounding; but much of the surface has to rise in
 /// single steps, because block models with whole heights on level ground are not rounded. Returns nullopt if
 /// there is no step.
 [[nodiscard]] std::optional<double> value_step(const StepHistogram& counts);

@@ -226,6 +226,16 @@ TEST(ValueStep, IsNoneOfWhatWasNotRounded) {
     EXPECT_EQ(step_of(half), 0);
 }
 
+TEST(ValueStep, IsThatOfMostCellsWhereSomeWereInterpolated) {
+    for (const double step : {0.1, 0.5, 1.0}) {
+        MetreGrid surface = rounded(hills(), step, [](double z) { return std::floor(z); });
+        const MetreGrid exact = hills();
+        for (std::size_t cell = 0; cell < surface.values.size(); cell += 67)
+            surface.values[cell] = exact.values[cell];
+        EXPECT_NEAR(step_of(surface), step, 1e-3 * step);
+    }
+}
+
 TEST(ValueStep, IsNoneOfBlocksOfWholeHeights) {
     MetreGrid blocks(120, 150);
     for (int r = 0; r < blocks.rows; ++r)
