@@ -1,7 +1,5 @@
 #pragma once
 
-#include <memory>
-
 #include <gtest/gtest.h>
 #include <ogr_api.h>
 
@@ -9,10 +7,7 @@
 
 namespace d2b::test {
 
-struct DropGeometry {
-    void operator()(OGRGeometryH geometry) const { OGR_G_DestroyGeometry(geometry); }
-};
-using Geometry = std::unique_ptr<void, DropGeometry>;
+using Geometry = reading::GeometryOwner;
 
 /// All of a layer as one.
 inline Geometry united(const Layer& layer) {

@@ -148,7 +148,7 @@ std::string sql_value(const std::string& path, const std::string& statement) {
         dataset ? GDALDatasetExecuteSQL(dataset.get(), statement.c_str(), nullptr, nullptr) : nullptr;
     if (rows == nullptr)
         return "";
-    const std::unique_ptr<void, DropFeature> row(OGR_L_GetNextFeature(rows));
+    const reading::FeatureOwner row(OGR_L_GetNextFeature(rows));
     std::string value = row ? OGR_F_GetFieldAsString(row.get(), 0) : "";
     GDALDatasetReleaseResultSet(dataset.get(), rows);
     return value;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,13 +11,7 @@
 
 namespace d2b::test {
 
-struct DropFeature {
-    void operator()(OGRFeatureH feature) const { OGR_F_Destroy(feature); }
-};
-struct DropDataset {
-    void operator()(GDALDatasetH dataset) const { d2b::reading::close_dataset(dataset); }
-};
-using OpenDataset = std::unique_ptr<void, DropDataset>;
+using OpenDataset = reading::DatasetOwner;
 
 /// One feature as it was read.
 class Record {
@@ -41,7 +34,7 @@ class Record {
 
   private:
     int index(const std::string& field) const;
-    std::unique_ptr<void, DropFeature> feature_;
+    reading::FeatureOwner feature_;
 };
 
 struct Layer {

@@ -20,10 +20,7 @@
 
 namespace d2b::test {
 
-struct CloseDataset {
-    void operator()(void* dataset) const { d2b::reading::close_dataset(dataset); }
-};
-using Dataset = std::unique_ptr<void, CloseDataset>;
+using Dataset = reading::DatasetOwner;
 using Names = std::vector<std::string>;
 
 inline const std::string quote = "\"";
