@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <ranges>
 #include <set>
 #include <span>
 #include <tuple>
@@ -27,6 +28,7 @@ constexpr double crease_distance = 1.5;  // cells between a corner and the line 
 constexpr int rounds = 8;
 constexpr int pulls = 4;  // towards meetings, each with twice the weight
 constexpr double met_m = 1e-3;
+constexpr double max_cost_m2 = 0.02;  // mean squared error that meeting its neighbours may add to a face
 
 template <typename Use>
 void for_corners(const FinePolygon& polygon, const Use& use) {
@@ -42,6 +44,8 @@ struct Normal {
     GridPoint centre;
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    double squares = 0;
+    double weights = 0;
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 
@@ -49,6 +53,13 @@ struct Normal {
         const Eigen::Vector3d row(p.x - centre.x, p.y - centre.y, 1);
         matrix += weight * row * row.transpose();
         right += weight * z * row;
+        squares += weight * z * z;
+        weights += weight;
+    }
+    /// Mean squared error in m2 of a plane.
+    [[nodiscard]] double error(const Plane& plane) const {
+        const Eigen::Vector3d x(plane.slope_x, plane.slope_y, plane.at(centre.x, centre.y));
+        return weights > 0 ? (x.dot(matrix * x) - 2 * right.dot(x) + squares) / weights : 0;
     }
 };
 
@@ -65,11 +76,21 @@ class PlaneSystem {
         std::int32_t other;
         GridPoint at;
         double weight = 1;
+
+        /// Step in m between the two planes.
+        [[nodiscard]] double step(const std::vector<FacePlane>& planes) const {
+            return std::abs(planes[static_cast<std::size_t>(one)].plane.at(at.x, at.y) -
+                            planes[static_cast<std::size_t>(other)].plane.at(at.x, at.y));
+        }
     };
     void solve(std::span<const Meeting> meetings, std::vector<FacePlane>& planes) const;
     /// Share of its slope that a plane may keep such that no corner is far above or below the cells of its
     /// face; 0 if it has to be level.
     [[nodiscard]] double plausible_slope(std::size_t face, const Plane& plane) const;
+    /// Removes, of each face to which meeting its neighbours costs too much, the meeting with the highest
+    /// step between the planes that fit best. @return false if there was none
+    bool drop_costly(const std::vector<FacePlane>& best, const std::vector<FacePlane>& planes,
+                     std::vector<Meeting>& meetings) const;
 
   private:
     const BuildingGrid& grid_;
@@ -105,6 +126,7 @@ PlaneSystem::PlaneSystem(const std::vector<LabelledFace>& faces, const std::vect
         const Eigen::Vector3d weight(0.5, 0.5, 0.1);
         normal.matrix += weight.asDiagonal();
         normal.right += weight.cwiseProduct(prior);
+        normal.squares += prior.dot(weight.cwiseProduct(prior));
     }
 }
 
@@ -176,6 +198,26 @@ double PlaneSystem::plausible_slope(std::size_t face, const Plane& plane) const 
     return share < least_share ? 0 : share;
 }
 
+bool PlaneSystem::drop_costly(const std::vector<FacePlane>& best, const std::vector<FacePlane>& planes,
+                              std::vector<Meeting>& meetings) const {
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> highest(normals_.size(), none);
+    for (std::size_t m = 0; m < meetings.size(); ++m)
+        for (const std::int32_t face : {meetings[m].one, meetings[m].other}) {
+            std::size_t& of_face = highest[static_cast<std::size_t>(face)];
+            if (of_face == none || meetings[m].step(best) > meetings[of_face].step(best))
+                of_face = m;
+        }
+    std::set<std::size_t> costly;
+    for (std::size_t i = 0; i < normals_.size(); ++i)
+        if (highest[i] != none &&
+            normals_[i].error(planes[i].plane) > normals_[i].error(best[i].plane) + max_cost_m2)
+            costly.insert(highest[i]);
+    for (const std::size_t m : std::views::reverse(costly))
+        meetings.erase(meetings.begin() + static_cast<std::ptrdiff_t>(m));
+    return !costly.empty();
+}
+
 /// Corners in which neighbouring faces should meet.
 std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges,
                                               const std::vector<FacePlane>& planes,
@@ -225,23 +267,23 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
         return changed;
     };
     keep_plausible();
-    const auto step = [&](const PlaneSystem::Meeting& m) {
-        return std::abs(planes[static_cast<std::size_t>(m.one)].plane.at(m.at.x, m.at.y) -
-                        planes[static_cast<std::size_t>(m.other)].plane.at(m.at.x, m.at.y));
-    };
     system.solve({}, planes);
     for (int round = 0; round < rounds; ++round) {
+        std::vector<FacePlane> best = planes;
+        system.solve({}, best);
         std::vector<PlaneSystem::Meeting> meetings = meetings_of(edges, planes, lattice);
         system.solve(meetings, planes);
         double weight = first_weight;
         for (int pull = 0; pull < pulls; ++pull) {
             for (PlaneSystem::Meeting& m : meetings)
-                m.weight = step(m) < met_softly_m ? meeting_weight : weight;
+                m.weight = m.step(planes) < met_softly_m ? meeting_weight : weight;
             system.solve(meetings, planes);
             weight *= 2;
         }
         std::erase_if(meetings, [&](const PlaneSystem::Meeting& m) { return m.weight != meeting_weight; });
-        system.solve(meetings, planes);
+        do
+            system.solve(meetings, planes);
+        while (system.drop_costly(best, planes, meetings));
         if (!keep_plausible())
             break;
     }
@@ -256,6 +298,12 @@ std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
     struct Border {
         double length = 0;  ///< cells
         double highest = 0;
+    };
+    constexpr double max_bend = 0.14;  // m per m, because a ridge is not a step
+    const auto bend = [&](std::int32_t one, std::int32_t other) {
+        const Plane& a = planes[static_cast<std::size_t>(one)].plane;
+        const Plane& b = planes[static_cast<std::size_t>(other)].plane;
+        return std::hypot(a.slope_x - b.slope_x, a.slope_y - b.slope_y) / grid.cell_m;
     };
     std::map<std::pair<std::int32_t, std::int32_t>, Border> borders;
     for (const FaceEdge& edge : edges) {
@@ -279,7 +327,8 @@ std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
             }
     DisjointSets sets(static_cast<std::uint32_t>(planes.size()));
     for (const auto& [pair, border] : borders) {
-        if (border.highest < met_m || border.highest >= small_step_m)
+        if (border.highest < met_m || border.highest >= small_step_m ||
+            bend(pair.first, pair.second) > max_bend)
             continue;
         const std::uint32_t one = sets.find(static_cast<std::uint32_t>(pair.first));
         const std::uint32_t other = sets.find(static_cast<std::uint32_t>(pair.second));

@@ -27,17 +27,19 @@ struct SlopeSide {
     double peak_area = 0;  ///< of faces whose upper end is a peak
     std::vector<FaceShape> faces;
 
-    /// True if a gentle face stands on a steep one.
+    /// True if gentle faces stand on steep ones; not on a sliver of one, such as the side of a dormer.
     [[nodiscard]] bool is_bent() const {
         constexpr double least_bend = 15;  // degrees between the faces
         constexpr double steep = 45;
-        constexpr double gap = 1;  // m
-        return std::ranges::any_of(faces, [&](const FaceShape& below) {
-            return below.slope > steep && std::ranges::any_of(faces, [&](const FaceShape& above) {
-                       return below.slope - above.slope > least_bend &&
-                              std::abs(above.low - below.high) < gap;
-                   });
-        });
+        constexpr double gap = 1;            // m
+        constexpr double least_share = 0.1;  // of the area of the side
+        double below_bends = 0;
+        for (const FaceShape& below : faces)
+            if (below.slope > steep && std::ranges::any_of(faces, [&](const FaceShape& above) {
+                    return below.slope - above.slope > least_bend && std::abs(above.low - below.high) < gap;
+                }))
+                below_bends += below.area;
+        return below_bends >= least_share * area;
     }
 };
 

@@ -66,6 +66,21 @@ TEST(MeetingPlanes, MeetAlongTheRidge) {
         }
 }
 
+/// Three corners that are not in a line can only be shared by equal planes. The one off the ridge is given
+/// up.
+TEST(MeetingPlanes, KeepTheirSlopesWhereACornerIsOffTheRidge) {
+    TwoFaces two(gable(16, 0.7));
+    const std::int64_t steps = FinePoint::steps * roof_steps;
+    const FinePoint off_ridge{16 * steps - steps / 32, 30 * steps};
+    two.faces[0].outline.exterior.insert(two.faces[0].outline.exterior.begin() + 2, off_ridge);
+    two.faces[1].outline.exterior.push_back(off_ridge);
+    two.solve({plane_of(two.grid, 16, 0, 9, 0.7, 0), plane_of(two.grid, 16, 0, 9, -0.7, 0)});
+    EXPECT_NEAR(two.planes[0].plane.slope_y, 0.7, 0.03);
+    EXPECT_NEAR(two.planes[1].plane.slope_y, -0.7, 0.03);
+    for (const int col : {20, 40})
+        EXPECT_NEAR(two.corner(0, 16, col), two.corner(1, 16, col), 1e-3);
+}
+
 TEST(MeetingPlanes, AStepStays) {
     TwoFaces two([](double row, double) { return row < 16 ? 6.0 : 9.0; });
     two.solve({plane_of(two.grid, 0, 0, 6, 0, 0), plane_of(two.grid, 0, 0, 9, 0, 0)});
@@ -99,6 +114,14 @@ TEST(MergedFaces, AreThoseWithALowStepThatSavesLittle) {
                   expected)
             << step;
     }
+}
+
+/// Joining the two would add no more than the price: 0.15^2 * 12^3 / 48 = 0.8 m2 per cell of the ridge.
+TEST(MergedFaces, ARidgeIsNotALowStep) {
+    TwoFaces two(gable(16, 0.15));
+    two.planes = {{plane_of(two.grid, 16, 0, 9, 0.15, 0)}, {plane_of(two.grid, 16, 0, 9.05, -0.15, 0)}};
+    EXPECT_EQ(merged_faces(face_edges(two.faces), two.planes, two.cells, 2, two.grid, two.lattice),
+              (std::vector<std::int32_t>{0, 1}));
 }
 
 }  // namespace

@@ -67,6 +67,9 @@ INSTANTIATE_TEST_SUITE_P(
                   {20, 25, 0, 1, false, 3, 6},
                   {30, 60, 180, 1, false, 3, 8},
                   {20, 25, 180, 1, false, 3, 6}}},
+        // The steep side of a dormer does not bend a roof.
+        TypeCase{"gabled",
+                 {{2, 60, 0, 1, false, 3, 6}, {48, 25, 0, 1, false, 6, 8}, {50, 25, 180, 1, false, 6, 8}}},
         // A cone in six pieces is round, or has sides that are not at right angles.
         TypeCase{"domed",
                  {{17, 40, 0, 0.2},
