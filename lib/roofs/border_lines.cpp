@@ -215,6 +215,9 @@ class StretchSums {
 void divide_into_lines(std::span<const GridPoint> points, std::size_t first, std::size_t last, double price,
                        std::vector<std::size_t>& ends) {
     constexpr std::size_t longest = 400;  // sides
+    // Square cells per side that a slanted straight line is off its staircase; without it, high steps would
+    // follow each stair.
+    constexpr double staircase = 0.06;
     const StretchSums sums(points.subspan(first, last - first + 1));
     const std::size_t sides = last - first;
     std::vector<double> costs(sides + 1, std::numeric_limits<double>::infinity());
@@ -222,7 +225,8 @@ void divide_into_lines(std::span<const GridPoint> points, std::size_t first, std
     costs[0] = 0;
     for (std::size_t end = 1; end <= sides; ++end)
         for (std::size_t begin = end > longest ? end - longest : 0; begin < end; ++begin) {
-            const double cost = costs[begin] + sums.error(begin, end) + price;
+            const double off = sums.error(begin, end) - staircase * static_cast<double>(end - begin);
+            const double cost = costs[begin] + std::max(off, 0.0) + price;
             if (cost < costs[end]) {
                 costs[end] = cost;
                 from[end] = begin;

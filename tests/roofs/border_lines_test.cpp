@@ -48,23 +48,25 @@ TEST(BorderLines, AStepLiesBetweenTheCells) {
         EXPECT_NEAR(grid.col(end.x) + grid.first_col, 29, 0.05);
 }
 
-/// A step at an angle of 1 : 3 is a staircase of cells, but one line.
+/// An oblique step is a staircase of cells, but one line, also where each cell off it costs much.
 TEST(BorderLines, AnObliqueStepIsOneLine) {
-    const auto beyond = [](double row, double col) { return col - 25 > (row - 10) / 3; };
-    const BuildingGrid grid =
-        MadeRoof{18, 20, [&](double row, double col) { return beyond(row, col) ? 9.0 : 6.0; }}.grid();
-    const std::vector<Plane> planes{plane_of(grid, 0, 0, 6, 0, 0), plane_of(grid, 0, 0, 9, 0, 0)};
-    const auto lines =
-        lines_of(grid, planes, [&](double row, double col) { return beyond(row, col) ? 1 : 0; });
-    ASSERT_GE(lines.size(), 1U);
-    ASSERT_LE(lines.size(), 3U);
-    for (const BorderLine& line : lines)
-        for (const GridPoint& end : {line.from, line.to}) {
-            const double row = grid.row(end.y) + grid.first_row;
-            if (row < 11 || row > 27)
-                continue;
-            EXPECT_NEAR(grid.col(end.x) + grid.first_col, 25 + (row - 10) / 3, 0.75);
-        }
+    for (const double slope : {1 / 3.0, 0.7, 1.0}) {
+        const auto beyond = [slope](double row, double col) { return col - 23 > (row - 10) * slope; };
+        const BuildingGrid grid =
+            MadeRoof{18, 25, [&](double row, double col) { return beyond(row, col) ? 12.0 : 6.0; }}.grid();
+        const std::vector<Plane> planes{plane_of(grid, 0, 0, 6, 0, 0), plane_of(grid, 0, 0, 12, 0, 0)};
+        const auto lines =
+            lines_of(grid, planes, [&](double row, double col) { return beyond(row, col) ? 1 : 0; });
+        ASSERT_GE(lines.size(), 1U);
+        ASSERT_LE(lines.size(), 3U) << slope;
+        for (const BorderLine& line : lines)
+            for (const GridPoint& end : {line.from, line.to}) {
+                const double row = grid.row(end.y) + grid.first_row;
+                if (row < 11 || row > 27)
+                    continue;
+                EXPECT_NEAR(grid.col(end.x) + grid.first_col, 23 + (row - 10) * slope, 0.75);
+            }
+    }
 }
 
 TEST(BorderLines, OneFaceHasNone) {
