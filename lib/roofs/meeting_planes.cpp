@@ -28,7 +28,7 @@ constexpr double crease_distance = 1.5;  // cells between a corner and the line 
 constexpr int rounds = 8;
 constexpr int pulls = 4;  // towards meetings, each with twice the weight
 constexpr double met_m = 1e-3;
-constexpr double max_cost_m2 = 0.02;  // mean squared error that meeting its neighbours may add to a face
+constexpr double max_cost_m2 = 0.04;  // mean squared error that meeting its neighbours may add to a face
 
 template <typename Use>
 void for_corners(const FinePolygon& polygon, const Use& use) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>
@@ -13,12 +14,12 @@
 
 namespace d2b::writing {
 
-namespace {
-
 struct MonitoredFile {
-    VSILFILE* file;
+    VSILFILE* file;  ///< null once it is closed
     IoErrorMonitor& monitor;
 };
+
+namespace {
 
 MonitoredFile& monitored(void* file) {
     return *static_cast<MonitoredFile*>(file);
@@ -42,7 +43,7 @@ void* open_file(void* monitor, const char* name, const char* access) {
         self.record(errno);
         file = discarding_file(self);
     }
-    return new MonitoredFile{file, self};
+    return &self.add({file, self});
 }
 
 size_t write_file(void* file, const void* data, size_t size, size_t count) {
@@ -68,7 +69,7 @@ int seek_file(void* file, vsi_l_offset to, int from) {
 size_t read_file(void* file, void* data, size_t size, size_t count) {
     errno = 0;
     const size_t read = VSIFReadL(data, size, count, monitored(file).file);
-    if (read < count && errno != 0)
+    if (read < count && errno != 0 && errno != EISDIR)  // GDAL 3.13 tries to read folders
         monitored(file).monitor.record(errno);
     return read;
 }
@@ -88,10 +89,10 @@ int truncate_file(void* file, vsi_l_offset size) {
 }
 
 int close_file(void* file) {
-    const std::unique_ptr<MonitoredFile> self(&monitored(file));
+    MonitoredFile& self = monitored(file);
     errno = 0;
-    if (VSIFCloseL(self->file) != 0)
-        self->monitor.record(errno);
+    if (self.file != nullptr && VSIFCloseL(std::exchange(self.file, nullptr)) != 0)
+        self.monitor.record(errno);
     return 0;
 }
 
@@ -158,6 +159,8 @@ IoErrorMonitor::IoErrorMonitor()
     VSIInstallPluginHandler(prefix_.c_str(), calls.get());
 }
 
+IoErrorMonitor::~IoErrorMonitor() = default;
+
 std::string IoErrorMonitor::name_of(const std::string& path) const {
     return prefix_ + (path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string());
 }
@@ -165,6 +168,10 @@ std::string IoErrorMonitor::name_of(const std::string& path) const {
 void IoErrorMonitor::require_written(const std::string& name) const {
     if (error_ != 0)
         throw OutputError("Cannot write \"" + name + "\": " + std::generic_category().message(error_) + ".");
+}
+
+MonitoredFile& IoErrorMonitor::add(MonitoredFile file) {
+    return files_.emplace_back(file);
 }
 
 void IoErrorMonitor::record(int error) {

@@ -94,7 +94,7 @@ TEST(Crs, ReadsEveryNotation) {
     EXPECT_EQ(Crs(name).name(), name);
     EXPECT_EQ(Crs("WGS84").name(), "WGS 84");
     EXPECT_EQ(Crs(wgs84_wkt1).name(), "WGS 84");
-    EXPECT_EQ(Crs("EPSG:28992+5709").name(), "Amersfoort / RD New + NAP height");
+    EXPECT_EQ(Crs("EPSG:25832+5783").name(), "ETRS89 / UTM zone 32N + DHHN92 height");
     EXPECT_EQ(Crs("+proj=utm +zone=32 +datum=WGS84").kind(), Crs::Kind::projected);
     EXPECT_EQ(Crs(json).name(), "mine");
 }

@@ -192,9 +192,10 @@ TEST_F(CreateTest, StandardOutput) {
     options.destination = "/vsistdout/";
     options.format = "GeoJSON";
     write(options, 2);
-    const std::string text = ::testing::internal::GetCapturedStdout();
+    std::string text = ::testing::internal::GetCapturedStdout();
     EXPECT_NE(text.find("\"name\": \"buildings\""), std::string::npos);
-    EXPECT_NE(text.find("\"id\": 2, \"height\": null, \"status\": \"text 2\""), std::string::npos) << text;
+    std::erase(text, ' ');  // GDAL 3.13 has none between properties
+    EXPECT_NE(text.find("\"id\":2,\"height\":null,\"status\":\"text2\""), std::string::npos) << text;
 }
 
 TEST_F(CreateTest, UnknownCreationOptionsAreWarnedOf) {
