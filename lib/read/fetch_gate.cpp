@@ -167,7 +167,10 @@ DatasetOwner open_guarded(const std::string& name, unsigned flags, const char* c
     std::optional<NoSidecar> no_sidecar;
     if (format == "GPKG")
         no_sidecar.emplace();  // as when it is closed, see close_dataset()
-    DatasetOwner dataset(GDALOpenEx(name.c_str(), flags, drivers, open_options, nullptr));
+    // Keep the driver of GML from leaving a .gfs beside what it reads; @ makes other drivers skip the option.
+    CPLStringList options(CSLDuplicate(open_options));
+    options.AddString("@WRITE_GFS=NO");
+    DatasetOwner dataset(GDALOpenEx(name.c_str(), flags, drivers, options.List(), nullptr));
     if (dataset && no_sidecar)
         GDALGetMetadata(dataset.get(),
                         nullptr);  // because the option is asked for when metadata are first read

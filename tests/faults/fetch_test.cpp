@@ -68,7 +68,6 @@ TEST_F(Fetches, aFileThatRefersToAnAddressAsPolygons) {
     for (const std::string& file : std::vector<std::string>{link(), "url.geojson", "features.gml"})
         for (const char* option : {"-cutline", "-mask", "-split_by", "-footprints", "-exclude"}) {
             SCOPED_TRACE(file + " " + option);
-            std::filesystem::remove(path("features.gfs"));  // which GDAL leaves, and then asks no more
             const Asked run = asked({"-q", "-overwrite", option, file, "dem.tif", "out.gpkg"});
             EXPECT_EQ(run.result.status, 0) << run.result.err;
             EXPECT_EQ(run.questions, 0);
