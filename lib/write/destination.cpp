@@ -78,14 +78,23 @@ std::string in_quotes(const std::string& text) {
     return "\"" + text + "\"";
 }
 
+/// Returns a file name up to its first dot.
+std::string stem_of(const fs::path& path) {
+    const std::string file = path.filename().string();
+    return file.substr(0, file.find('.', 1));
+}
+
+[[noreturn]] void refuse_sibling(const std::string& name, const fs::path& sibling) {
+    throw OptionError("Writing " + in_quotes(name) + " would replace " + in_quotes(sibling.string()) +
+                      "; remove that file first or choose another name.");
+}
+
 void check_siblings(const std::string& name, const fs::path& path, const VectorFormat& format) {
     for (const std::string& suffix : format.suffixes) {
-        const std::string file = path.filename().string();
-        const fs::path sibling = path.parent_path() / (file.substr(0, file.find('.', 1)) + suffix);
+        const fs::path sibling = path.parent_path() / (stem_of(path) + suffix);
         std::error_code error;
         if (sibling != path && fs::exists(sibling, error))
-            throw OptionError("Writing " + in_quotes(name) + " would replace " + in_quotes(sibling.string()) +
-                              "; remove that file first or choose another name.");
+            refuse_sibling(name, sibling);
     }
 }
 
@@ -389,6 +398,54 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
         reject_breaking_replacement(destination, dataset.get(), format, names);
     require_writable(destination, format, options, names);
     return existing;
+}
+
+namespace {
+
+/// Returns the first file of another dataset of the same stem that includes this file; "" if there is none.
+/// @param names of files that are no other dataset
+std::string owner_of(const fs::path& sibling, const std::vector<std::string>& names) {
+    const reading::GdalMessages quiet;
+    const fs::path folder = sibling.parent_path();
+    for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder)) {
+        const std::string file = entry.path().filename().string();
+        if (stem_of(file) != stem_of(sibling) || !entry.is_regular_file() || contains_name(names, file))
+            continue;
+        const reading::DatasetOwner dataset =
+            reading::open_guarded(entry.path().string(), GDAL_OF_RASTER | GDAL_OF_VECTOR | GDAL_OF_READONLY);
+        const CPLStringList listed(dataset ? GDALGetFileList(dataset.get()) : nullptr);
+        for (int i = 0; i < listed.Count(); ++i)
+            if (fs::path(listed[i]).filename() == sibling.filename())
+                return fs::path(listed[0]).filename().string();
+    }
+    return "";
+}
+
+}  // namespace
+
+void claim_files(const Destination& destination, const VectorFormat& format,
+                 std::optional<ExistingDataset>& existing, std::vector<std::string> names) {
+    const fs::path path = destination.path;
+    for (const std::string& suffix : format.suffixes)
+        names.push_back(stem_of(path) + suffix);
+    names.push_back(path.filename().string());
+    for (const std::string& name : names) {
+        const fs::path sibling = path.parent_path() / name;
+        std::error_code error;
+        // keep_user_styles() decides on styles, because users make their own.
+        if (sibling == path || sibling.extension() == ".qml" || !fs::exists(sibling, error))
+            continue;
+        if (!existing)
+            refuse_sibling(destination.name, sibling);
+        if (std::ranges::find(existing->files, sibling.string()) != existing->files.end())
+            continue;
+        if (const std::string owner = owner_of(sibling, names); !owner.empty())
+            throw OptionError("Writing " + in_quotes(destination.name) + " would replace " +
+                              in_quotes(sibling.string()) + ", a file of " + in_quotes(owner) +
+                              "; choose another name.");
+        existing->files.push_back(sibling.string());
+        existing->stamp += stamp_of({sibling.string()});
+    }
 }
 
 std::optional<ExistingDataset> inspect_database(const Destination& destination, VectorFormat& format,

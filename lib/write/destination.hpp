@@ -48,6 +48,13 @@ struct ExistingDataset {
                                                const WriteOptions& options,
                                                const std::vector<std::string>& names);
 
+/// Adds files next to the destination that the new dataset consists of, too, to those that it replaces,
+/// because GDAL does not list all files of a dataset, such as the schema of a GML. @param names of the files
+/// of the new dataset @throws OptionError if such a file exists without a dataset, or is one of another
+/// dataset
+void claim_files(const Destination& destination, const VectorFormat& format,
+                 std::optional<ExistingDataset>& existing, std::vector<std::string> names);
+
 /// Like inspect_existing(), but for a database or service; empty if it cannot be opened and is to be created.
 /// A database exists before its layers, so only layers of the same names conflict. @param format its
 /// transactions are set @throws OptionError if a layer exists and neither -overwrite nor -append is given

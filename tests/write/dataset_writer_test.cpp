@@ -379,6 +379,52 @@ TEST_F(OverwriteTest, SidecarsOfOthersAreNotReplaced) {
               std::string::npos);
 }
 
+TEST_F(OverwriteTest, FilesThatGdalDoesNotListAreReplaced) {
+    write(to("a.gml"), 5);
+    put("a.xsl", "mine");
+    ASSERT_EQ(entries(), (Names{"a.gml", "a.xsd", "a.xsl"}));
+    put("a.xsd", "stale");
+    write(over("a.gml"), 2);
+    EXPECT_EQ(count(path("a.gml"), "buildings"), 2);
+    EXPECT_NE(bytes("a.xsd"), "stale");
+    WriteOptions alone = over("a.gml");
+    alone.dataset_options = {"XSISCHEMA=OFF"};
+    write(alone, 2);
+    EXPECT_EQ(entries(), (Names{"a.gml", "a.xsl"}));
+    WriteOptions table = over("b.csv");
+    table.layer_options = {"CREATE_CSVT=YES", "GEOMETRY=AS_WKT"};
+    write(table, 5);
+    put("b.csvt", "stale");
+    write(table, 2);
+    EXPECT_EQ(ids(path("b.csv"), "b"), (std::vector<std::int64_t>{1, 2}));
+    EXPECT_EQ(entries(), (Names{"a.gml", "a.xsl", "b.csv", "b.csvt", "b.prj"}));
+    EXPECT_NE(bytes("b.csvt"), "stale");
+}
+
+TEST_F(OverwriteTest, FilesOfAnotherDatasetAreNotReplaced) {
+    write(to("a.shp"), 5);
+    write(to("a.csv"), 5);
+    put("a.prj", bytes("a.prj") + " ");
+    const Names before = entries();
+    const std::string crs = bytes("a.prj");
+    const std::string old = bytes("a.csv");
+    WriteOptions table = over("a.csv");
+    table.layer_options = {"CREATE_CSVT=YES", "GEOMETRY=AS_WKT"};
+    EXPECT_EQ(thrown<OptionError>([&] { write(table, 2); }),
+              "Writing \"" + path("a.csv") + "\" would replace \"" + path("a.prj") +
+                  "\", a file of \"a.shp\"; choose another name.");
+    EXPECT_EQ(entries(), before);
+    EXPECT_EQ(bytes("a.prj"), crs);
+    EXPECT_EQ(bytes("a.csv"), old);
+    put("c.csvt", "mine");
+    WriteOptions fresh = to("c.csv");
+    fresh.layer_options = {"CREATE_CSVT=YES"};
+    EXPECT_EQ(thrown<OptionError>([&] { write(fresh, 2); }),
+              "Writing \"" + path("c.csv") + "\" would replace \"" + path("c.csvt") +
+                  "\"; remove that file first or choose another name.");
+    EXPECT_EQ(bytes("c.csvt"), "mine");
+}
+
 TEST_F(OverwriteTest, AFlagOnANewDestinationIsFine) {
     write(over("a.gpkg"), 2);
     WriteOptions append = to("b.gpkg");

@@ -134,8 +134,12 @@ void OgrFeatureSink::preflight(std::span<const LayerSpec> layers, const Provenan
     // GeoPackage with default options is not tried, because that would take longer than a small raster.
     const bool plain = format_.name == "GPKG" && options_.layer_name.empty() &&
                        options_.layer_options.empty() && options_.dataset_options.empty();
-    if (!plain && !is_connection(format_.driver, destination_.path))
-        writes_virtual_files_ = preflight_create(draft) && writes_virtual_files_;
+    if (!plain && !is_connection(format_.driver, destination_.path)) {
+        TrialDataset trial = preflight_create(draft);
+        writes_virtual_files_ = trial.in_memory && writes_virtual_files_;
+        if (destination_.local && mode() == DatasetWriter::Mode::create)
+            claim_files(destination_, format_, existing_, std::move(trial.names));
+    }
     if (mode() == DatasetWriter::Mode::replace)
         preflight_replace(draft);
     if (!is_exact)

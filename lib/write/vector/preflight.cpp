@@ -101,8 +101,8 @@ Feature trial_feature(const LayerSpec& layer, const Position& place) {
     return feature;
 }
 
-/// @param folder with trailing slash
-void create_in(const std::string& folder, const PlannedOutput& draft) {
+/// @param folder with trailing slash @return names of the files in it
+std::vector<std::string> create_in(const std::string& folder, const PlannedOutput& draft) {
     const std::string name = std::filesystem::path(draft.destination.path).filename().string();
     const std::string file = folder + (name.empty() ? "trial" : name);
     const WriteTarget target{draft.destination.name, folder};
@@ -112,7 +112,9 @@ void create_in(const std::string& folder, const PlannedOutput& draft) {
     for (std::size_t i = 0; i < draft.layers.size(); ++i)
         writer.add(i, trial_feature(draft.layers[i], draft.place));
     writer.close();
+    std::vector<std::string> names = names_in(folder);
     verify_counts(target, draft.format, file, writer.counts());
+    return names;
 }
 
 std::string with_advice(std::string sentence, const WriteOptions& options) {
@@ -274,21 +276,19 @@ void write_trial(const std::string& file, const std::string& folder, const Plann
 
 }  // namespace
 
-bool preflight_create(const PlannedOutput& draft) {
+TrialDataset preflight_create(const PlannedOutput& draft) {
     reject_reserved_names(draft.format, draft.options, draft.layers);
     const reading::NoSidecar no_sidecar;
     const reading::ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
     try {
         try {
             const VsimemFolder memory;
-            create_in(memory.file(""), draft);
-            return true;
+            return {true, create_in(memory.file(""), draft)};
         } catch (const OutputError&) {
             if (!draft.destination.local)
                 throw;
             const StagingFolder beside(draft.destination.name, draft.destination.path);
-            create_in(beside.folder().string() + "/", draft);
-            return false;
+            return {false, create_in(beside.folder().string() + "/", draft)};
         }
     } catch (const OutputError& error) {
         throw OutputError(with_advice(error.what(), draft.options));

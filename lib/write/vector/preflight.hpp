@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <gdal.h>
 
@@ -22,12 +23,18 @@ struct PlannedOutput {
     Position place;  ///< position inside the data
 };
 
+/// Dataset that was created on trial.
+struct TrialDataset {
+    bool in_memory = true;           ///< false if the driver only writes to disk
+    std::vector<std::string> names;  ///< names of its files: the one of the destination, and those next to it
+};
+
 /// Creates a dataset of these layers with one feature each, reads it back and deletes it, so that unsupported
 /// fields, geometries, names and options are reported before the work. Does so in memory; if that fails, next
-/// to the destination, because some drivers only write to disk. @return true if it worked in memory
+/// to the destination, because some drivers only write to disk.
 /// @throws OptionError for reserved names and for standard field names that the format would change
 /// @throws OutputError with the reason of the driver
-bool preflight_create(const PlannedOutput& draft);
+[[nodiscard]] TrialDataset preflight_create(const PlannedOutput& draft);
 
 /// Checks that features can be appended to the existing layers. @throws OutputError naming the mismatch
 void preflight_append(const PlannedOutput& draft);

@@ -13,6 +13,16 @@
 
 namespace d2b::writing {
 
+/// Returns the names of the files and folders in a folder, local or virtual.
+[[nodiscard]] inline std::vector<std::string> names_in(const std::string& folder) {
+    std::vector<std::string> found;
+    const CPLStringList names(VSIReadDir(folder.c_str()));
+    for (int i = 0; i < names.Count(); ++i)
+        if (const std::string name = names[i]; name != "." && name != "..")
+            found.push_back(name);
+    return found;
+}
+
 /// Private folder in /vsimem/ for trials. Its name contains the address of this object, which is unique in
 /// the process.
 class VsimemFolder {
@@ -26,12 +36,9 @@ class VsimemFolder {
     /// Returns the suffixes of files named probe.*, because a driver may add other files.
     [[nodiscard]] std::vector<std::string> suffixes() const {
         std::vector<std::string> found;
-        const CPLStringList names(VSIReadDir(path_.c_str()));
-        for (int i = 0; i < names.Count(); ++i) {
-            const std::string name = names[i];
+        for (const std::string& name : names_in(path_))
             if (name.starts_with("probe."))
                 found.push_back(name.substr(5));
-        }
         return found;
     }
     [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
