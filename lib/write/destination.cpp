@@ -35,7 +35,8 @@ void reject_foreign_data(const Destination& destination, const ExistingDataset& 
 
 /// @throws OutputError if a database cannot be opened for writing @throws OptionError if -append is given and
 /// the driver cannot append to existing layers
-void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
+void require_writable(const Destination& destination, const ExistingDataset& existing,
+                      const VectorFormat& format, const WriteOptions& options,
                       const std::vector<std::string>& names);
 
 /// Rejects -overwrite if it would break relations and foreign keys, whose ids would then refer to other
@@ -194,6 +195,15 @@ void reject_locked(const Destination& destination, GDALDatasetH dataset) {
     GDALDatasetExecuteSQL(dataset, "ROLLBACK", nullptr, nullptr);
 }
 
+/// Adds the first feature of a layer once more, because some drivers that cannot do so say that they can.
+bool takes_another_feature(OGRLayerH layer) {
+    const reading::FeatureOwner first(OGR_L_GetNextFeature(layer));
+    if (!first)
+        return true;
+    OGR_F_SetFID(first.get(), OGRNullFID);
+    return OGR_L_CreateFeature(layer, first.get()) == OGRERR_NONE;
+}
+
 }  // namespace
 
 bool contains_name(const std::vector<std::string>& names, const std::string& name) {
@@ -224,7 +234,8 @@ void reject_foreign_data(const Destination& destination, const ExistingDataset& 
                           "first.");
 }
 
-void require_writable(const Destination& destination, const VectorFormat& format, const WriteOptions& options,
+void require_writable(const Destination& destination, const ExistingDataset& existing,
+                      const VectorFormat& format, const WriteOptions& options,
                       const std::vector<std::string>& names) {
     const reading::GdalMessages messages;
     const int refusal = destination.local ? system::write_refusal(destination.path) : 0;
@@ -232,7 +243,14 @@ void require_writable(const Destination& destination, const VectorFormat& format
         throw OutputError("Cannot write \"" + destination.name + "\": it is read-only (" +
                           std::generic_category().message(refusal) +
                           "); allow writing, or choose another destination.");
-    const reading::DatasetOwner dataset = open_dataset(format, destination.path, GDAL_OF_UPDATE);
+    if (options.overwrite && !format.transactions)
+        return;  // because it is replaced whole
+    // Open a copy, because some drivers change a file as soon as they open it for writing.
+    std::optional<StagingFolder> copy;
+    if (destination.local && !format.transactions)
+        copy.emplace(destination.name, destination.path).copy_in(existing.files);
+    const reading::DatasetOwner dataset =
+        open_dataset(format, copy ? copy->dataset().string() : destination.path, GDAL_OF_UPDATE);
     if (!dataset && format.transactions)
         throw OutputError("Cannot write \"" + destination.name + "\": opening it for writing failed (" +
                           messages.reason() + ")" + advice_for(messages.reason()) + ".");
@@ -244,7 +262,8 @@ void require_writable(const Destination& destination, const VectorFormat& format
     for (int i = 0; appendable && i < GDALDatasetGetLayerCount(dataset.get()); ++i) {
         OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), i);
         if (!format.multiple_layers || contains_name(names, OGR_L_GetName(layer)))
-            appendable = OGR_L_TestCapability(layer, OLCSequentialWrite) != FALSE;
+            appendable = OGR_L_TestCapability(layer, OLCSequentialWrite) != FALSE &&
+                         (!copy || takes_another_feature(layer));
     }
     if (!appendable)
         throw OptionError("GDAL cannot append to \"" + destination.name + "\", a dataset of format " +
@@ -396,7 +415,7 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
         reject_foreign_data(destination, existing, dataset.get(), format, options, names);
     if (options.overwrite)
         reject_breaking_replacement(destination, dataset.get(), format, names);
-    require_writable(destination, format, options, names);
+    require_writable(destination, existing, format, options, names);
     return existing;
 }
 

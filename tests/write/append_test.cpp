@@ -218,6 +218,25 @@ TEST_F(AppendTest, FormatsThatTakeNoMoreAreRefused) {
     }
 }
 
+/// The driver of netCDF changes a file as soon as it opens it for writing.
+TEST_F(AppendTest, ANetcdfIsReplacedAndNotAddedTo) {
+    if (GDALGetDriverByName("netCDF") == nullptr)
+        GTEST_SKIP() << "this GDAL has no netCDF";
+    write(to("a.nc"), 5);
+    WriteOptions over = to("a.nc");
+    over.overwrite = true;
+    const std::string before = bytes("a.nc");
+    const auto time = std::filesystem::last_write_time(path("a.nc"));
+    static_cast<void>(open_sink(over, callbacks_));
+    EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(open_sink(more("a.nc"), callbacks_)); }),
+              "GDAL cannot append to \"" + path("a.nc") +
+                  "\", a dataset of format netCDF; write to another destination, or to a GeoPackage.");
+    EXPECT_EQ(bytes("a.nc"), before);
+    EXPECT_EQ(std::filesystem::last_write_time(path("a.nc")), time);
+    write(over, 2);
+    EXPECT_EQ(ids(path("a.nc"), buildings_layer(over)), (std::vector<std::int64_t>{1, 2}));
+}
+
 TEST_F(AppendTest, AbandonedAppendLeavesTheOldContent) {
     for (const char* name : {"a.gpkg", "a.geojson", "a.shp"}) {
         write(to(name), 2);

@@ -45,7 +45,7 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
           format_(std::move(format)),
           destination_(std::move(destination)),
           existing_(std::move(existing)),
-          writes_virtual_files_(has_capability(format_.driver, GDAL_DCAP_VIRTUALIO)),
+          writes_virtual_files_(format_.in_memory),
           stop_(std::move(stop)) {
         warnings_.hold();
     }

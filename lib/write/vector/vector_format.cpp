@@ -25,6 +25,7 @@ struct FormatProbe {
     bool transactions = false;
     bool preserves_crs = true;
     bool folder = false;
+    bool in_memory = false;
     std::vector<std::string> suffixes;  ///< suffixes of its files from the first dot on; empty for a folder
 };
 
@@ -203,7 +204,7 @@ FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
     // GeoPackage is known, and a trial takes longer than a small raster.
     if (EQUAL(GDALGetDriverShortName(driver), "GPKG")) {
         const std::size_t dot = name.find('.');
-        result.multiple_layers = result.transactions = true;
+        result.multiple_layers = result.transactions = result.in_memory = true;
         if (dot != std::string::npos)
             result.suffixes = {name.substr(dot)};
         return result;
@@ -212,7 +213,8 @@ FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
     const std::string file = memory.file(name);
     result.multiple_layers = writes_two(driver, file, result.transactions);
     VSIStatBufL status{};
-    result.folder = VSIStatL(file.c_str(), &status) == 0 && VSI_ISDIR(status.st_mode);
+    result.in_memory = VSIStatL(file.c_str(), &status) == 0;
+    result.folder = result.in_memory && VSI_ISDIR(status.st_mode);
     if (!result.folder)
         result.suffixes = memory.suffixes();
     read_back(driver, file, result);
@@ -236,6 +238,7 @@ VectorFormat format_for(const WriteOptions& options) {
     format.transactions = probe.transactions;
     format.preserves_crs = probe.preserves_crs;
     format.folder = probe.folder;
+    format.in_memory = probe.in_memory;
     format.suffixes = std::move(probe.suffixes);
     return format;
 }

@@ -74,6 +74,7 @@ struct VectorFormat {
     bool transactions = false;     ///< native transactions, not emulated by copies
     bool preserves_crs = true;
     bool folder = false;                ///< a dataset at this destination is a folder of files
+    bool in_memory = false;             ///< the driver writes files of virtual file systems, too
     std::vector<std::string> suffixes;  ///< suffixes of the files of a dataset here, from the first dot on
 };
 
