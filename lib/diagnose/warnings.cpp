@@ -152,6 +152,15 @@ std::string coarse_cells_warning(double cell_m) {
            " m wide, which is too coarse for single buildings; up to 1 m is best, 2.5 m may do";
 }
 
+std::string surface_scale_warning(const std::string& crs, double area_scale) {
+    constexpr double most = 0.01;
+    if (!(std::abs(area_scale - 1) > most))
+        return {};
+    return "-surface: '" + crs + "' shows areas here " + fixed_text(area_scale, 2) +
+           " times as large as on the ground, and heights stay as they are, so blocks have other proportions "
+           "and volumes than the buildings; give a CRS of the area with -t_srs, such as its UTM zone";
+}
+
 std::string tolerance_warning(double tolerance, double cell) {
     constexpr double most_cells = 100;
     const double cells = tolerance / cell;

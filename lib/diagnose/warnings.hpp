@@ -55,6 +55,11 @@ inline void warn_unless_empty(const std::string& cause, Context& context) {
 /// @param cell_m cell size in m
 [[nodiscard]] std::string coarse_cells_warning(double cell_m);
 
+/// Returns a warning if the volumes of surfaces are not those on the ground, because the projection changes
+/// areas by more than 1 % and heights stay as they are. A clause without a full stop; "" if they are.
+/// @param crs its name @param area_scale area in the plane of the CRS, divided by that on the ground
+[[nodiscard]] std::string surface_scale_warning(const std::string& crs, double area_scale);
+
 /// Returns a warning if all roofs are level, or more than half of their area is doubtful. A clause without a
 /// full stop; "" if less is.
 [[nodiscard]] std::string doubtful_roofs_warning(const RoofReport& roofs);

@@ -109,8 +109,12 @@ SurfaceLattice::SurfaceLattice(const SurfaceLatticeParameters& terms)
     }
     gaps_ = gaps_in(terms.written(), frame_, {west.x, south.y}, {east.x, north.y});
     const double metres = frame_.horizontal_metres;
-    frame_.origin = terms.origin.value_or(std::array<double, 3>{
-        std::round((west.x + east.x) / 2 * metres), std::round((south.y + north.y) / 2 * metres), 0});
+    const Position middle{(west.x + east.x) / 2, (south.y + north.y) / 2};
+    if (const auto cell = cell_at(terms.written(), frame_, middle))
+        area_scale_ =
+            frame_.scale[0] * frame_.scale[1] * std::pow(FinePoint::steps * metres, 2) / cell->area();
+    frame_.origin = terms.origin.value_or(
+        std::array<double, 3>{std::round(middle.x * metres), std::round(middle.y * metres), 0});
     for (const double x : {west.x, east.x})
         reach_ = std::max(reach_, std::abs(x * metres - frame_.origin[0]));
     for (const double y : {south.y, north.y})

@@ -49,6 +49,9 @@ class SurfaceLattice {
     /// Returns the minimum distances between vertices, large enough to hold on the ground everywhere in the
     /// window.
     [[nodiscard]] const surface::GapTolerances& gaps() const { return gaps_; }
+    /// Returns the area of the middle of the window in the plane of the output CRS, divided by that on the
+    /// ground; 1 if the latter is unknown.
+    [[nodiscard]] double area_scale() const { return area_scale_; }
     /// True if outlines need no rounding.
     [[nodiscard]] bool is_exact() const { return is_exact_; }
     /// Returns a height in millimetres. @param elevation in the vertical unit
@@ -86,6 +89,7 @@ class SurfaceLattice {
     SurfaceFrame frame_;
     surface::GapTolerances gaps_;
     std::array<Position, 4> corners_{};
+    double area_scale_ = 1;
     bool is_exact_;
     bool east_;                   ///< columns run eastwards
     bool south_;                  ///< rows run southwards

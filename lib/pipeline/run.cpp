@@ -203,7 +203,7 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     RunReport& report = context.report;
     const double metres = report.units.vertical_metres;
 
-    std::optional<features::SurfaceLattice> lattice = set_up_surfaces(setup, sinks, report.units);
+    std::optional<features::SurfaceLattice> lattice = set_up_surfaces(setup, sinks, context);
     std::optional<GivenFootprints> given;
     if (sources.footprints != nullptr)
         label_footprints(given.emplace(place_footprints(*sources.footprints, setup, context)), context);

@@ -158,7 +158,8 @@ bool has_tiers(const Sinks& sinks) {
 }
 
 std::optional<features::SurfaceLattice> set_up_surfaces(const features::RunSetup& setup, const Sinks& sinks,
-                                                        const UnitReport& units) {
+                                                        Context& context) {
+    const UnitReport& units = context.report.units;
     if (sinks.surfaces.empty())
         return std::nullopt;
     features::SurfaceLattice lattice(
@@ -169,6 +170,9 @@ std::optional<features::SurfaceLattice> set_up_surfaces(const features::RunSetup
          setup.plan.surface_of == SurfaceOf::roofs || (has_tiers(sinks) && setup.plan.needs_roofs())});
     if (has_shells(sinks))
         lattice.require_single_precision();
+    if (!is_page(sinks))
+        diagnose::warn_unless_empty(
+            diagnose::surface_scale_warning(setup.written().name(), lattice.area_scale()), context);
     for (SurfaceSink* sink : sinks.surfaces)
         sink->preflight(features::surface_meta(setup.plan, lattice, setup.written(), units));
     return lattice;

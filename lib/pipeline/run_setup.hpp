@@ -22,8 +22,7 @@ namespace d2b::pipeline {
 /// there are none
 /// @throws OptionError, OutputError
 [[nodiscard]] std::optional<features::SurfaceLattice> set_up_surfaces(const features::RunSetup& setup,
-                                                                      const Sinks& sinks,
-                                                                      const UnitReport& units);
+                                                                      const Sinks& sinks, Context& context);
 
 /// True if a sink takes the tiers of stacks.
 [[nodiscard]] bool has_tiers(const Sinks& sinks);

@@ -295,7 +295,10 @@ TEST_F(OptionEffect, surface_roof__inOtherPlanes) {
     };
     find({"-surface", "utm.city.json", "-t_srs", "EPSG:25832"});
     EXPECT_LT(volumes_differ("utm.city.json"), 0.0005);
-    find({"-surface", "web.city.json", "-t_srs", "EPSG:3857"});
+    std::filesystem::remove(path("out.gpkg"));
+    run_warned({"-preset", "buildings", "-q", "-surface", "web.city.json", "-t_srs", "EPSG:3857", "--",
+                "town.tif", "out.gpkg"},
+               {"-surface: 'WGS 84 / Pseudo-Mercator' shows areas here "});
     const ReadCityJson web = read_cityjson(path("web.city.json"));
     const Layer layer = buildings();
     EXPECT_GT(volumes_differ("web.city.json"), 1);

@@ -204,6 +204,17 @@ TEST(ScaleDoubt, CellsWiderThanThreeMetres) {
               "may do");
 }
 
+TEST(ScaleDoubt, SurfacesInAProjectionThatChangesAreas) {
+    for (const double scale : {0.991, 1.0, 1.009})
+        EXPECT_EQ(surface_scale_warning("UTM", scale), "");
+    EXPECT_NE(surface_scale_warning("UTM", 0.98), "");
+    EXPECT_EQ(
+        surface_scale_warning("WGS 84 / Pseudo-Mercator", 2.4512),
+        "-surface: 'WGS 84 / Pseudo-Mercator' shows areas here 2.45 times as large as on the ground, and "
+        "heights stay as they are, so blocks have other proportions and volumes than the buildings; give "
+        "a CRS of the area with -t_srs, such as its UTM zone");
+}
+
 TEST(ScaleDoubt, RoofsOfWhichMoreThanHalfIsDoubtful) {
     RoofReport roofs;
     EXPECT_EQ(doubtful_roofs_warning(roofs), "");

@@ -138,5 +138,16 @@ TEST_F(SurfaceLatticeTest, gapsAreLengthsOnTheGround) {
     EXPECT_EQ(lattice({0, 1, 0, 0, 0, -1}, "").gaps().pinch, (surface::LatticeDistance{11, 11}));
 }
 
+TEST_F(SurfaceLatticeTest, knowsTheScaleOfAreas) {
+    // At 52.5 degrees in the middle of a UTM zone; feet; at 60 degrees; equal areas; no CRS.
+    EXPECT_NEAR(lattice({500000, 1, 0, 5820000, 0, -2}).area_scale(), 0.9996 * 0.9996, 1e-6);
+    EXPECT_NEAR(lattice({13290000, 1, 0, 280000, 0, -1}, "EPSG:2253", "", 0.3048).area_scale(), 1, 2e-4);
+    EXPECT_NEAR(lattice({391000, 1, 0, 8399738, 0, -1}, "EPSG:3857", "", 0.5).area_scale(), 4, 0.04);
+    EXPECT_NEAR(lattice({13.4, 9e-6, 0, 52.5, 0, -9e-6}, "EPSG:4326", "EPSG:3857", 0.8).area_scale(), 2.7,
+                0.03);
+    EXPECT_NEAR(lattice({4000000, 1, 0, 3500000, 0, -1}, "EPSG:3035").area_scale(), 1, 1e-6);
+    EXPECT_EQ(lattice({0, 1, 0, 0, 0, -1}, "").area_scale(), 1);
+}
+
 }  // namespace
 }  // namespace d2b::features
