@@ -2,6 +2,7 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
+#include "write/vector/vector_format.hpp"
 #include "write/write_fixture.hpp"
 
 namespace d2b::test {
@@ -207,6 +208,36 @@ TEST_F(CreateTest, UnknownCreationOptionsAreWarnedOf) {
     EXPECT_NE(warnings_[0].find("NEITHER"), std::string::npos) << warnings_[0];
     EXPECT_NE(warnings_[1].find("NONESUCH"), std::string::npos) << warnings_[1];
     EXPECT_EQ(count(path("a.gpkg"), "buildings"), 1);
+}
+
+/// An option without an effect rounds no coordinates.
+TEST_F(CreateTest, PrecisionThatADriverDoesNotHaveIsWarnedOf) {
+    const std::string option = "COORDINATE_PRECISION";
+    const auto sink_of = [&](const std::string& name, bool asked) {
+        WriteOptions options = to(name);
+        options.layers = Layers::buildings;
+        options.layer_options = {"GEOMETRY=AS_WKT"};
+        if (name == "a.gml")
+            options.layer_options.clear();
+        if (asked)
+            options.layer_options.push_back(option + "=3");
+        auto sink = open_sink(options, callbacks_);
+        const LayerSpec spec = layer_spec(sink->layer_name(LayerRole::buildings, Layers::buildings));
+        sink->preflight({&spec, 1}, provenance(), {500000.1, 5600000.1});
+        sink->begin({&spec, 1}, provenance());
+        return sink;
+    };
+    for (const char* name : {"a.csv", "a.gml"}) {
+        if (writing::has_layer_option(writing::format_for(to(name)).driver, option))
+            continue;
+        const CoordinateRounding usual = sink_of(name, false)->rounding();
+        const auto sink = sink_of(name, true);
+        EXPECT_EQ(sink->rounding().digits, usual.digits) << name;
+        sink->finish();
+        const Names warnings = sink->take_warnings();
+        ASSERT_EQ(warnings.size(), 1U) << name;
+        EXPECT_NE(warnings[0].find(option), std::string::npos) << warnings[0];
+    }
 }
 
 TEST_F(CreateTest, FormatsWithoutGeometriesAreWarnedOf) {

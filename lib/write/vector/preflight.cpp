@@ -230,12 +230,16 @@ AxisValues read_back(const VectorFormat& format, const std::string& file) {
     return values;
 }
 
-/// Returns the first layer option whose name contains one of the words, "" if there is none.
+/// Returns the first layer option whose name contains one of the words, "" if there is none. Options that the
+/// driver does not have are left out, because they have no effect, as a warning of GDAL says.
 std::string layer_option_with(const PlannedOutput& draft, std::initializer_list<const char*> words) {
-    for (const std::string& option : draft.options.layer_options)
-        for (const char* word : words)
-            if (option.substr(0, option.find('=')).find(word) != std::string::npos)
-                return "-lco " + option;
+    for (const std::string& option : draft.options.layer_options) {
+        const std::string name = option.substr(0, option.find('='));
+        if (has_layer_option(draft.format.driver, name) && std::ranges::any_of(words, [&](const char* word) {
+                return name.find(word) != std::string::npos;
+            }))
+            return "-lco " + option;
+    }
     return {};
 }
 
