@@ -341,6 +341,21 @@ std::string validity_warning(const ParcelReport& report, const DetectOptions& op
            "valid, for example by ogr2ogr -makevalid";
 }
 
+std::string unplaced_footprints_warning(const FootprintReport& report, const std::string& layer,
+                                        const std::string& dem) {
+    if (report.given == 0 || report.outside + report.without_cell + report.without_polygon < report.given)
+        return {};
+    const std::string none = "none of the footprints of '" + layer + "' gets heights, because ";
+    if (report.without_polygon == report.given)
+        return none +
+               "they have no polygons; give a dataset of polygons, or another of its layers with "
+               "-footprints_layer";
+    if (report.outside > 0)
+        return none + "their polygons lie outside of '" + dem +
+               "' or the used part of it; check the CRS of both, and -srcwin or -te";
+    return none + "no centre of a cell of '" + dem + "' lies in their polygons; give a raster of finer cells";
+}
+
 std::string explain_empty_search(const SearchSummary& search) {
     for (const auto& reason : empty_search_reasons)
         if (std::string text = reason(search); !text.empty())

@@ -49,6 +49,12 @@ namespace d2b::diagnose {
 /// Same, if some parcels are invalid.
 [[nodiscard]] std::string validity_warning(const ParcelReport& report, const DetectOptions& options);
 
+/// Returns the reason why none of the given footprints gets heights: they have no polygons, or lie outside of
+/// the raster. A clause without a full stop; "" if one has cells.
+/// @param layer name of their dataset @param dem name of the raster
+[[nodiscard]] std::string unplaced_footprints_warning(const FootprintReport& report, const std::string& layer,
+                                                      const std::string& dem);
+
 /// Facts about a completed search for buildings.
 struct SearchSummary {
     const DemInfo& dem;

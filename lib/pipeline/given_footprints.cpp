@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/byte_stream.hpp"
+#include "diagnose/search_warnings.hpp"
 #include "features/reprojection.hpp"
 #include "geometry/geos.hpp"
 
@@ -362,6 +363,10 @@ GivenFootprints place_footprints(FootprintSource& source, const features::RunSet
     });
     placer.warn_of_invalid(context);
     count_places(given, *context.report.footprints);
+    diagnose::warn_unless_empty(
+        diagnose::unplaced_footprints_warning(*context.report.footprints, setup.plan.asked.write.footprints,
+                                              setup.dem.name),
+        context);
     return given;
 }
 

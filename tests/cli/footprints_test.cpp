@@ -224,6 +224,26 @@ TEST_F(Footprints, followTheCrsOfTheOutput) {
     EXPECT_NEAR(after.records[0].number("area_m2"), MadeTown::flat.area(), 0.3);
 }
 
+TEST_F(Footprints, ofWhichNoneGetsHeights) {
+    const auto warned = [&](const std::string& file, const std::string& reason) {
+        std::filesystem::remove(path("out.gpkg"));
+        run_warned({"-preset", "buildings", "-q", "-footprints", file, "--", "town.tif", "out.gpkg"},
+                   {"None of the footprints of '" + file + "' gets heights, because " + reason});
+    };
+    write_rows(path("far.gpkg"),
+               {"far", {}, {{polygon({5000, 5000, 10, 10}), {}}, {"", {}}}, 25833, wkbPolygon});
+    warned("far.gpkg",
+           "their polygons lie outside of 'town.tif' or the used part of it; check the CRS of both");
+    write_rows(path("points.gpkg"), {"points", {}, {{"POINT(391020 5819980)", {}}}, 25833, wkbPoint});
+    warned("points.gpkg",
+           "they have no polygons; give a dataset of polygons, or another of its layers with "
+           "-footprints_layer.");
+    const std::string small = "POLYGON((" + corner(25.1, 25.1) + "," + corner(25.3, 25.1) + "," +
+                              corner(25.3, 25.3) + "," + corner(25.1, 25.1) + "))";
+    write_rows(path("small.gpkg"), {"small", {}, {{small, {}}}, 25833, wkbPolygon});
+    warned("small.gpkg", "no centre of a cell of 'town.tif' lies in their polygons; give a raster of finer");
+}
+
 TEST_F(Footprints, withMistakes) {
     expect_error(1, "The footprint dataset 'none.gpkg' cannot be opened: ",
                  {"-preset", "buildings", "-q", "-footprints", "none.gpkg", "--", "town.tif", "out.gpkg"});
