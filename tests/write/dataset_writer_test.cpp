@@ -318,6 +318,17 @@ TEST_F(OverwriteTest, StaleIndexOfAShapefileGoes) {
     EXPECT_EQ(count(path("a.shp"), "a"), 2);
 }
 
+TEST_F(OverwriteTest, PackedShapefilesAreFiles) {
+    for (const auto& [name, format] :
+         std::vector<std::pair<std::string, std::string>>{{"a.shz", ""}, {"b.shp.zip", "ESRI Shapefile"}}) {
+        write(to(name, format), 5);
+        write(over(name, format), 2);
+        EXPECT_EQ(ids(path(name), buildings_layer(to(name, format))), (std::vector<std::int64_t>{1, 2}))
+            << name;
+    }
+    EXPECT_EQ(entries(), (Names{"a.shz", "b.shp.zip"}));
+}
+
 TEST_F(OverwriteTest, FoldersAreExchanged) {
     write(to("shapes", "ESRI Shapefile"), 5);
     write(over("shapes", "ESRI Shapefile"), 2);

@@ -586,6 +586,9 @@ void write_style_sidecar(const std::string& path, const NewLayer& layer) {
     if (layer.spec.style.title.empty())
         return;
     const bool single = fs::path(path).extension() == ".shp";
+    VSIStatBufL status{};
+    if (!single && (VSIStatL(path.c_str(), &status) != 0 || !VSI_ISDIR(status.st_mode)))
+        return;  // because QGIS looks for no style of a packed Shapefile (.shz, .shp.zip)
     const fs::path file =
         single ? fs::path(path).replace_extension(".qml") : fs::path(path) / (layer.table + ".qml");
     const std::string text = qml_style(layer.spec, layer.columns);

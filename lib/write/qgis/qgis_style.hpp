@@ -42,8 +42,8 @@ inline constexpr std::string_view quantile_style_name = "dem2buildings quantiles
 /// Returns title, abstract and lineage of a layer as QGIS metadata (XML).
 [[nodiscard]] std::string qgis_metadata(const LayerSpec& spec, const Provenance& provenance);
 
-/// Writes <layer>.qml next to a Shapefile, which QGIS uses as its style. Failures are ignored, because the
-/// result is complete without it. @param path of the dataset, a .shp or a folder of them
+/// Writes <layer>.qml next to a Shapefile that is not packed, which QGIS uses as its style. Failures are
+/// ignored, because the result is complete without it. @param path of the dataset, a .shp or a folder of them
 void write_style_sidecar(const std::string& path, const NewLayer& layer);
 
 /// True if the file is a style that we wrote and nobody has changed.
