@@ -1,7 +1,11 @@
 #include "write/standard_output.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
+#include <memory>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <cpl_vsi.h>
@@ -36,7 +40,7 @@ void require_stdout_space(std::uint64_t bytes) {
         throw_stdout_failure();
 }
 
-CapturedOutput::CapturedOutput() {
+CapturedOutput::CapturedOutput(std::string pipe) : pipe_(std::move(pipe)) {
     // GDAL only passes the stream through, so it can carry a pointer to this object.
     VSIStdoutSetRedirection(capture, reinterpret_cast<std::FILE*>(this));
 }
@@ -62,17 +66,37 @@ void CapturedOutput::require_captured() const {
         std::rethrow_exception(failure_);
 }
 
-void CapturedOutput::show() {
+void CapturedOutput::check() {
+    if (pipe_.empty())
+        require_stdout_space(size_);
+}
+
+bool CapturedOutput::write_to(std::FILE* output) const {
     constexpr std::uint64_t most = std::uint64_t{1} << 20;
     std::vector<std::byte> bytes;
     for (std::uint64_t at = 0; at < size_; at += bytes.size()) {
         bytes.resize(static_cast<std::size_t>(std::min(most, size_ - at)));
         spool_.read(at, bytes);
-        if (std::fwrite(bytes.data(), 1, bytes.size(), stream()) != bytes.size())
-            throw_stdout_failure();
+        if (std::fwrite(bytes.data(), 1, bytes.size(), output) != bytes.size())
+            return false;
     }
-    if (std::fflush(stream()) != 0)
-        throw_stdout_failure();
+    return std::fflush(output) == 0;
+}
+
+void CapturedOutput::show() {
+    if (pipe_.empty()) {
+        if (!write_to(stream()))
+            throw_stdout_failure();
+        return;
+    }
+    const auto close = [](std::FILE* file) { std::fclose(file); };
+    const std::unique_ptr<std::FILE, decltype(close)> output(std::fopen(pipe_.c_str(), "wb"), close);
+    if (!output || !write_to(output.get()))
+        throw OutputError("Cannot write \"" + pipe_ + "\": " + std::generic_category().message(errno) + ".");
+}
+
+std::string CapturedOutput::roll_back() {
+    return pipe_.empty() ? "part of it is on stdout already" : "part of it is in \"" + pipe_ + "\" already";
 }
 
 }  // namespace d2b::writing

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "dem2buildings/commit_list.hpp"
 #include "dem2buildings/spool.hpp"
@@ -23,7 +24,9 @@ void require_stdout_space(std::uint64_t bytes);
 /// Captures output to /vsistdout/ during its lifetime until a CommitList publishes it.
 class CapturedOutput final : public PendingResult {
   public:
-    CapturedOutput();
+    /// @param pipe named pipe or device that gets the output; "" for stdout. Drivers do not write to it
+    /// themselves, because some take it for an existing file.
+    explicit CapturedOutput(std::string pipe = "");
     CapturedOutput(const CapturedOutput&) = delete;
     CapturedOutput& operator=(const CapturedOutput&) = delete;
     ~CapturedOutput() override;
@@ -32,13 +35,16 @@ class CapturedOutput final : public PendingResult {
     void require_captured() const;
 
     [[nodiscard]] Kind kind() const override { return Kind::stream; }
-    void check() override { require_stdout_space(size_); }
+    void check() override;
     void show() override;
-    [[nodiscard]] std::string roll_back() override { return "part of it is on stdout already"; }
+    [[nodiscard]] std::string roll_back() override;
 
   private:
+    /// @return false if it cannot be written
+    [[nodiscard]] bool write_to(std::FILE* output) const;
     static std::size_t capture(const void* data, std::size_t size, std::size_t count, std::FILE* self);
 
+    std::string pipe_;
     FileSpool spool_;
     std::uint64_t size_ = 0;
     std::exception_ptr failure_;

@@ -2,6 +2,7 @@
 #include <fstream>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -416,6 +417,39 @@ TEST_F(FailureTest, FeaturesThatDoNotFitTheirLayer) {
                   "\": a feature of layer \"buildings\" has 2 values for 3 fields.");
     EXPECT_EQ(thrown<OutputError>([&] { sink->add(1, square(1)); }),
               "Cannot write \"" + path("a.gpkg") + "\": it has no layer number 1.");
+}
+
+TEST_F(FailureTest, NamedPipesAreWritten) {
+    for (const char* name : {"a.csv", "a.geojson", "a.geojsonl", "a.kml"}) {
+        ASSERT_EQ(::mkfifo(path(name).c_str(), 0600), 0);
+        // Write in a child, because a pipe is opened once both ends are there.
+        const pid_t child = ::fork();
+        if (child == 0) {
+            WriteOptions options = to(name);
+            options.layers = Layers::buildings;
+            bool done = false;
+            try {
+                write(options, 1000);
+                done = true;
+            } catch (const Error&) {
+            }
+            if (!done)
+                std::ofstream(path(name)) << "";
+            ::_exit(done ? 0 : 1);
+        }
+        EXPECT_GT(bytes(name).size(), 10000U) << name;
+        int status = -1;
+        ::waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0) << name;
+        EXPECT_TRUE(fs::is_fifo(path(name)));
+    }
+    ASSERT_EQ(::mkfifo(path("a.gpkg").c_str(), 0600), 0);
+    const std::string refusal = thrown<OutputError>([&] { write(to("a.gpkg"), 1); });
+    EXPECT_TRUE(
+        refusal.starts_with("Cannot write \"" + path("a.gpkg") + "\": creating the GPKG dataset failed ("))
+        << refusal;
+    EXPECT_TRUE(refusal.ends_with("; give the name of a file, or another format, such as GeoJSON."))
+        << refusal;
 }
 
 TEST_F(FailureTest, DevicesAreWrittenInPlace) {

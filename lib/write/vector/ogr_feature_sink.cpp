@@ -131,6 +131,8 @@ void OgrFeatureSink::preflight(std::span<const LayerSpec> layers, const Provenan
             rounding_ = coordinate_rounding(draft, true);
         return;
     }
+    if (is_stream(destination_.path))
+        preflight_stream(draft);
     // GeoPackage with default options is not tried, because that would take longer than a small raster.
     const bool plain = format_.name == "GPKG" && options_.layer_name.empty() &&
                        options_.layer_options.empty() && options_.dataset_options.empty();
@@ -169,8 +171,12 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
         const reading::GdalMessages quiet;
         GDALDeleteDataset(format_.driver, path.c_str());
     }
-    if (path.find("/vsistdout") != std::string::npos)
+    if (path.find("/vsistdout") != std::string::npos) {
         captured_.emplace();
+    } else if (is_stream(path)) {
+        captured_.emplace(path);
+        path = "/vsistdout/";
+    }
     // Prevent .aux.xml files of formats without metadata, because they would outlive a rollback.
     const reading::NoSidecar no_sidecar;
     // Staged files are synced once before the rename, so SQLite need not sync earlier.
@@ -200,7 +206,7 @@ void OgrFeatureSink::prepare(CommitList& commit) {
             warn_of_invalid(target_, format_, staging.dataset().string());
         staging.sync();
         commit.add(*files_);
-    } else if (!is_stream(destination_.name)) {
+    } else {
         verify_counts(target_, format_, destination_.path, writer_->counts());
     }
 }

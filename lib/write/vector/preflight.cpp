@@ -23,6 +23,7 @@
 #include "write/geopackage/dependent_objects.hpp"
 #include "write/sql.hpp"
 #include "write/staging.hpp"
+#include "write/standard_output.hpp"
 #include "write/vector/dataset_writer.hpp"
 #include "write/vector/layer_writer.hpp"
 #include "write/vector/vector_format.hpp"
@@ -296,6 +297,18 @@ TrialDataset preflight_create(const PlannedOutput& draft) {
         }
     } catch (const OutputError& error) {
         throw OutputError(with_advice(error.what(), draft.options));
+    }
+}
+
+void preflight_stream(const PlannedOutput& draft) {
+    const CapturedOutput discarded;
+    try {
+        DatasetWriter writer({draft.destination.name, ""}, draft.format, draft.options);
+        writer.begin("/vsistdout/", DatasetWriter::Mode::create, draft.layers, draft.provenance);
+    } catch (const OutputError& error) {
+        std::string sentence = error.what();
+        sentence.pop_back();
+        throw OutputError(sentence + "; give the name of a file, or another format, such as GeoJSON.");
     }
 }
 

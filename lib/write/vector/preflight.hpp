@@ -36,6 +36,10 @@ struct TrialDataset {
 /// @throws OutputError with the reason of the driver
 [[nodiscard]] TrialDataset preflight_create(const PlannedOutput& draft);
 
+/// Checks that the layers can be written to a pipe, a device or stdout. @throws OutputError with the reason
+/// of the driver
+void preflight_stream(const PlannedOutput& draft);
+
 /// Checks that features can be appended to the existing layers. @throws OutputError naming the mismatch
 void preflight_append(const PlannedOutput& draft);
 
