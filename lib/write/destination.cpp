@@ -27,11 +27,11 @@ namespace d2b::writing {
 /// True if the name is among the names; case-insensitive, because OGR compares layer names like that.
 [[nodiscard]] bool contains_name(const std::vector<std::string>& names, const std::string& name);
 
-/// Checks formats whose datasets are replaced whole. @param names layers that the run writes
+/// Checks formats whose datasets are replaced whole. @param own layers that the run writes
 /// @throws OptionError if layers or files of others would be lost
 void reject_foreign_data(const Destination& destination, const ExistingDataset& existing,
                          GDALDatasetH dataset, const VectorFormat& format, const WriteOptions& options,
-                         const std::vector<std::string>& names);
+                         const std::vector<std::string>& own);
 
 /// @throws OutputError if a database cannot be opened for writing @throws OptionError if -append is given and
 /// the driver cannot append to existing layers
@@ -204,6 +204,20 @@ bool takes_another_feature(OGRLayerH layer) {
     return OGR_L_CreateFeature(layer, first.get()) == OGRERR_NONE;
 }
 
+/// True if features can be added to our layers. @param is_copy true if one may be added on trial
+bool is_appendable(GDALDatasetH dataset, const VectorFormat& format, const std::vector<std::string>& names,
+                   bool is_copy) {
+    for (int i = 0; i < GDALDatasetGetLayerCount(dataset); ++i) {
+        OGRLayerH layer = GDALDatasetGetLayer(dataset, i);
+        if (format.multiple_layers && !contains_name(names, OGR_L_GetName(layer)))
+            continue;
+        if (OGR_L_TestCapability(layer, OLCSequentialWrite) == FALSE ||
+            (is_copy && !takes_another_feature(layer)))
+            return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 bool contains_name(const std::vector<std::string>& names, const std::string& name) {
@@ -213,7 +227,13 @@ bool contains_name(const std::vector<std::string>& names, const std::string& nam
 
 void reject_foreign_data(const Destination& destination, const ExistingDataset& existing,
                          GDALDatasetH dataset, const VectorFormat& format, const WriteOptions& options,
-                         const std::vector<std::string>& names) {
+                         const std::vector<std::string>& own) {
+    std::vector<std::string> names = own;
+    // A user's layer of the name of an index has features.
+    for (const std::string& index : format.indices)
+        if (OGRLayerH layer = GDALDatasetGetLayerByName(dataset, index.c_str());
+            layer != nullptr && OGR_L_GetFeatureCount(layer, TRUE) == 0)
+            names.push_back(index);
     const std::string flag = options.overwrite ? "-overwrite" : "-append";
     if (options.overwrite || format.folder) {
         for (const std::string& layer : existing.layers)
@@ -258,14 +278,7 @@ void require_writable(const Destination& destination, const ExistingDataset& exi
         reject_locked(destination, dataset.get());
     if (!options.append)
         return;
-    bool appendable = dataset != nullptr;
-    for (int i = 0; appendable && i < GDALDatasetGetLayerCount(dataset.get()); ++i) {
-        OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), i);
-        if (!format.multiple_layers || contains_name(names, OGR_L_GetName(layer)))
-            appendable = OGR_L_TestCapability(layer, OLCSequentialWrite) != FALSE &&
-                         (!copy || takes_another_feature(layer));
-    }
-    if (!appendable)
+    if (!dataset || !is_appendable(dataset.get(), format, names, copy.has_value()))
         throw OptionError("GDAL cannot append to \"" + destination.name + "\", a dataset of format " +
                           format.name + "; write to another destination, or to a GeoPackage.");
 }

@@ -338,6 +338,19 @@ TEST_F(OverwriteTest, FoldersAreExchanged) {
     EXPECT_EQ(count(path("shapes"), "contours"), 2);
 }
 
+TEST_F(OverwriteTest, TheIndexOfAFolderIsReplacedWithIt) {
+    if (GDALGetDriverByName("LIBKML") == nullptr)
+        GTEST_SKIP() << "this GDAL has no LIBKML";
+    write(to("folder", "LIBKML"), 5);
+    ASSERT_TRUE(fs::exists(path("folder/doc.kml")));
+    write(over("folder", "LIBKML"), 2);
+    EXPECT_EQ(count(path("folder"), "buildings"), 2);
+    EXPECT_TRUE(fs::exists(path("folder/doc.kml")));
+    put("folder/mine.txt", "mine");
+    EXPECT_NE(thrown<OptionError>([&] { write(over("folder", "LIBKML"), 2); }).find("mine.txt"),
+              std::string::npos);
+}
+
 TEST_F(OverwriteTest, ForeignLayersAndFilesAreNotLost) {
     write(to("shapes", "ESRI Shapefile"), 5);
     put("shapes/readme.txt", "mine");

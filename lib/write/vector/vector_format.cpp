@@ -27,6 +27,7 @@ struct FormatProbe {
     bool folder = false;
     bool in_memory = false;
     std::vector<std::string> suffixes;  ///< suffixes of its files from the first dot on; empty for a folder
+    std::vector<std::string> indices;   ///< layers that were not asked for
 };
 
 /// Writes two layers with one feature each into /vsimem/ under a name with the extension of the destination,
@@ -107,6 +108,10 @@ void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result)
     if (!dataset)
         return;
     result.multiple_layers = result.multiple_layers && GDALDatasetGetLayerCount(dataset.get()) > 1;
+    for (int i = 0; result.folder && i < GDALDatasetGetLayerCount(dataset.get()); ++i)
+        if (const std::string name = OGR_L_GetName(GDALDatasetGetLayer(dataset.get(), i));
+            name != "one" && name != "two")
+            result.indices.push_back(name);
     OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), 0);
     result.preserves_crs = layer != nullptr && OGR_L_GetSpatialRef(layer) != nullptr;
 }
@@ -240,6 +245,7 @@ VectorFormat format_for(const WriteOptions& options) {
     format.folder = probe.folder;
     format.in_memory = probe.in_memory;
     format.suffixes = std::move(probe.suffixes);
+    format.indices = std::move(probe.indices);
     return format;
 }
 

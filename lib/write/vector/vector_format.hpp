@@ -76,6 +76,7 @@ struct VectorFormat {
     bool folder = false;                ///< a dataset at this destination is a folder of files
     bool in_memory = false;             ///< the driver writes files of virtual file systems, too
     std::vector<std::string> suffixes;  ///< suffixes of the files of a dataset here, from the first dot on
+    std::vector<std::string> indices;   ///< layers that list the others, such as "doc" of a folder of KML
 };
 
 /// Selects a format by -f, or by the extension or prefix of the destination; the first registered driver,
