@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
-#include <utility>
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>
@@ -14,12 +13,12 @@
 
 namespace d2b::writing {
 
+namespace {
+
 struct MonitoredFile {
-    VSILFILE* file;  ///< null once it is closed
+    VSILFILE* file;
     IoErrorMonitor& monitor;
 };
-
-namespace {
 
 MonitoredFile& monitored(void* file) {
     return *static_cast<MonitoredFile*>(file);
@@ -43,7 +42,7 @@ void* open_file(void* monitor, const char* name, const char* access) {
         self.record(errno);
         file = discarding_file(self);
     }
-    return &self.add({file, self});
+    return new MonitoredFile{file, self};
 }
 
 size_t write_file(void* file, const void* data, size_t size, size_t count) {
@@ -89,10 +88,12 @@ int truncate_file(void* file, vsi_l_offset size) {
 }
 
 int close_file(void* file) {
-    MonitoredFile& self = monitored(file);
+    if (file == nullptr)
+        return 0;  // GDAL 3.13 closes some files twice
+    const std::unique_ptr<MonitoredFile> self(&monitored(file));
     errno = 0;
-    if (self.file != nullptr && VSIFCloseL(std::exchange(self.file, nullptr)) != 0)
-        self.monitor.record(errno);
+    if (VSIFCloseL(self->file) != 0)
+        self->monitor.record(errno);
     return 0;
 }
 
@@ -159,8 +160,6 @@ IoErrorMonitor::IoErrorMonitor()
     VSIInstallPluginHandler(prefix_.c_str(), calls.get());
 }
 
-IoErrorMonitor::~IoErrorMonitor() = default;
-
 std::string IoErrorMonitor::name_of(const std::string& path) const {
     return prefix_ + (path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string());
 }
@@ -168,10 +167,6 @@ std::string IoErrorMonitor::name_of(const std::string& path) const {
 void IoErrorMonitor::require_written(const std::string& name) const {
     if (error_ != 0)
         throw OutputError("Cannot write \"" + name + "\": " + std::generic_category().message(error_) + ".");
-}
-
-MonitoredFile& IoErrorMonitor::add(MonitoredFile file) {
-    return files_.emplace_back(file);
 }
 
 void IoErrorMonitor::record(int error) {

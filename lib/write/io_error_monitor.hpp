@@ -1,11 +1,8 @@
 #pragma once
 
-#include <list>
 #include <string>
 
 namespace d2b::writing {
-
-struct MonitoredFile;
 
 /// VSI layer that records I/O errors. Many drivers ignore failed writes or crash on them, so they are told
 /// that every write succeeded; require_written() reports the first failure. Drivers access files by
@@ -17,7 +14,7 @@ class IoErrorMonitor {
     IoErrorMonitor();
     IoErrorMonitor(const IoErrorMonitor&) = delete;
     IoErrorMonitor& operator=(const IoErrorMonitor&) = delete;
-    ~IoErrorMonitor();
+    ~IoErrorMonitor() = default;
 
     /// Returns the name by which a driver accesses a local file or folder, valid during the lifetime of this
     /// object.
@@ -27,11 +24,8 @@ class IoErrorMonitor {
 
     /// Called by the VSI callbacks.
     void record(int error);
-    /// Same. Files stay until the end of this object, because GDAL 3.13 closes some of them twice.
-    MonitoredFile& add(MonitoredFile file);
 
   private:
-    std::list<MonitoredFile> files_;
     std::string prefix_;
     int error_ = 0;  ///< errno of the first failed write; 0 if there is none
 };
