@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -104,7 +105,7 @@ class Differences {
 };
 
 /// Values found, and candidates that are elevations. Those are listed only if no land was found, because they
-/// may be the land: the ground in whole metres.
+/// may be the land: the ground in whole metres, or level ground.
 struct Verdict {
     UndeclaredNodata found;
     std::vector<double> elevations;
@@ -115,7 +116,10 @@ struct Verdict {
 class ValueRegions {
   public:
     ValueRegions(const std::vector<double>& candidates, double step)
-        : candidates_(candidates), step_(step), differences_(candidates.size() + 1) {}
+        : candidates_(candidates),
+          step_(step),
+          beside_others_(candidates.size() + 1),
+          differences_(candidates.size() + 1) {}
 
     void add(std::span<const double> row);
     /// @param min_breadth see UndeclaredNodataRules
@@ -142,10 +146,14 @@ class ValueRegions {
     /// none.
     [[nodiscard]] std::uint8_t level_land() const;
     [[nodiscard]] bool surrounds_land(std::uint8_t level, double min_breadth) const;
+    /// Returns the candidates that are elevations if they do not surround land.
+    [[nodiscard]] std::vector<double> elevations() const;
     /// Returns the step to which all values but a candidate were rounded. 0: less than that of the rules.
     [[nodiscard]] double rounding_beside(std::size_t candidate) const;
     /// Merges the regions of a candidate that reach the edge.
     [[nodiscard]] Region at_edge(std::size_t candidate) const;
+    /// @param all regions of a candidate that reach the edge
+    [[nodiscard]] bool may_be_nodata(const Region& all) const;
     /// Returns true if all other cells have one value as well, and are fewer: these are a hole in level land.
     [[nodiscard]] bool is_larger_than_constant(std::int64_t cells) const {
         return lowest_other_ == highest_other_ && 2 * cells > valid_;
@@ -157,7 +165,8 @@ class ValueRegions {
     double lowest_other_ =
         std::numeric_limits<double>::infinity();  ///< of cells that have no candidate's value
     double highest_other_ = -std::numeric_limits<double>::infinity();
-    std::vector<Differences> differences_;  ///< of pairs with a candidate by its number, and [0] of all
+    std::vector<std::int64_t> beside_others_;  ///< contacts with cells of no candidate, by its number
+    std::vector<Differences> differences_;     ///< of pairs with a candidate by its number, and [0] of all
     DisjointSets sets_;
     std::vector<Region> regions_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> touches_;  ///< candidates and missing cells
@@ -314,6 +323,8 @@ void ValueRegions::add_contact_above(double value, std::size_t col) {
 void ValueRegions::add_difference(std::uint8_t of_one, std::uint8_t of_other, double difference) {
     if (of_one == missing || of_other == missing)
         return;
+    if (of_one == 0 || of_other == 0)
+        ++beside_others_[std::max(of_one, of_other)];
     differences_[0].add(difference, step_);
     if (of_one != 0)
         differences_[of_one].add(difference, step_);
@@ -419,6 +430,28 @@ double ValueRegions::rounding_beside(std::size_t candidate) const {
     return others.rounding();
 }
 
+bool ValueRegions::may_be_nodata(const Region& all) const {
+    return all.cells >= min_cells && named_share * all.cells >= valid_ && all.contour.length() > 0 &&
+           all.contour.is_step(max_similar);
+}
+
+/// Lists candidates that are too few or without a step. If there are none, lists the level ground beside most
+/// other cells, and the candidates above it, because flat roofs are level too.
+std::vector<double> ValueRegions::elevations() const {
+    std::vector<double> values;
+    std::size_t ground = 0;
+    for (std::size_t i = 0; i < candidates_.size(); ++i) {
+        if (!may_be_nodata(at_edge(i)))
+            values.push_back(candidates_[i]);
+        if (beside_others_[i + 1] > beside_others_[ground + 1])
+            ground = i;
+    }
+    if (values.empty())
+        std::ranges::copy_if(candidates_, std::back_inserter(values),
+                             [&](double value) { return value >= candidates_[ground]; });
+    return values;
+}
+
 Verdict ValueRegions::finish(double min_breadth) {
     for (const Run& run : above_)
         regions_[sets_.find(run.region)].at_edge = true;
@@ -435,21 +468,18 @@ Verdict ValueRegions::finish(double min_breadth) {
     }
     Verdict verdict;
     const std::uint8_t level = level_land();
-    const bool land = surrounds_land(level, min_breadth);
+    if (!surrounds_land(level, min_breadth)) {
+        verdict.elevations = elevations();
+        return verdict;
+    }
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const Region all = at_edge(i);
-        if (!land) {
-            if (!all.contour.is_step(max_similar))
-                verdict.elevations.push_back(candidates_[i]);
-            continue;
-        }
-        if (i + 1 == level || all.cells < min_cells || all.contour.length() == 0 ||
-            !all.contour.is_step(max_similar) || is_larger_than_constant(all.cells))
+        if (i + 1 == level || !may_be_nodata(all) || is_larger_than_constant(all.cells))
             continue;
         verdict.rounding = std::max(verdict.rounding, rounding_beside(i));
         if (taken_share * all.cells >= valid_)
             verdict.found.taken.push_back({candidates_[i], all.cells});
-        else if (named_share * all.cells >= valid_)
+        else
             verdict.found.named.push_back({candidates_[i], all.cells});
     }
     return verdict;

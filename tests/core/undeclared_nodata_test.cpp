@@ -235,5 +235,43 @@ TEST(UndeclaredNodata, ElevationsRoundedToLargeStepsAreLand) {
     EXPECT_EQ(found_in(surrounded, 2, 0).values(), std::vector<double>{0});
 }
 
+TEST(UndeclaredNodata, AreTakenBesideRoundedElevations) {
+    for (const double step : {0.5, 1.0, 2.0})
+        for (const int rows : {97, 94, 91, 88}) {
+            const auto rounded = [=](int r, int c) {
+                return step * std::round((land(r, c) + 0.06 * r + 0.09 * c) / step);
+            };
+            EXPECT_TRUE(found_in(grid(rounded), 2, 20).none());
+            const UndeclaredNodata found = found_in(
+                grid([&](int r, int c) { return r >= rows          ? none
+                                                : c < 20 || r < 10 ? 0
+                                                                   : rounded(r, c); }),
+                2, 60);
+            EXPECT_EQ(found.values(), std::vector<double>{0}) << "steps of " << step << ", rows " << rows;
+            EXPECT_TRUE(found.named.empty());
+        }
+}
+
+/// Level ground at 20 m with houses on a third of it.
+double level_land(int r, int c) {
+    const bool house = r % 20 > 5 && r % 20 < 18 && c % 25 > 5 && c % 25 < 20;
+    return house ? 27.0 + r / 20 : 20.0;
+}
+
+TEST(UndeclaredNodata, AreTakenBesideLevelGround) {
+    const auto beside_level_land = [](const std::function<bool(int, int)>& is_in, double value) {
+        return found_in(grid([&](int r, int c) { return is_in(r, c) ? value : level_land(r, c); }), 2, 40);
+    };
+    const auto strip = [](int, int c) { return c < 20; };
+    const auto corners = [](int r, int c) { return std::abs(r + c - 99) > 70 || std::abs(r - c) > 70; };
+    for (const double value : {0.0, -1.0, 12.0}) {
+        EXPECT_EQ(beside_level_land(strip, value).values(), std::vector<double>{value});
+        EXPECT_EQ(beside_level_land(corners, value).values(), std::vector<double>{value});
+    }
+    EXPECT_TRUE(beside_level_land(strip, 19).none()) << "a step of 1 m";
+    EXPECT_TRUE(beside_level_land(strip, 31).none()) << "a roof is above the ground";
+    EXPECT_TRUE(found_in(grid(level_land), 2, 40).none());
+}
+
 }  // namespace
 }  // namespace d2b
