@@ -161,6 +161,13 @@ std::vector<SharedValue> ValueBins::shared(std::int64_t cells) const {
     return shared;
 }
 
+std::string second_nodata_advice(double stored, double nodata) {
+    const std::string value = value_text(nodata);
+    return "set these cells to the NoData value " + value +
+           ", for example with gdal_calc.py --calc=\"where(A==" + value_text(stored) + "," + value +
+           ",A)\" --NoDataValue=" + value;
+}
+
 std::string isolated_text(const SharedValue& value, const std::string& raster) {
     return cells_have(value.cells, raster) + "the elevation " + value_text(value.value) + ", more than " +
            number_text(ValueBins::apart_m) + " m from any other";

@@ -125,6 +125,12 @@ class ValueBins {
 /// Inverts scale and offset: returns the stored value of an elevation, rounded if it is nearly an integer.
 [[nodiscard]] double stored_value(double elevation, double scale, double offset);
 
+/// Returns the advice for a value that stands for no data in a raster with another NoData value, because a
+/// raster has only one: "set these cells to the NoData value 255, for example with gdal_calc.py
+/// --calc="where(A==0,255,A)" --NoDataValue=255".
+/// @param stored, nodata stored values
+[[nodiscard]] std::string second_nodata_advice(double stored, double nodata);
+
 /// Returns "1 cell of 'dem.tif' has " or "12 cells of 'dem.tif' have ".
 [[nodiscard]] std::string cells_have(std::int64_t cells, const std::string& raster);
 

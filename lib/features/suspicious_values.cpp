@@ -33,6 +33,9 @@ class Strange {
     [[nodiscard]] std::string not_in_range() const;
     /// Returns the remedy if a value stands for no data.
     [[nodiscard]] std::string nodata_advice(double elevation) const;
+    /// Returns the option that declares a value, or another way if a NoData value is in use, which -snodata
+    /// would make an elevation. @param give verb before the option
+    [[nodiscard]] std::string declaration(const std::string& give, double elevation) const;
     [[nodiscard]] bool is_own_nodata(double elevation) const { return info_.overridden_nodata == elevation; }
 
     const DemInfo& info_;
@@ -55,8 +58,14 @@ std::string Strange::nodata_advice(double elevation) const {
     if (is_own_nodata(elevation))
         return std::string("it is the NoData value that the file declares, so leave out ") +
                (options_.ignore_nodata ? "-inodata" : "-snodata");
-    return "if " + value_text(elevation) + " stands for no data, give -snodata " +
-           stored_text(elevation, info_);
+    return "if " + value_text(elevation) + " stands for no data, " + declaration("give", elevation);
+}
+
+std::string Strange::declaration(const std::string& give, double elevation) const {
+    if (info_.nodata)
+        return second_nodata_advice(stored_value(elevation, info_.scale, info_.offset),
+                                    stored_value(*info_.nodata, info_.scale, info_.offset));
+    return give + " -snodata " + stored_text(elevation, info_);
 }
 
 void Strange::refuse_most(const ValueCounts& outside, std::int64_t valid) const {
@@ -78,8 +87,9 @@ void Strange::warn_of_outside(const ValueCounts& outside) const {
     const auto most = outside.most();
     std::string advice = "give the range of elevations with -zrange";
     if (most)
-        advice = nodata_advice(most->value) +
-                 (is_own_nodata(most->value) ? "" : ", and if not, the range with -zrange");
+        advice = nodata_advice(most->value) + (is_own_nodata(most->value) ? ""
+                                               : info_.nodata ? ", and if not, give the range with -zrange"
+                                                              : ", and if not, the range with -zrange");
     context_.warn(outside.text(name_) + ", which is " + not_in_range() + ", and " +
                   (outside.cells() == 1 ? "is" : "are") + " treated as no data; " + advice + ".");
 }
@@ -97,13 +107,14 @@ void Strange::warn_of_undeclared(const SuspiciousValues& suspicious,
                                  const UndeclaredNodata& undeclared) const {
     for (const SharedValue& taken : undeclared.taken) {
         const std::int64_t cells = suspicious.undeclared.cells_of(taken.value).value_or(taken.cells);
-        context_.warn(undeclared_text({taken.value, cells}, name_) +
-                      ", so they are treated as no data; declare that with -snodata " +
-                      stored_text(taken.value, info_) + ", or keep the elevation with -inodata.");
+        context_.warn(undeclared_text({taken.value, cells}, name_) + ", so they are treated as no data; " +
+                      declaration("declare that with", taken.value) +
+                      ", or keep the elevation with -inodata.");
     }
     for (const SharedValue& named : undeclared.named)
-        context_.warn(undeclared_text(named, name_) + "; if it stands for no data, give -snodata " +
-                      stored_text(named.value, info_) + ", and if not, -inodata.");
+        context_.warn(undeclared_text(named, name_) + "; if it stands for no data, " +
+                      declaration("give", named.value) + ", and if not, " + (info_.nodata ? "give " : "") +
+                      "-inodata.");
 }
 
 void Strange::warn_of_shared(const SuspiciousValues& suspicious, std::int64_t cells,

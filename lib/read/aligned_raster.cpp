@@ -135,6 +135,17 @@ UndeclaredNodata AlignedRaster::find_undeclared(double step, const ElevationLimi
     return find_undeclared_nodata(used_, read_border(used_, read), {step, 0}, read);
 }
 
+std::string AlignedRaster::declaration_advice(double value) const {
+    if (is_array_)
+        return "set these cells to NaN";
+    int known = FALSE;
+    const double nodata = GDALGetRasterNoDataValue(file_.band, &known);
+    const double stored = reader_.stored(value);
+    return known != FALSE && std::isfinite(nodata) && nodata != stored
+               ? second_nodata_advice(stored, nodata)
+               : "declare that with gdal_edit.py -a_nodata " + value_text(stored);
+}
+
 void AlignedRaster::throw_no_overlap() const {
     std::string advice =
         "; give one of the same area, or correct a coordinate reference system that is wrong.";

@@ -52,10 +52,7 @@ class AlignedRaster {
     /// Same as BandReader::exclude().
     void exclude(std::vector<double> undeclared) { reader_.exclude(std::move(undeclared)); }
     /// Returns the advice for a value that stands for no data: "declare that with gdal_edit.py -a_nodata 0".
-    [[nodiscard]] std::string declaration_advice(double value) const {
-        return is_array_ ? "set these cells to NaN"
-                         : "declare that with gdal_edit.py -a_nodata " + value_text(reader_.stored(value));
-    }
+    [[nodiscard]] std::string declaration_advice(double value) const;
 
     /// Same as DemSource::read(), in the unit of the band, with scale and offset applied. @throws InputError
     void read(const Window& part, std::span<double> values);

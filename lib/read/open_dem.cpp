@@ -28,11 +28,14 @@ void describe_values(GDALRasterBandH band, const ReadOptions& options, DemInfo& 
         info.scale = scale;
     if (const double offset = GDALGetRasterOffset(band, &known); known != FALSE)
         info.offset = offset;
-    if (!options.nodata && !options.ignore_nodata)
-        return;
-    const double nodata = GDALGetRasterNoDataValue(band, &known);
-    if (known != FALSE && nodata != options.nodata)
-        info.overridden_nodata = nodata * info.scale + info.offset;
+    const auto elevation_of = [&](double stored) { return stored * info.scale + info.offset; };
+    const double declared = GDALGetRasterNoDataValue(band, &known);
+    if (known != FALSE && (options.nodata || options.ignore_nodata) && declared != options.nodata)
+        info.overridden_nodata = elevation_of(declared);
+    if (options.nodata)
+        info.nodata = elevation_of(*options.nodata);
+    else if (known != FALSE && !options.ignore_nodata && std::isfinite(declared))
+        info.nodata = elevation_of(declared);
 }
 
 bool holds_bytes(GDALRasterBandH band) {

@@ -346,6 +346,28 @@ TEST(SuspiciousValues, ANarrowCollarIsNamed) {
     EXPECT_EQ(result.report.valid_points, MadeTown::rows * MadeTown::cols);
 }
 
+/// -snodata would make cells of the declared value elevations.
+TEST(SuspiciousValues, ASecondNoDataValueIsTurnedIntoTheFirst) {
+    const std::string advice =
+        "set these cells to the NoData value 255, for example with gdal_calc.py "
+        "--calc=\"where(A==0,255,A)\" --NoDataValue=255, ";
+    TownWithCollar collar(0);
+    collar.edit().nodata = 255;
+    const Result taken(collar, {});
+    ASSERT_EQ(taken.report.warnings.size(), 1U);
+    EXPECT_NE(taken.report.warnings[0].find(advice + "or keep the elevation with -inodata."),
+              std::string::npos);
+    std::vector<Cell> cells;
+    for (int row = 0; row < MadeTown::rows; ++row)
+        for (int col = 0; col < 3; ++col)
+            cells.push_back({row, col});
+    TownWith town(cells, 0);
+    town.edit().nodata = 255;
+    const Result named(town, {});
+    ASSERT_GE(named.report.warnings.size(), 1U);
+    EXPECT_NE(named.report.warnings[0].find(advice + "and if not, give -inodata."), std::string::npos);
+}
+
 TEST(SuspiciousValues, TheNumberOfThreadsDoesNotMatter) {
     std::vector<Cell> cells;
     for (int i = 0; i < 60; ++i)

@@ -358,6 +358,23 @@ TEST_F(TerrainLimits, lessOfItIsNamedAlone) {
             "stands for no data, declare that with gdal_edit.py -a_nodata 0, and if not, give -inodata.");
 }
 
+TEST_F(TerrainLimits, aSecondNoDataValueCannotBeDeclared) {
+    RasterSpec spec{
+        .cols = 40, .rows = 40, .type = GDT_Float32, .transform = {{500000, 0.5, 0, 5538650, 0, -0.5}}};
+    spec.nodata = 255;
+    spec.values.assign(1600, 100);
+    std::fill_n(spec.values.begin(), 240, 0);
+    std::fill_n(spec.values.rbegin(), 40, 255);
+    write(path("side.tif"), spec);
+    (void)terrain();
+    ASSERT_FALSE(warnings().empty());
+    EXPECT_NE(warnings()[0].find(
+                  "; set these cells to the NoData value 255, for example with gdal_calc.py "
+                  "--calc=\"where(A==0,255,A)\" --NoDataValue=255, or keep the elevation with -inodata."),
+              std::string::npos)
+        << warnings()[0];
+}
+
 class TerrainUnits : public SideTest {
   protected:
     void one_cell(const std::string& unit, const std::string& crs = "EPSG:25832") {

@@ -46,6 +46,7 @@ struct DemInfo {
         band_unit;      ///< unit of elevation stated by the band, e.g. "metre", "US survey foot"; may be ""
     double scale = 1;   ///< elevation = stored value * scale + offset
     double offset = 0;  ///< see scale
+    std::optional<double> nodata;  ///< elevation of the NoData value in use; nothing if there is none, or NaN
     /// Elevation of the file's own NoData value, if an option says to use it as an elevation.
     std::optional<double> overridden_nodata;
     std::string driver;      ///< short name of the format, for the report
