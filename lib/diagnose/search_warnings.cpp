@@ -13,6 +13,7 @@ namespace {
 /// Minimum number of pieces, because one or two may be a small cut-out of a surface.
 constexpr std::int64_t fewest_islands = 3;
 
+constexpr int colours = 3;  // bands of a picture
 constexpr double fewest_bare = 0.05;
 constexpr double farthest_m = 2;
 constexpr double fewest_raised = 0.001;
@@ -122,18 +123,37 @@ std::string search_ground_warning(Search search) {
     // A raster with NoData as ground contains roofs alone, whose heights are those of buildings.
     constexpr double tall_m = 20;
     constexpr double nearly_all = 0.95;
-    if (mode == GroundMode::none && islands.narrow_most())
-        return search.scene.fit.share_above(tall_m) < nearly_all
-                   ? std::string()
-                   : taken_as_heights(search.scene.fit.median()) +
-                         ", with NoData around; give a terrain model with -ground";
-    return ground_warning(search.scene.fit, mode, search.plan.asked.ground.terrain);
+    const detect::GroundFit& fit = search.scene.fit;
+    const bool roofs_alone = mode != GroundMode::automatic && islands.narrow_most();
+    if (roofs_alone && fit.median() > 0 && fit.share_above(tall_m) < nearly_all)
+        return {};
+    if (roofs_alone && mode == GroundMode::none)
+        return taken_as_heights(fit.median()) + ", with NoData around; give a terrain model with -ground";
+    return ground_warning(fit, mode, search.plan.asked.ground.terrain);
+}
+
+std::string flat_surface_warning(Search search) {
+    const Window& window = search.dem.window;
+    const double width = search.plan.asked.ground.max_building_width;
+    const bool holds_wider =
+        search.plan.ground == GroundMode::automatic &&
+        std::min(window.cols * search.cell.across, window.rows * search.cell.down * search.cell.sine) > width;
+    return surface_warning(search.scene.fit, search.dem.name,
+                           holds_wider ? std::optional(width) : std::nullopt);
 }
 
 /// Reason why the raster may not be a surface, or the ground may not be its ground.
 std::string surface_doubt(Search search) {
     const std::string ground = search_ground_warning(search);
-    return ground.empty() ? surface_warning(search.scene.fit, search.dem.name) : ground;
+    return ground.empty() ? flat_surface_warning(search) : ground;
+}
+
+/// Warns of a picture, unless its only band has pieces with NoData around them, as heights in whole metres
+/// do.
+std::string picture_doubt(Search search) {
+    const bool pieces =
+        !missing_ground_warning(search.scene.islands, search.plan.ground, search.dem.name).empty();
+    return pieces && search.dem.bands < colours ? std::string() : picture_warning(search.dem);
 }
 
 /// Returns true if objects were found in a picture or a hillshade: three bands of bytes, or bands or
@@ -141,10 +161,9 @@ std::string surface_doubt(Search search) {
 /// rise by more than a building above all cells around them. One band of bytes above a plausible ground is
 /// elevations in whole metres.
 bool looks_like_picture(Search search, Report report) {
-    constexpr int colours = 3;
     constexpr std::int64_t fewest_lights = 2;  // one may be a fault of elevations
     const DemInfo& dem = search.dem;
-    if (picture_warning(dem).empty())
+    if (picture_doubt(search).empty())
         return false;
     const bool shadows =
         search.plan.ground == GroundMode::automatic && !search_ground_warning(search).empty();
@@ -181,7 +200,7 @@ double side_of(Search search) {
 /// Reasons why nothing was found, the most frequent first.
 constexpr std::array<std::string (*)(Search), 10> empty_search_reasons{
     [](Search s) { return empty_auxiliary_warning(s.scene.sides, s.plan.asked); },
-    [](Search s) { return picture_warning(s.dem); },
+    picture_doubt,
     [](Search s) { return degrees_warning(s.dem, s.has_crs); },
     [](Search s) {
         return extent_warning(s.dem.name, s.dem.window.cols * s.cell.across,
@@ -190,7 +209,7 @@ constexpr std::array<std::string (*)(Search), 10> empty_search_reasons{
     search_ground_warning,
     [](Search s) { return exclusion_warning(s); },
     [](Search s) { return rejected_by(s, true); },
-    [](Search s) { return surface_warning(s.scene.fit, s.dem.name); },
+    flat_surface_warning,
     [](Search s) { return slope_warning(s.scene.slope, s.dem.name); },
     [](Search s) { return rejected_by(s, false); },
 };
@@ -296,7 +315,8 @@ std::string ground_warning(const detect::GroundFit& fit, GroundMode mode, const 
            "; give a terrain model with -ground, or use a larger part of the raster";
 }
 
-std::string surface_warning(const detect::GroundFit& fit, const std::string& dem) {
+std::string surface_warning(const detect::GroundFit& fit, const std::string& dem,
+                            std::optional<double> max_building_width) {
     const double usual = DetectOptions{}.min_height;
     const double share = fit.share_above(usual);
     if (fit.cells() == 0 || share >= fewest_raised)
@@ -304,7 +324,10 @@ std::string surface_warning(const detect::GroundFit& fit, const std::string& dem
     return (share > 0 ? percent(share) : "none") + " of the cells of '" + dem + "' rise by more than " +
            number_text(usual) +
            " m above their surroundings, as in a terrain model (DTM), which has no buildings; give the "
-           "surface model (DSM)";
+           "surface model (DSM)" +
+           (max_building_width ? ", or a larger -max_building_width if a building is wider than " +
+                                     number_text(*max_building_width) + " m"
+                               : "");
 }
 
 std::string misplaced_warning(const ParcelReport& report, const CellSize& cell,

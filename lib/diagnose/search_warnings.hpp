@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "contours/level_plan.hpp"
@@ -38,7 +39,9 @@ namespace d2b::diagnose {
 /// Returns the reason why a raster may not be a surface model: hardly anything rises above its ground. "" if
 /// enough does.
 /// @param dem name of the raster
-[[nodiscard]] std::string surface_warning(const detect::GroundFit& fit, const std::string& dem);
+/// @param max_building_width in m, if the raster may hold a wider building, which is taken for the ground
+[[nodiscard]] std::string surface_warning(const detect::GroundFit& fit, const std::string& dem,
+                                          std::optional<double> max_building_width = {});
 
 /// Returns the reason why parcels may be misplaced: they touch no building, or lie next to walls instead of
 /// on them. A clause without a full stop; "" if they are plausible.

@@ -286,9 +286,8 @@ FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit) {
     detect::SceneStatistics& statistics = found.scene;
     UnitSurface unit_surface(search.reader, unit.seen, frame.metres, threads);
     const MetreGrid& surface = unit_surface.elevations();
-    if (search.plan.ground != GroundMode::given)
-        detect::add_islands(surface, frame.cell, own, search.plan.building_m2,
-                            options.ground.max_building_width, statistics.islands, threads);
+    detect::add_islands(surface, frame.cell, own, search.plan.building_m2, options.ground.max_building_width,
+                        statistics.islands, threads);
     MetreGrid terrain = terrain_of(search, unit.seen, unit_surface);
     statistics.add_ground(surface, terrain, frame.cell, unit.seen.row - frame.window.row, own, threads);
     statistics.sides.terrain = search.plan.ground != GroundMode::given || statistics.fit.cells() > 0;

@@ -33,6 +33,17 @@ class NothingFound : public ::testing::Test {
                    {dem_, make_run_plan(options_, Layers::both), tally_, scene_, cell_, has_crs_})
             .substr(0, length);
     }
+    /// The warnings if something was found.
+    [[nodiscard]] std::string said_of_found() const {
+        Context context;
+        context.report.valid_points = 1000;
+        warn_about_search({dem_, make_run_plan(options_, Layers::both), tally_, scene_, cell_, has_crs_},
+                          true, context);
+        std::string all;
+        for (const std::string& one : context.report.warnings)
+            all += one + "\n";
+        return all;
+    }
     void expect(const std::string& beginning) const { EXPECT_EQ(said(beginning.size()), beginning); }
 
     DemInfo dem_;
@@ -88,6 +99,44 @@ TEST_F(NothingFound, ATerrainModelUnlessAnOptionHidesMore) {
     expect("none of the cells of 'dem.tif' rise by more than 2 m");
     options_.filter.min_area_m2 = 500;
     expect("-min_area 500 leaves 3 out; a smaller value may show them");
+}
+
+TEST_F(NothingFound, ABuildingThatIsTakenForTheGround) {
+    lie(0);
+    expect(
+        "none of the cells of 'dem.tif' rise by more than 2 m above their surroundings, as in a terrain "
+        "model "
+        "(DTM), which has no buildings; give the surface model (DSM), or a larger -max_building_width if a "
+        "building is wider than 60 m");
+    options_.ground.max_building_width = 200;
+    EXPECT_EQ(said(1000).find("-max_building_width"), std::string::npos) << "the raster is no wider";
+}
+
+/// Heights above the ground in whole metres, with NoData as ground.
+TEST_F(NothingFound, BytesInPiecesAreNoPicture) {
+    scene_.islands = {.cells = 1000, .narrow = 900, .islands = 4, .largest = 300};
+    dem_.bytes = true;
+    lie(9);
+    expect("'dem.tif' has elevations in 4 pieces");
+    EXPECT_NE(said_of_found().find("-ground none"), std::string::npos);
+    EXPECT_EQ(said_of_found().find("byte values"), std::string::npos);
+    dem_.bands = 3;
+    expect("'dem.tif' has 3 bands of byte values");
+}
+
+TEST_F(NothingFound, RoofsAloneLieAboveTheTerrain) {
+    options_.ground.mode = GroundMode::given;
+    options_.ground.terrain = "t.tif";
+    scene_.islands = {.cells = 1000, .narrow = 900, .islands = 4, .largest = 300};
+    lie(9);
+    EXPECT_EQ(said_of_found(), "");
+    lie(43);
+    EXPECT_EQ(said_of_found().find("Only 0 % of the cells lie within 2 m of the terrain 't.tif'"), 0U);
+    lie(-43);
+    EXPECT_EQ(said_of_found().find("The terrain 't.tif' lies 43 m above the surface"), 0U);
+    lie(9);
+    scene_.islands.narrow = 400;
+    EXPECT_EQ(said_of_found().find("Only 0 % of the cells lie within 2 m of the terrain 't.tif'"), 0U);
 }
 
 TEST_F(NothingFound, WhatOptionsLeaveOut) {
