@@ -113,13 +113,16 @@ constexpr double most_bins = 4096;
 }  // namespace
 
 ValueBins::ValueBins(const ElevationLimits& limits, double metres)
-    : lowest_(limits.lowest), apart_(apart_m / metres), bins_a_unit_(bins_apart / apart_) {
+    : lowest_(limits.lowest),
+      apart_(apart_m / metres),
+      below_(below_m / metres),
+      bins_a_unit_(bins_apart / apart_) {
     const double bins = (limits.highest - limits.lowest) * bins_a_unit_;
     if (bins < most_bins)
         bins_.resize(static_cast<std::size_t>(bins) + 1);
 }
 
-void ValueBins::add(double value, std::int64_t cells) {
+void ValueBins::add_to_bin(double value, std::int64_t cells) {
     if (bins_.empty())
         return;
     const auto at = static_cast<std::size_t>((value - lowest_) * bins_a_unit_);
@@ -134,9 +137,12 @@ void ValueBins::load(ByteReader& reader) {
     if (bins.size() != bins_.size())
         throw CorruptRecord("it is of other limits");
     bins_ = bins;
+    low_ = reader.take<Low>();
 }
 
 void ValueBins::merge(const ValueBins& other) {
+    low_.add(other.low_.value, other.low_.cells);
+    low_.add(other.low_.next, 0);
     for (std::size_t i = 0; i < bins_.size(); ++i) {
         bins_[i].cells += other.bins_[i].cells;
         bins_[i].lowest = std::min(bins_[i].lowest, other.bins_[i].lowest);
@@ -159,6 +165,18 @@ std::vector<SharedValue> ValueBins::shared(std::int64_t cells) const {
             shared.push_back({bin.lowest, bin.cells});
     }
     return shared;
+}
+
+std::optional<SharedValue> ValueBins::far_below(std::int64_t cells) const {
+    constexpr std::int64_t least_share = 10;  // one in this many
+    if (!std::isfinite(low_.next) || least_share * low_.cells < cells || !(low_.next - low_.value > below_))
+        return {};
+    return SharedValue{low_.value, low_.cells};
+}
+
+std::string far_below_text(const SharedValue& value, const std::string& raster) {
+    return cells_have(value.cells, raster) + "the elevation " + value_text(value.value) + ", more than " +
+           number_text(ValueBins::below_m) + " m below any other";
 }
 
 std::string second_nodata_advice(double stored, double nodata) {

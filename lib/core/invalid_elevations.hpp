@@ -81,20 +81,31 @@ class ValueBins {
             return;
         if (lowest == highest) {
             add(lowest, cells);
-        } else if (highest - lowest <= apart_) {
+            return;
+        }
+        if (lowest < low_.next)
+            for (const double value : values)
+                low_.add(value, 1);
+        if (highest - lowest <= apart_) {
             // Adds the extremes alone, because no value between them can be far from all others.
-            add(lowest, 1);
-            add(highest, 1);
+            add_to_bin(lowest, 1);
+            add_to_bin(highest, 1);
         } else {
             for (const double value : values)
                 if (value == value)
-                    add(value, 1);
+                    add_to_bin(value, 1);
         }
     }
     /// Adds cells that have a value within the limits.
-    void add(double value, std::int64_t cells);
+    void add(double value, std::int64_t cells) {
+        low_.add(value, cells);
+        add_to_bin(value, cells);
+    }
     void merge(const ValueBins& other);
-    void save(ByteWriter& writer) const { writer.put_list(bins_); }
+    void save(ByteWriter& writer) const {
+        writer.put_list(bins_);
+        writer.put(low_);
+    }
     /// Restores bins saved with the same limits and unit.
     void load(ByteReader& reader);
 
@@ -105,7 +116,34 @@ class ValueBins {
 
     static constexpr double apart_m = 50;
 
+    /// Returns the lowest value if it is shared by a tenth of all cells and more than 2 m below any other, as
+    /// a hole is that was filled with it. A lake has a shore.
+    [[nodiscard]] std::optional<SharedValue> far_below(std::int64_t cells) const;
+
+    static constexpr double below_m = 2;
+
   private:
+    /// Lowest value and the next one.
+    struct Low {
+        double value = std::numeric_limits<double>::infinity();
+        std::int64_t cells = 0;  ///< that have the lowest value
+        double next = std::numeric_limits<double>::infinity();
+
+        /// @param other value, or NaN, which is lower than none
+        void add(double other, std::int64_t of_other) {
+            if (other < value) {
+                next = value;
+                value = other;
+                cells = of_other;
+            } else if (other == value) {
+                cells += of_other;
+            } else if (other < next) {
+                next = other;
+            }
+        }
+    };
+    void add_to_bin(double value, std::int64_t cells);
+
     struct Bin {
         std::int64_t cells = 0;
         double lowest = std::numeric_limits<double>::infinity();
@@ -114,7 +152,9 @@ class ValueBins {
 
     double lowest_;
     double apart_;
+    double below_;
     double bins_a_unit_;
+    Low low_;
     std::vector<Bin> bins_;
 };
 
@@ -137,5 +177,9 @@ class ValueBins {
 /// Returns the problem of a value that ValueBins finds as a clause without a full stop: "12 cells of
 /// 'dem.tif' have the elevation 0, more than 50 m from any other".
 [[nodiscard]] std::string isolated_text(const SharedValue& value, const std::string& raster);
+
+/// Same for ValueBins::far_below(): "12 cells of 'dem.tif' have the elevation 0, more than 2 m below any
+/// other".
+[[nodiscard]] std::string far_below_text(const SharedValue& value, const std::string& raster);
 
 }  // namespace d2b

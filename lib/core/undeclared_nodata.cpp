@@ -629,6 +629,10 @@ std::vector<double> border_candidates(const BorderCells& border, double step) {
 UndeclaredNodata find_undeclared_nodata(const Window& window, const BorderCells& border,
                                         const UndeclaredNodataRules& rules, const ReadValues& read) {
     UndeclaredNodata found = find_at_border(window, border, rules, read);
+    for (const std::vector<double>* side : border.sides())
+        for (const double value : *side)
+            if (!std::isnan(value))
+                found.lowest_at_edge = std::min(value, found.lowest_at_edge.value_or(value));
     for (UndeclaredNodata outer = found; !outer.taken.empty();) {
         // Another value may surround the rest, because rasters are cut out and warped more than once.
         const std::vector<double> values = found.values();

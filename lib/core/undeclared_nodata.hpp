@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ namespace d2b {
 struct UndeclaredNodata {
     std::vector<SharedValue> taken;  ///< treated as NoData: at least a tenth of the cells
     std::vector<SharedValue> named;  ///< at least a hundredth: kept as elevations, with a warning
+
+    /// Lowest elevation at the edge, because a lower plain would reach it, and a hole need not.
+    std::optional<double> lowest_at_edge;
 
     [[nodiscard]] bool none() const { return taken.empty() && named.empty(); }
     /// Returns the values that are treated as NoData.

@@ -26,6 +26,8 @@ class Strange {
     /// @param told values that were reported already
     void warn_of_shared(const SuspiciousValues& suspicious, std::int64_t cells,
                         const std::vector<SharedValue>& told) const;
+    /// @param low value that no cell at the edge has
+    void warn_of_hole(const SharedValue& low) const;
     void warn_of_set_aside(std::int64_t cells) const;
 
   private:
@@ -125,6 +127,11 @@ void Strange::warn_of_shared(const SuspiciousValues& suspicious, std::int64_t ce
             context_.warn(isolated_text({value, sharing}, name_) + "; " + nodata_advice(value) + ".");
 }
 
+void Strange::warn_of_hole(const SharedValue& low) const {
+    context_.warn(far_below_text(low, name_) + ", and lie inside; " + nodata_advice(low.value) +
+                  ", and if not, " + (info_.nodata ? "give " : "") + "-inodata.");
+}
+
 void Strange::warn_of_set_aside(std::int64_t cells) const {
     if (cells == 0 || options_.ignore_nodata || !info_.overridden_nodata)
         return;
@@ -172,7 +179,13 @@ void report_suspicious_values(const SuspiciousValues& suspicious, std::int64_t v
     of.warn_of_set_aside(suspicious.overridden_nodata);
     of.warn_of_spikes(suspicious.spikes);
     of.warn_of_undeclared(suspicious, undeclared);
-    of.warn_of_shared(suspicious, within, undeclared.named);
+    std::vector<SharedValue> told = undeclared.named;
+    if (const auto low = suspicious.bins.far_below(within);
+        low && undeclared.lowest_at_edge && low->value < *undeclared.lowest_at_edge) {
+        of.warn_of_hole(*low);
+        told.push_back(*low);
+    }
+    of.warn_of_shared(suspicious, within, told);
 }
 
 void ImplausibleHeights::Extreme::add(std::int64_t building, double metres, double extreme, bool farther) {

@@ -42,7 +42,8 @@ class TerrainSource final : public WarningSource {
         : WarningSource(std::move(own)),
           raster_("terrain", raster, grid, Resampling::bilinear, warnings()),
           dem_metres_(dem_metres),
-          undeclared_pending_(!reading.keeps_undeclared),
+          keeps_undeclared_(reading.keeps_undeclared),
+          undeclared_pending_(!keeps_undeclared_),
           first_reads_(grid.window) {
         if (const auto unit = vertical_unit(raster_.raster()))
             factor_ = unit->metres / dem_metres;
@@ -90,6 +91,7 @@ class TerrainSource final : public WarningSource {
     AlignedRaster raster_;
     double factor_ = 1;
     double dem_metres_;
+    bool keeps_undeclared_;
     bool undeclared_pending_;  ///< undeclared NoData values are still to be found
     std::vector<double> excluded_;
     std::vector<SharedValue> named_;  ///< undeclared values that are kept, with a warning
@@ -126,6 +128,13 @@ void TerrainSource::report_undeclared() {
 
 void TerrainSource::report_shared() {
     const std::int64_t within = raster_.counts().within;
+    if (const auto low = raster_.counts().bins->far_below(within);
+        !keeps_undeclared_ && low && 2 * low->cells <= within &&
+        std::ranges::find(named_, low->value, &SharedValue::value) == named_.end()) {
+        warnings().add(far_below_text(*low, "the " + raster_.name()) + "; if it stands for no data, " +
+                       raster_.declaration_advice(low->value) + ", and if not, give -inodata.");
+        named_.push_back(*low);
+    }
     for (const auto& [value, cells] : raster_.counts().bins->shared(within))
         if (2 * cells <= within && std::ranges::find(named_, value, &SharedValue::value) == named_.end())
             warnings().add(isolated_text({value, cells}, "the " + raster_.name()) +

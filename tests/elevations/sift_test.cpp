@@ -98,6 +98,39 @@ TEST(ValueBins, FindWhatManyCellsShareFarFromAllOthers) {
     EXPECT_EQ(seen_in(std::vector<double>(100, 5)).bins.shared(100).size(), 0U);  // nothing else is there
 }
 
+/// The lowest value as the sentence defines it.
+std::optional<double> far_below_by_hand(const std::vector<double>& values) {
+    std::map<double, std::int64_t> counts;
+    std::int64_t all = 0;
+    for (const double z : values)
+        if (!std::isnan(z)) {
+            ++counts[z];
+            ++all;
+        }
+    if (counts.size() < 2)
+        return {};
+    const auto [value, cells] = *counts.begin();
+    const bool is_far = std::next(counts.begin())->first - value > ValueBins::below_m;
+    return is_far && 10 * cells >= all ? std::optional(value) : std::nullopt;
+}
+
+TEST(ValueBins, FindTheLowestValueFarBelowTheOthers) {
+    const auto found = [](double value, double metres = 1) {
+        std::vector<double> values(1000);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = i % 10 == 0 ? value : 20 + static_cast<double>(i % 97) / 10;
+        return seen_in(values, on_land_in(metres)).bins.far_below(1000);
+    };
+    ASSERT_TRUE(found(0).has_value());
+    EXPECT_EQ(found(0)->value, 0);
+    EXPECT_EQ(found(0)->cells, 100);
+    EXPECT_TRUE(found(17.9));
+    EXPECT_FALSE(found(18)) << "2 m";
+    EXPECT_FALSE(found(40)) << "above the others";
+    EXPECT_FALSE(found(17.9, 0.5)) << "1.05 m";
+    EXPECT_FALSE(seen_in(std::vector<double>(1000, 5)).bins.far_below(1000)) << "nothing else is there";
+}
+
 /// Shares as the sentence defines them, a value against all others.
 std::map<double, std::int64_t> shared_by_hand(const std::vector<double>& values) {
     std::map<double, std::int64_t> counts;
@@ -148,6 +181,8 @@ TEST(ValueBins, AgreeWithTheSentenceWhateverTheBands) {
         for (const SharedValue& one : merged.bins.shared(valid))
             shared[one.value] = one.cells;
         EXPECT_EQ(shared, shared_by_hand(values)) << round;
+        const std::optional<SharedValue> low = merged.bins.far_below(valid);
+        EXPECT_EQ(low ? std::optional(low->value) : std::nullopt, far_below_by_hand(values)) << round;
         found += static_cast<int>(shared.size());
     }
     EXPECT_GT(found, 50);

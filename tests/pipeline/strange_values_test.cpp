@@ -368,6 +368,28 @@ TEST(SuspiciousValues, ASecondNoDataValueIsTurnedIntoTheFirst) {
     EXPECT_NE(named.report.warnings[0].find(advice + "and if not, give -inodata."), std::string::npos);
 }
 
+TEST(SuspiciousValues, AHoleFarBelowIsNamedUnlessItIsAPlain) {
+    const auto cells = [](int from) {
+        std::vector<Cell> hole;
+        for (int row = from; row < 60; ++row)
+            for (int col = 100; col < 150; ++col)
+                hole.push_back({row, col});
+        return hole;
+    };
+    TownWith inside(cells(1), 70);  // some 30 m below the ground
+    const Result named(inside, {});
+    ASSERT_GE(named.report.warnings.size(), 1U);
+    EXPECT_EQ(
+        named.report.warnings[0],
+        "2950 cells of 'town.tif' have the elevation 70, more than 2 m below any other, and lie inside; "
+        "if 70 stands for no data, give -snodata 70, and if not, -inodata.");
+    TownWith shallow(cells(1), 98.5);
+    EXPECT_EQ(Result(shallow, {}).report.warnings, std::vector<std::string>());
+    Options options;
+    options.read.ignore_nodata = true;
+    EXPECT_EQ(Result(inside, options).report.warnings, std::vector<std::string>());
+}
+
 TEST(SuspiciousValues, TheNumberOfThreadsDoesNotMatter) {
     std::vector<Cell> cells;
     for (int i = 0; i < 60; ++i)

@@ -341,6 +341,27 @@ TEST_F(TerrainLimits, aHoleFarBelowIsNamed) {
                   "that with gdal_edit.py -a_nodata 0.");
 }
 
+/// A terrain that was cut out below buildings.
+TEST_F(TerrainLimits, holesBelowAllOthersAreNamed) {
+    const auto said = [&](double ground, int rows) {
+        RasterSpec spec{
+            .cols = 40, .rows = 40, .type = GDT_Float32, .transform = {{500000, 0.5, 0, 5538650, 0, -0.5}}};
+        for (int i = 0; i < 1600; ++i)
+            spec.values.push_back(
+                i / 40 % 10 > 9 - rows && i / 40 < 39 && i % 10 > 3 && i % 40 < 39 ? 0 : ground + 0.001 * i);
+        write(path("side.tif"), spec);
+        warnings_.clear();
+        (void)terrain();
+        return warnings().empty() ? std::string() : warnings().back();
+    };
+    // 19 rows of 23 cells.
+    EXPECT_EQ(said(10, 5),
+              "437 cells of the terrain " + quoted("side.tif") +
+                  " have the elevation 0, more than 2 m below any other; if it stands for no data, "
+                  "declare that with gdal_edit.py -a_nodata 0, and if not, give -inodata.");
+    EXPECT_EQ(said(1.5, 5), "");
+}
+
 TEST_F(TerrainLimits, lessOfItIsNamedAlone) {
     RasterSpec spec{
         .cols = 40, .rows = 40, .type = GDT_Float32, .transform = {{500000, 0.5, 0, 5538650, 0, -0.5}}};

@@ -70,23 +70,25 @@ Json json_of(const TilePlan& plan, const TileCost& cost) {
     Json files = Json::array();
     for (const reading::SourceFile& file : plan.files)
         files.push_back({{"name", to_json(file.name)}, {"bytes", file.size}, {"modified", file.modified}});
-    return {{"program", program},
-            {"version", version},
-            {"tiles", plan.tiles},
-            {"tile", plan.side},
-            {"arguments", words},
-            {"folder", to_json(plan.folder)},
-            {"parts", plan.parts},
-            {"layers", layer_words[static_cast<std::size_t>(plan.layers)]},
-            {"window", {plan.window.row, plan.window.col, plan.window.rows, plan.window.cols}},
-            {"files", files},
-            {"nodata_values", json_of(plan.undeclared.taken)},
-            {"doubtful_values", json_of(plan.undeclared.named)},
-            {"expected",
-             {{"find_seconds_a_tile", cost.find_seconds},
-              {"draw_seconds_a_tile", cost.draw_seconds},
-              {"memory_bytes_a_tile", cost.memory_bytes},
-              {"bytes_read", cost.bytes_read}}}};
+    return {
+        {"program", program},
+        {"version", version},
+        {"tiles", plan.tiles},
+        {"tile", plan.side},
+        {"arguments", words},
+        {"folder", to_json(plan.folder)},
+        {"parts", plan.parts},
+        {"layers", layer_words[static_cast<std::size_t>(plan.layers)]},
+        {"window", {plan.window.row, plan.window.col, plan.window.rows, plan.window.cols}},
+        {"files", files},
+        {"nodata_values", json_of(plan.undeclared.taken)},
+        {"doubtful_values", json_of(plan.undeclared.named)},
+        {"lowest_at_edge", plan.undeclared.lowest_at_edge ? Json(*plan.undeclared.lowest_at_edge) : Json()},
+        {"expected",
+         {{"find_seconds_a_tile", cost.find_seconds},
+          {"draw_seconds_a_tile", cost.draw_seconds},
+          {"memory_bytes_a_tile", cost.memory_bytes},
+          {"bytes_read", cost.bytes_read}}}};
 }
 
 /// @throws std::out_of_range it is no whole number of these: it would be rounded, or come out as another one
@@ -131,7 +133,9 @@ TilePlan plan_of(const Json& json) {
         plan.files.push_back({from_json(file.at("name").get<std::string>()),
                               whole(file.at("bytes"), min_whole, max_whole),
                               whole(file.at("modified"), min_whole, max_whole)});
-    plan.undeclared = {values_of(json.at("nodata_values")), values_of(json.at("doubtful_values"))};
+    plan.undeclared = {values_of(json.at("nodata_values")), values_of(json.at("doubtful_values")), {}};
+    if (const Json& lowest = json.at("lowest_at_edge"); !lowest.is_null())
+        plan.undeclared.lowest_at_edge = lowest.get<double>();
     return plan;
 }
 
