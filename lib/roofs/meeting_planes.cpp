@@ -3,9 +3,9 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
-#include <ranges>
 #include <set>
 #include <span>
 #include <tuple>
@@ -208,12 +208,12 @@ bool PlaneSystem::drop_costly(const std::vector<FacePlane>& best, const std::vec
             if (of_face == none || meetings[m].step(best) > meetings[of_face].step(best))
                 of_face = m;
         }
-    std::set<std::size_t> costly;
+    std::set<std::size_t, std::greater<>> costly;  // the last first
     for (std::size_t i = 0; i < normals_.size(); ++i)
         if (highest[i] != none &&
             normals_[i].error(planes[i].plane) > normals_[i].error(best[i].plane) + max_cost_m2)
             costly.insert(highest[i]);
-    for (const std::size_t m : std::views::reverse(costly))
+    for (const std::size_t m : costly)
         meetings.erase(meetings.begin() + static_cast<std::ptrdiff_t>(m));
     return !costly.empty();
 }

@@ -89,7 +89,7 @@ void CapturedOutput::show() {
             throw_stdout_failure();
         return;
     }
-    const auto close = [](std::FILE* file) { std::fclose(file); };
+    const auto close = [](std::FILE* file) { static_cast<void>(std::fclose(file)); };
     const std::unique_ptr<std::FILE, decltype(close)> output(std::fopen(pipe_.c_str(), "wb"), close);
     if (!output || !write_to(output.get()))
         throw OutputError("Cannot write \"" + pipe_ + "\": " + std::generic_category().message(errno) + ".");
