@@ -16,7 +16,7 @@ constexpr std::size_t step_bins = StepHistogram::bins;
 constexpr std::int64_t fewest_differences = 100;
 constexpr double frequent = 0.01;        // share of the differences
 constexpr double nearly_all = 0.99;      // share of the differences
-constexpr double most = 0.5;             // the same for steps of a decimetre and more
+constexpr double more_than_half = 0.5;   // the same for steps of a decimetre and more
 constexpr double least_step_m = 0.0009;  // a third of the multiples of a millimetre fall into bins by chance
 constexpr double greatest_step_m = 3.1;  // 10 ft
 constexpr double seen_as_rounding_m = 0.1;
@@ -226,7 +226,7 @@ std::optional<double> value_step(const StepHistogram& counts) {
     // Some cells of rounded rasters were interpolated later. At most 15 % of other differences are multiples
     // of a decimetre by chance, and fewer of larger steps.
     const bool is_large = *step > seen_as_rounding_m * 0.99;
-    if (static_cast<double>(found) < (is_large ? most : nearly_all) * static_cast<double>(all) ||
+    if (static_cast<double>(found) < (is_large ? more_than_half : nearly_all) * static_cast<double>(all) ||
         (is_large && !rises_in_steps(counts, *step)))
         return {};
     return step;
