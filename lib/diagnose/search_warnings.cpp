@@ -13,7 +13,7 @@ namespace {
 /// Minimum number of pieces, because one or two may be a small cut-out of a surface.
 constexpr std::int64_t fewest_islands = 3;
 
-constexpr int colours = 3;  // bands of a picture
+constexpr int picture_bands = 3;  // bands of a picture
 constexpr double fewest_bare = 0.05;
 constexpr double farthest_m = 2;
 constexpr double fewest_raised = 0.001;
@@ -153,7 +153,7 @@ std::string surface_doubt(Search search) {
 std::string picture_doubt(Search search) {
     const bool pieces =
         !missing_ground_warning(search.scene.islands, search.plan.ground, search.dem.name).empty();
-    return pieces && search.dem.bands < colours ? std::string() : picture_warning(search.dem);
+    return pieces && search.dem.bands < picture_bands ? std::string() : picture_warning(search.dem);
 }
 
 /// Returns true if objects were found in a picture or a hillshade: three bands of bytes, or bands or
@@ -168,7 +168,7 @@ bool looks_like_picture(Search search, Report report) {
     const bool shadows =
         search.plan.ground == GroundMode::automatic && !search_ground_warning(search).empty();
     const bool lights = dem.bytes && report.counted(Reason::elevation_spike) >= fewest_lights;
-    return (dem.bytes && dem.bands >= colours) || shadows || lights;
+    return (dem.bytes && dem.bands >= picture_bands) || shadows || lights;
 }
 
 /// Share of cells without ground, if they exceed the part outside of the terrain model, of which its source
