@@ -32,14 +32,16 @@ bool has_free_side(const Mask& cells, std::int32_t r, std::int32_t c) {
            cells.at(r, c + 1) == 0;
 }
 
-/// Returns the fall in mm to the lowest cell within a square. Cells without data are ignored.
+/// Returns the fall in mm to the lowest cell within a square, at most 10 km, because sums of values that are
+/// no elevations would overflow. Cells without data are ignored.
 std::int64_t fall(const MetreGrid& surface, std::int32_t r, std::int32_t c, std::int32_t reach) {
     const float here = surface.at(r, c);
     float lowest = here;
     for (std::int32_t y = std::max(r - reach, 0); y <= std::min(r + reach, surface.rows - 1); ++y)
         for (std::int32_t x = std::max(c - reach, 0); x <= std::min(c + reach, surface.cols - 1); ++x)
             lowest = std::min(lowest, surface.at(y, x));  // unchanged if the other one is NaN
-    return std::llround(1000 * static_cast<double>(here - lowest));
+    constexpr float highest = 10000;
+    return std::llround(1000 * static_cast<double>(std::min(here - lowest, highest)));
 }
 
 constexpr std::int32_t square_cells = 1024;

@@ -30,7 +30,7 @@ double pits(int row, int col) {
 
 /// The same anywhere, whatever was asked before.
 double noise(int row, int col) {
-    auto mix = static_cast<std::uint32_t>(row * 73856093) ^ static_cast<std::uint32_t>(col * 19349663);
+    auto mix = static_cast<std::uint32_t>(row) * 73856093U ^ static_cast<std::uint32_t>(col) * 19349663U;
     mix = (mix ^ (mix >> 13)) * 1274126177U;
     return (mix ^ (mix >> 16)) % 1000 / 1000.0;
 }
