@@ -117,7 +117,8 @@ void SamplingOfRows::add_step(std::int32_t r, std::int32_t c, std::int32_t down,
         largest = std::max(largest, next);
         fall += next;
     }
-    if (!(fall > min_height_))  // also true for NaN
+    constexpr float no_elevation = 10000;                 // sums of odd values would overflow
+    if (!(fall > min_height_ && largest < no_elevation))  // also true for NaN
         return;
     ++sampling_.steps;
     sampling_.falls += std::llround(1000 * static_cast<double>(fall));
