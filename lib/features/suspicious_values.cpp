@@ -38,6 +38,10 @@ class Strange {
     /// Returns the option that declares a value, or another way if a NoData value is in use, which -snodata
     /// would make an elevation. @param give verb before the option
     [[nodiscard]] std::string declaration(const std::string& give, double elevation) const;
+    /// Returns ", and if not, -inodata" after such an advice, with a verb if that of the advice does not fit.
+    [[nodiscard]] std::string otherwise(const std::string& option) const {
+        return std::string(", and if not, ") + (info_.nodata ? "give " : "") + option;
+    }
     [[nodiscard]] bool is_own_nodata(double elevation) const { return info_.overridden_nodata == elevation; }
 
     const DemInfo& info_;
@@ -89,9 +93,8 @@ void Strange::warn_of_outside(const ValueCounts& outside) const {
     const auto most = outside.most();
     std::string advice = "give the range of elevations with -zrange";
     if (most)
-        advice = nodata_advice(most->value) + (is_own_nodata(most->value) ? ""
-                                               : info_.nodata ? ", and if not, give the range with -zrange"
-                                                              : ", and if not, the range with -zrange");
+        advice = nodata_advice(most->value) +
+                 (is_own_nodata(most->value) ? "" : otherwise("the range with -zrange"));
     context_.warn(outside.text(name_) + ", which is " + not_in_range() + ", and " +
                   (outside.cells() == 1 ? "is" : "are") + " treated as no data; " + advice + ".");
 }
@@ -115,8 +118,7 @@ void Strange::warn_of_undeclared(const SuspiciousValues& suspicious,
     }
     for (const SharedValue& named : undeclared.named)
         context_.warn(undeclared_text(named, name_) + "; if it stands for no data, " +
-                      declaration("give", named.value) + ", and if not, " + (info_.nodata ? "give " : "") +
-                      "-inodata.");
+                      declaration("give", named.value) + otherwise("-inodata") + ".");
 }
 
 void Strange::warn_of_shared(const SuspiciousValues& suspicious, std::int64_t cells,
@@ -129,7 +131,7 @@ void Strange::warn_of_shared(const SuspiciousValues& suspicious, std::int64_t ce
 
 void Strange::warn_of_hole(const SharedValue& low) const {
     context_.warn(far_below_text(low, name_) + ", and lie inside; " + nodata_advice(low.value) +
-                  ", and if not, " + (info_.nodata ? "give " : "") + "-inodata.");
+                  otherwise("-inodata") + ".");
 }
 
 void Strange::warn_of_set_aside(std::int64_t cells) const {

@@ -45,7 +45,7 @@ struct Normal {
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     double squares = 0;
-    double weights = 0;
+    double weights = 0;  ///< of cells, without the prior
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 
@@ -218,6 +218,11 @@ bool PlaneSystem::drop_costly(const std::vector<FacePlane>& best, const std::vec
     return !costly.empty();
 }
 
+/// Steepness in m per cell of the difference of two planes.
+double bend_between(const Plane& a, const Plane& b) {
+    return std::hypot(a.slope_x - b.slope_x, a.slope_y - b.slope_y);
+}
+
 /// Corners in which neighbouring faces should meet.
 std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges,
                                               const std::vector<FacePlane>& planes,
@@ -230,8 +235,8 @@ std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges
         const auto [one, other] = std::minmax(edge.left, edge.right);
         const Plane& a = planes[static_cast<std::size_t>(one)].plane;
         const Plane& b = planes[static_cast<std::size_t>(other)].plane;
-        const double bend = std::hypot(a.slope_x - b.slope_x, a.slope_y - b.slope_y);
-        const double largest = std::min(crease_step_m, std::max(small_step_m, crease_distance * bend));
+        const double largest =
+            std::min(crease_step_m, std::max(small_step_m, crease_distance * bend_between(a, b)));
         for (const FinePoint& end : {edge.from, edge.to}) {
             const GridPoint p = lattice.position(end);
             if (std::abs(a.at(p.x, p.y) - b.at(p.x, p.y)) >= largest)
@@ -268,9 +273,8 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
     };
     keep_plausible();
     system.solve({}, planes);
+    std::vector<FacePlane> best = planes;
     for (int round = 0; round < rounds; ++round) {
-        std::vector<FacePlane> best = planes;
-        system.solve({}, best);
         std::vector<PlaneSystem::Meeting> meetings = meetings_of(edges, planes, lattice);
         system.solve(meetings, planes);
         double weight = first_weight;
@@ -286,6 +290,8 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
         while (system.drop_costly(best, planes, meetings));
         if (!keep_plausible())
             break;
+        best = planes;
+        system.solve({}, best);
     }
     return planes;
 }
@@ -300,11 +306,6 @@ std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
         double highest = 0;
     };
     constexpr double max_bend = 0.14;  // m per m, because a ridge is not a step
-    const auto bend = [&](std::int32_t one, std::int32_t other) {
-        const Plane& a = planes[static_cast<std::size_t>(one)].plane;
-        const Plane& b = planes[static_cast<std::size_t>(other)].plane;
-        return std::hypot(a.slope_x - b.slope_x, a.slope_y - b.slope_y) / grid.cell_m;
-    };
     std::map<std::pair<std::int32_t, std::int32_t>, Border> borders;
     for (const FaceEdge& edge : edges) {
         if (edge.left < 0 || edge.right < 0)
@@ -327,8 +328,9 @@ std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
             }
     DisjointSets sets(static_cast<std::uint32_t>(planes.size()));
     for (const auto& [pair, border] : borders) {
-        if (border.highest < met_m || border.highest >= small_step_m ||
-            bend(pair.first, pair.second) > max_bend)
+        const double bend = bend_between(planes[static_cast<std::size_t>(pair.first)].plane,
+                                         planes[static_cast<std::size_t>(pair.second)].plane);
+        if (border.highest < met_m || border.highest >= small_step_m || bend > max_bend * grid.cell_m)
             continue;
         const std::uint32_t one = sets.find(static_cast<std::uint32_t>(pair.first));
         const std::uint32_t other = sets.find(static_cast<std::uint32_t>(pair.second));
