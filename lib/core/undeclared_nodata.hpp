@@ -13,6 +13,13 @@
 
 namespace d2b {
 
+/// Cells beside missing ones whose values were blended with the value of these.
+struct BlendedMargin {
+    std::int32_t cells = 0;       ///< rows and columns; 0: nothing was blended
+    std::vector<double> missing;  ///< values of missing cells that are not read as NaN
+    double with = 0;              ///< value that was blended
+};
+
 /// Values that mark missing data without being declared as NoData: many cells share exactly this value, they
 /// reach the edge of the raster, and all neighbours differ by a step. Each comes with its number of cells in
 /// regions at the edge.
@@ -22,6 +29,7 @@ struct UndeclaredNodata {
 
     /// Lowest elevation at the edge, because a lower plain would reach it, and a hole need not.
     std::optional<double> lowest_at_edge;
+    BlendedMargin margin;  ///< treated as NoData
 
     [[nodiscard]] bool none() const { return taken.empty() && named.empty(); }
     /// Returns the values that are treated as NoData.

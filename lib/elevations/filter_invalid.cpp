@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "core/blended_margin.hpp"
+
 namespace d2b {
 namespace {
 
@@ -50,15 +52,6 @@ Extremes extremes_of(std::span<const double> values) {
             static_cast<std::size_t>(known[0] + known[1] + known[2] + known[3])};
 }
 
-void remove_outside(std::span<double> values, const ElevationLimits& limits, ValueCounts& outside) {
-    for (double& z : values)
-        if (!limits.hold(z)) {
-            if (!std::isnan(z))
-                outside.add(z);
-            z = invalid;
-        }
-}
-
 void remove_undeclared(std::span<double> values, const std::vector<double>& undeclared, ValueCounts& counts) {
     for (const double none : undeclared) {
         const std::int64_t cells = std::ranges::count(values, none);
@@ -73,7 +66,19 @@ void remove_undeclared(std::span<double> values, const std::vector<double>& unde
 struct NoElevations {
     ValueCounts& outside;
     ValueCounts& undeclared;
+    std::int64_t& blended;
 };
+
+void remove_outside(std::span<double> values, const ElevationLimits& limits, const NoElevations& none) {
+    for (double& z : values)
+        if (!limits.hold(z)) {
+            if (z == blended_value)
+                ++none.blended;
+            else if (!std::isnan(z))
+                none.outside.add(z);
+            z = invalid;
+        }
+}
 
 /// Filters a stretch of a row.
 /// @param seen null: no statistics
@@ -89,7 +94,7 @@ void filter_cells(ElevationBand& band, const ColumnRun& cells, const ValidityRul
         const std::span<double> values(band.elevations.data() + first, static_cast<std::size_t>(end - begin));
         Extremes of = extremes_of(values);
         if (of.known > 0 && !(rules.limits.hold(of.lowest) && rules.limits.hold(of.highest))) {
-            remove_outside(values, rules.limits, none.outside);
+            remove_outside(values, rules.limits, none);
             of = extremes_of(values);
         }
         if (!rules.undeclared.empty()) {
@@ -155,6 +160,7 @@ std::vector<Spike> SpikeSeams::add(const ElevationBand& band, std::vector<Spike>
 void SuspiciousValues::merge(const SuspiciousValues& other) {
     outside.merge(other.outside);
     undeclared.merge(other.undeclared);
+    blended += other.blended;
     spikes.merge(other.spikes);
     spires += other.spires;
     overridden_nodata += other.overridden_nodata;
@@ -164,6 +170,7 @@ void SuspiciousValues::merge(const SuspiciousValues& other) {
 void SuspiciousValues::save(ByteWriter& writer) const {
     outside.save(writer);
     undeclared.save(writer);
+    writer.put(blended);
     spikes.save(writer);
     writer.put(spires);
     writer.put(overridden_nodata);
@@ -173,6 +180,7 @@ void SuspiciousValues::save(ByteWriter& writer) const {
 void SuspiciousValues::load(ByteReader& reader) {
     outside = ValueCounts::load(reader);
     undeclared = ValueCounts::load(reader);
+    blended = reader.take<std::int64_t>();
     spikes = ValueCounts::load(reader);
     spires = reader.take<std::int64_t>();
     overridden_nodata = reader.take<std::int64_t>();
@@ -195,8 +203,9 @@ std::vector<ColumnRun> filter_invalid(ElevationBand& band, const ValidityRules& 
                                       const Window& of) {
     std::vector<ColumnRun> steep;
     ValueCounts nobodys;
-    const NoElevations uncounted{nobodys, nobodys};
-    const NoElevations counted{seen.outside, seen.undeclared};
+    std::int64_t nobodys_cells = 0;
+    const NoElevations uncounted{nobodys, nobodys, nobodys_cells};
+    const NoElevations counted{seen.outside, seen.undeclared, seen.blended};
     for (std::int32_t row = 0; row < band.shape.rows; ++row) {
         const bool noted = row >= of.row && row < of.end_row();
         const std::int32_t first = noted ? of.col : band.shape.cols;
@@ -223,19 +232,28 @@ ValidityRules validity_rules(const ReadOptions& options, bool with_spikes, const
 }
 
 UndeclaredNodata undeclared_values(DemSource& source, const Options& options, const ValidityRules& rules,
-                                   double cell_m, const BorderCells* border, const Context& context) {
+                                   double cell_m, const BorderCells* border, bool all_valid,
+                                   const Context& context) {
     const Window& window = source.info().window;
     if (options.read.ignore_nodata || window.points() == 0)
         return {};
-    const ReadValues read = [&](const Window& part, std::span<double> values) {
+    const ReadValues read_all = [&](const Window& part, std::span<double> values) {
         context.check_stop();
         source.read(part, values);
+    };
+    const ReadValues read = [&](const Window& part, std::span<double> values) {
+        read_all(part, values);
         apply_limits(values, rules);
     };
     const double side = cell_m > 0 ? cell_m : 1;
-    return find_undeclared_nodata(
-        window, border != nullptr ? *border : read_border(window, read),
-        {UndeclaredNodataRules::step_m / rules.metres, options.ground.max_building_width / side}, read);
+    const double step = UndeclaredNodataRules::step_m / rules.metres;
+    UndeclaredNodata found =
+        find_undeclared_nodata(window, border != nullptr ? *border : read_border(window, read),
+                               {step, options.ground.max_building_width / side}, read);
+    if (!all_valid || !found.taken.empty())
+        found.margin =
+            find_blended_margin(window, {source.info().nodata, found.values(), rules.limits}, step, read_all);
+    return found;
 }
 
 }  // namespace d2b

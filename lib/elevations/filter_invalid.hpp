@@ -86,6 +86,7 @@ struct SuspiciousValues {
 
     ValueCounts outside;                 ///< values outside of the limits
     ValueCounts undeclared;              ///< NoData values that are not declared
+    std::int64_t blended = 0;            ///< cells with `blended_value`
     ValueCounts spikes;                  ///< spikes that are not elevations
     std::int64_t spires = 0;             ///< spikes that are elevations, but not roofs
     std::int64_t overridden_nodata = 0;  ///< cells with that elevation
@@ -113,12 +114,15 @@ void apply_limits(std::span<double> elevations, const ValidityRules& rules);
 [[nodiscard]] ValidityRules validity_rules(const ReadOptions& options, bool with_spikes, const DemInfo& info,
                                            double metres);
 
-/// Finds the undeclared NoData values of a whole window; none with -inodata.
+/// Finds the undeclared NoData values of a whole window, and the margin that was blended with NoData; none
+/// with -inodata.
 /// @param border border of the window within the limits; null: it is read
+/// @param all_valid true: every value is an elevation, as far as is known
 /// @param cell_m cell size in m; 0 if unknown
 /// @throws InputError, Cancelled
 [[nodiscard]] UndeclaredNodata undeclared_values(DemSource& source, const Options& options,
                                                  const ValidityRules& rules, double cell_m,
-                                                 const BorderCells* border, const Context& context);
+                                                 const BorderCells* border, bool all_valid,
+                                                 const Context& context);
 
 }  // namespace d2b

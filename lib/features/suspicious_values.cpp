@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/blended_margin.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 
@@ -23,6 +24,7 @@ class Strange {
     void warn_of_outside(const ValueCounts& outside) const;
     void warn_of_spikes(const ValueCounts& spikes) const;
     void warn_of_undeclared(const SuspiciousValues& suspicious, const UndeclaredNodata& undeclared) const;
+    void warn_of_blended(std::int64_t cells, const BlendedMargin& margin) const;
     /// @param told values that were reported already
     void warn_of_shared(const SuspiciousValues& suspicious, std::int64_t cells,
                         const std::vector<SharedValue>& told) const;
@@ -121,6 +123,11 @@ void Strange::warn_of_undeclared(const SuspiciousValues& suspicious,
                       declaration("give", named.value) + otherwise("-inodata") + ".");
 }
 
+void Strange::warn_of_blended(std::int64_t cells, const BlendedMargin& margin) const {
+    if (cells > 0)
+        context_.warn(blended_text(cells, margin, name_, stored_text(margin.with, info_)));
+}
+
 void Strange::warn_of_shared(const SuspiciousValues& suspicious, std::int64_t cells,
                              const std::vector<SharedValue>& told) const {
     for (const auto& [value, sharing] : suspicious.bins.shared(cells))
@@ -172,6 +179,7 @@ void report_suspicious_values(const SuspiciousValues& suspicious, std::int64_t v
     RunReport& report = context.report;
     report.count(Reason::elevation_outside_range, suspicious.outside.cells());
     report.count(Reason::elevation_undeclared_nodata, suspicious.undeclared.cells());
+    report.count(Reason::elevation_blended, suspicious.blended);
     report.count(Reason::elevation_spike, suspicious.spikes.cells());
     report.count(Reason::roof_spike, suspicious.spires);
     const Strange of(info, options, context);
@@ -181,6 +189,7 @@ void report_suspicious_values(const SuspiciousValues& suspicious, std::int64_t v
     of.warn_of_set_aside(suspicious.overridden_nodata);
     of.warn_of_spikes(suspicious.spikes);
     of.warn_of_undeclared(suspicious, undeclared);
+    of.warn_of_blended(suspicious.blended, undeclared.margin);
     std::vector<SharedValue> told = undeclared.named;
     if (const auto low = suspicious.bins.far_below(within);
         low && undeclared.lowest_at_edge && low->value < *undeclared.lowest_at_edge) {

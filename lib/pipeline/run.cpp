@@ -13,6 +13,7 @@
 #include "dem2buildings/version.hpp"
 #include "elevations/elevation_reader.hpp"
 #include "elevations/filter_invalid.hpp"
+#include "elevations/unblended_source.hpp"
 #include "features/contour_drawer.hpp"
 #include "features/divided_buildings.hpp"
 #include "features/flow_outlines.hpp"
@@ -56,7 +57,7 @@ auto with_progress(Context& context, double begin, double end, const Work& work)
 
 /// Decides which values are valid elevations and collects their statistics.
 ElevationStatistics collect_statistics(ElevationReader& reader, const features::RunSetup& setup,
-                                       DemSource& source, Context& context) {
+                                       UnblendedSource& source, Context& context) {
     const Options& options = setup.plan.asked;
     const DemInfo& info = setup.dem;
     // The thesis preset does not filter elevations.
@@ -69,10 +70,13 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const features::
         });
     };
     ElevationSurvey survey = survey_all();
+    const bool all_valid =
+        survey.statistics.moments.n == info.window.points() && survey.suspicious.outside.cells() == 0;
     const UndeclaredNodata undeclared =
-        undeclared_values(source, options, rules, setup.cell_m(), &survey.border, context);
-    if (!undeclared.taken.empty()) {
+        undeclared_values(source, options, rules, setup.cell_m(), &survey.border, all_valid, context);
+    if (!undeclared.taken.empty() || undeclared.margin.cells > 0) {
         rules.undeclared = undeclared.values();
+        source.set_margin(undeclared.margin);
         survey = survey_all();
     }
     features::report_suspicious_values(survey.suspicious, survey.statistics.moments.n, undeclared, info,
@@ -109,15 +113,15 @@ struct SearchResult {
 /// for
 /// @param given null without given footprints; measured
 SearchResult search_levels(ElevationReader& reader, const features::RunSetup& setup, const Sources& sources,
-                           const Sinks& sinks, const detect::UnitSize& size,
+                           const Sinks& sinks, UnblendedSource& dem, const detect::UnitSize& size,
                            features::SurfaceLattice* lattice, GivenFootprints* given, Context& context) {
     const RunPlan& decided = setup.plan;
     const Window& window = setup.dem.window;
     const Milestones& at = milestones(decided);
     const double metres = context.report.units.vertical_metres;
     SearchResult result;
-    result.statistics = with_progress(
-        context, 0, at.read, [&] { return collect_statistics(reader, setup, sources.dem, context); });
+    result.statistics =
+        with_progress(context, 0, at.read, [&] { return collect_statistics(reader, setup, dem, context); });
     pass_warnings(sources, sinks, context);
     if (lattice != nullptr)
         set_heights(*lattice, result.statistics.range(), sinks);
@@ -195,9 +199,11 @@ void write_result(const features::FeatureInput& input, const features::RecordBui
 ///                -> trace_contours -> draw_outlines -> write_result
 ///
 /// Stages between the survey and tracing are skipped if the plan does not detect buildings (-preset thesis).
-void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks, const PieceSizes& size,
-                CommitList& commit, Context& context) {
-    const DemInfo& info = sources.dem.info();
+void run_stages(const Options& asked, const Sources& given_sources, const Sinks& sinks,
+                const PieceSizes& size, CommitList& commit, Context& context) {
+    UnblendedSource dem(given_sources.dem);
+    const Sources sources = with_dem(given_sources, dem);
+    const DemInfo& info = dem.info();
     const features::RunSetup setup = set_up_run(asked, info, sinks.features, context, sources.footprints);
     const RunPlan& decided = setup.plan;
     RunReport& report = context.report;
@@ -211,8 +217,8 @@ void run_stages(const Options& asked, const Sources& sources, const Sinks& sinks
     std::optional<ProgressSpan> others;
     if (given)
         others.emplace(context, 0, share_of_others);
-    ElevationReader reader(sources.dem, context, size.bands);
-    SearchResult search = search_levels(reader, setup, sources, sinks, size.units,
+    ElevationReader reader(dem, context, size.bands);
+    SearchResult search = search_levels(reader, setup, sources, sinks, dem, size.units,
                                         lattice ? &*lattice : nullptr, given ? &*given : nullptr, context);
     const contours::LevelPlan& plan = search.tiers.plan;
     FoundBuildings* const found = search.found ? &*search.found : nullptr;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "core/blended_margin.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
@@ -133,6 +134,21 @@ UndeclaredNodata AlignedRaster::find_undeclared(double step, const ElevationLimi
             value = limits.hold(value) ? value : std::numeric_limits<double>::quiet_NaN();
     };
     return find_undeclared_nodata(used_, read_border(used_, read), {step, 0}, read);
+}
+
+BlendedMargin AlignedRaster::find_blended(const std::vector<double>& undeclared, double step,
+                                          const ElevationLimits& limits) {
+    if (used_.points() == 0)
+        return {};
+    return find_blended_margin(used_, {reader_.declared_nodata(), undeclared, limits}, step,
+                               [&](const Window& part, std::span<double> values) {
+                                   reader_.read_unchecked(part, values, warnings_);
+                               });
+}
+
+void AlignedRaster::warn_about_blended(const BlendedMargin& margin) const {
+    if (const std::int64_t cells = counts().blended; cells > 0)
+        warnings_.add(blended_text(cells, margin, "the " + name_, value_text(reader_.stored(margin.with))));
 }
 
 std::string AlignedRaster::declaration_advice(double value) const {

@@ -47,10 +47,18 @@ class AlignedRaster {
     /// Finds values that stand for NoData without being declared. @param step, limits in the unit of the band
     /// @throws InputError
     [[nodiscard]] UndeclaredNodata find_undeclared(double step, const ElevationLimits& limits);
+    /// Finds the margin that was blended with missing cells. @param undeclared values that stand for NoData
+    /// @param step, limits in the unit of the band @throws InputError
+    [[nodiscard]] BlendedMargin find_blended(const std::vector<double>& undeclared, double step,
+                                             const ElevationLimits& limits);
+    /// Warns of cells in the margin that were read. @param margin of this raster
+    void warn_about_blended(const BlendedMargin& margin) const;
     /// Number of cells of the raster that cover the window of the DEM.
     [[nodiscard]] std::int64_t used_cells() const { return used_.points(); }
     /// Same as BandReader::exclude().
-    void exclude(std::vector<double> undeclared) { reader_.exclude(std::move(undeclared)); }
+    void exclude(std::vector<double> undeclared, BlendedMargin margin) {
+        reader_.exclude(std::move(undeclared), std::move(margin));
+    }
     /// Returns the advice for a value that stands for no data: "declare that with gdal_edit.py -a_nodata 0".
     [[nodiscard]] std::string declaration_advice(double value) const;
 

@@ -7,6 +7,7 @@
 
 #include <cpl_conv.h>
 
+#include "core/blended_margin.hpp"
 #include "core/grid.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
@@ -171,6 +172,20 @@ void BandReader::drop_cached_blocks() const {
 }
 
 void BandReader::read_part(const Window& part, std::span<double> elevations, Warnings& warnings) {
+    read_without_margin(
+        margin_, {0, 0, info_.rows, info_.cols}, part, elevations,
+        [&](const Window& area, std::span<double> values) { read_unchecked(area, values, warnings); });
+    if (coverage_)
+        exclude(part, elevations);
+}
+
+std::optional<double> BandReader::declared_nodata() const {
+    int known = FALSE;
+    const double nodata = GDALGetRasterNoDataValue(band_, &known);
+    return known != FALSE && std::isfinite(nodata) ? std::optional(nodata * scale_ + offset_) : std::nullopt;
+}
+
+void BandReader::read_unchecked(const Window& part, std::span<double> elevations, Warnings& warnings) {
     load(band_, GDT_Float64, part, elevations.data(), warnings);
     // Values equal to NoData are masked and values far from it are not. Only if there are values in between
     // is GDAL's mask asked, because it reads all values once more.
@@ -184,8 +199,6 @@ void BandReader::read_part(const Window& part, std::span<double> elevations, War
         to_elevations(elevations, needs_mask);
     if (alpha_ != nullptr)
         mask_transparent(part, elevations, warnings);
-    if (coverage_)
-        exclude(part, elevations);
 }
 
 /// @param masked true if mask_ decides which values are valid
@@ -223,8 +236,9 @@ void BandReader::restrict_to(const ElevationLimits& limits, double metres) {
     restart_counts();
 }
 
-void BandReader::exclude(std::vector<double> undeclared) {
+void BandReader::exclude(std::vector<double> undeclared, BlendedMargin margin) {
     undeclared_ = std::move(undeclared);
+    margin_ = std::move(margin);
     restart_counts();
 }
 
@@ -254,6 +268,8 @@ void BandReader::count(double value) {
     } else if (limits_.hold(value)) {
         ++counts_.within;
         counts_.bins->add(value, 1);
+    } else if (value == blended_value) {
+        ++counts_.blended;
     } else if (!std::isnan(value)) {
         counts_.outside.add(value);
     }

@@ -37,6 +37,7 @@ struct LimitCounts {
     std::int64_t within = 0;
     ValueCounts outside;
     ValueCounts undeclared;         ///< values that stand for NoData, see UndeclaredNodata
+    std::int64_t blended = 0;       ///< cells in a BlendedMargin
     std::optional<ValueBins> bins;  ///< values within the limits
 };
 
@@ -57,8 +58,9 @@ class BandReader {
 
     /// Rejects values outside of `limits` from now on, and counts them. @param metres per unit of the values
     void restrict_to(const ElevationLimits& limits, double metres);
-    /// Also rejects `undeclared` values from now on and restarts the counts. @pre restrict_to()
-    void exclude(std::vector<double> undeclared);
+    /// Also rejects `undeclared` values and cells in a margin from now on and restarts the counts. @pre
+    /// restrict_to()
+    void exclude(std::vector<double> undeclared, BlendedMargin margin);
     /// Counts of all cells read so far. Each cell is counted once.
     [[nodiscard]] const LimitCounts& counts() const { return counts_; }
     /// Value before scale and offset were applied.
@@ -70,6 +72,10 @@ class BandReader {
     /// Reads any part of the raster in one call. @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
     void read_part(const Window& part, std::span<double> elevations, Warnings& warnings);
+    /// Same, but neither rejects nor counts values. @throws InputError with GDAL's reason
+    void read_unchecked(const Window& part, std::span<double> elevations, Warnings& warnings);
+    /// NoData value of the band as an elevation.
+    [[nodiscard]] std::optional<double> declared_nodata() const;
     /// Releases the decoded blocks in GDAL's cache.
     void drop_cached_blocks() const;
 
@@ -99,6 +105,7 @@ class BandReader {
     ElevationLimits limits_;
     double metres_ = 1;  ///< per unit of the values
     std::vector<double> undeclared_;
+    BlendedMargin margin_;
     LimitCounts counts_;
     std::optional<RowCoverage> coverage_;  ///< not set if nothing is counted
 };

@@ -37,8 +37,10 @@ class NdviSource final : public WarningSource {
         const auto count_missing = [this](std::span<const double> cells) {
             missing_ += std::ranges::count_if(cells, [](double value) { return std::isnan(value); });
         };
-        if (first_reads_.add(part, values, count_missing))
+        if (first_reads_.add(part, values, count_missing)) {
+            raster_.warn_about_blended(margin_);
             report_missing();
+        }
     }
 
   private:
@@ -58,7 +60,8 @@ class NdviSource final : public WarningSource {
                                    " and lie at its edge, so they are treated as no data; " +
                                    raster_.declaration_advice(value) + ".");
                 }
-        raster_.exclude(std::move(excluded));
+        margin_ = raster_.find_blended(excluded, step, {-1 - rounding, 1 + rounding});
+        raster_.exclude(std::move(excluded), margin_);
     }
     /// Warns of cells without a value, if they exceed the part outside of the raster, of which a warning
     /// tells, and are not all. Resampling loses cells along borders.
@@ -85,6 +88,7 @@ class NdviSource final : public WarningSource {
     }
 
     AlignedRaster raster_;
+    BlendedMargin margin_;
     FirstReads first_reads_;
     std::int64_t missing_ = 0;
 };

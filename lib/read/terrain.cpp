@@ -74,13 +74,15 @@ class TerrainSource final : public WarningSource {
     }
     [[nodiscard]] double share_outside() const override { return raster_.share_outside(); }
     [[nodiscard]] std::int64_t cells_outside_range() const override {
-        return raster_.counts().outside.cells() + raster_.counts().undeclared.cells();
+        const LimitCounts& counts = raster_.counts();
+        return counts.outside.cells() + counts.undeclared.cells() + counts.blended;
     }
 
   private:
     void report_values() {
         report_outside();
         report_undeclared();
+        raster_.warn_about_blended(margin_);
         report_shared();
     }
     void report_outside();
@@ -94,6 +96,7 @@ class TerrainSource final : public WarningSource {
     bool keeps_undeclared_;
     bool undeclared_pending_;  ///< undeclared NoData values are still to be found
     std::vector<double> excluded_;
+    BlendedMargin margin_;
     std::vector<SharedValue> named_;  ///< undeclared values that are kept, with a warning
     ElevationLimits limits_;
     FirstReads first_reads_;
@@ -142,10 +145,11 @@ void TerrainSource::report_shared() {
 }
 
 void TerrainSource::detect_undeclared() {
-    const UndeclaredNodata found =
-        raster_.find_undeclared(UndeclaredNodataRules::step_m / (factor_ * dem_metres_), limits_);
+    const double step = UndeclaredNodataRules::step_m / (factor_ * dem_metres_);
+    const UndeclaredNodata found = raster_.find_undeclared(step, limits_);
     excluded_ = found.values();
-    raster_.exclude(excluded_);
+    margin_ = raster_.find_blended(excluded_, step, limits_);
+    raster_.exclude(excluded_, margin_);
     named_ = found.named;
     for (const SharedValue& named : named_)
         warnings().add(undeclared_text(named, "the " + raster_.name()) + "; if it stands for no data, " +

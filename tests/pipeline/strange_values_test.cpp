@@ -321,6 +321,49 @@ TEST_P(Collar, IsAsIfItWereDeclared) {
         }
 }
 
+/// The same, resampled as if the value were an elevation: two more rows are between both.
+struct TownWithBlendedCollar : TownWithCollar {
+    TownWithBlendedCollar(double value, double beyond) : TownWithCollar(value) {
+        for (int i = 1; i <= 2; ++i)
+            for (int col = 0; col < MadeTown::cols; ++col) {
+                double& z = values()[MadeTown::index(first_row - i, col)];
+                z = value + (z - value) * i / 3;
+            }
+        std::fill(values().end() - cells, values().end(), beyond);
+    }
+    static constexpr int first_row = MadeTown::rows - 20;
+};
+
+/// @param blended cells that are lost: one row more
+TEST_P(Collar, ThatWasBlendedIsNoGround) {
+    for (const Preset preset : every_preset)
+        for (const bool known : {false, true}) {
+            Options options;
+            options.preset = preset;
+            TownWithCollar cut(none);
+            std::fill(cut.values().end() - TownWithCollar::cells - 3 * MadeTown::cols, cut.values().end(),
+                      none);
+            const Result clean(cut, options);
+            TownWithBlendedCollar town(GetParam(), known ? none : GetParam());
+            if (known)
+                town.edit().nodata = GetParam();
+            const Result result(town, options);
+            expect_same_features(result, clean);
+            EXPECT_EQ(result.report.counted(Reason::elevation_blended), 3 * MadeTown::cols);
+            EXPECT_EQ(result.report.valid_points, clean.report.valid_points);
+            ASSERT_EQ(result.report.warnings.size(), known ? 1U : 2U);
+            const std::string value = value_text(GetParam());
+            EXPECT_EQ(
+                result.report.warnings.back(),
+                std::to_string(3 * MadeTown::cols) + " cells of 'town.tif' have values blended with " +
+                    value +
+                    " beside cells without data, because it was resampled before that was declared as "
+                    "NoData, so they are treated as no data; resample it again, for example with gdalwarp "
+                    "-srcnodata " +
+                    value + ".");
+        }
+}
+
 TEST(SuspiciousValues, ACollarStaysWithInodata) {
     Options options;
     options.read.ignore_nodata = true;

@@ -69,6 +69,25 @@ TEST(Tiles, UndeclaredNoDataIsThatOfOneRun) {
     EXPECT_EQ(whole.report.counted(Reason::elevation_undeclared_nodata), 150 * 151 / 2);
 }
 
+TEST(Tiles, CellsBlendedWithNoDataAreThoseOfOneRun) {
+    MemorySource dem = random_town(3, {270, 330, 60, false, false});
+    std::vector<double> values(static_cast<std::size_t>(dem.info().window.points()));
+    dem.read(dem.info().window, values);
+    for (int row = 0; row < 270; ++row)
+        for (int col = 0; col < 330; ++col) {
+            double& z = values[static_cast<std::size_t>(row * 330 + col)];
+            z = row + col < 150 ? std::numeric_limits<double>::quiet_NaN() : row + col < 151 ? z / 2 : z;
+        }
+    MemorySource blended(270, 330, values);
+    place_in_utm(blended, 1);
+    blended.edit().nodata = 0;
+    Result whole;
+    expect_same_in_tiles({blended}, options_of(3), {0, 90}, {2, true, false, 2}, whole);
+    // Two rows and columns from the diagonal. Each next diagonal has one cell more, but at both ends of the
+    // last two the missing cells are farther away.
+    EXPECT_EQ(whole.report.counted(Reason::elevation_blended), 151 + 152 + (153 - 2) + (154 - 4));
+}
+
 class RandomTownInTiles : public testing::TestWithParam<unsigned> {};
 
 TEST_P(RandomTownInTiles, IsThatOfOneRun) {

@@ -388,6 +388,21 @@ TEST_F(Ndvi, undeclaredNodataIsNoIndex) {
     EXPECT_TRUE(warnings().empty());
 }
 
+TEST_F(Ndvi, valuesBlendedWithNoDataAreNoIndex) {
+    constexpr int side = 40;
+    dem({.cols = side, .rows = side});
+    RasterSpec spec{.cols = side, .rows = side};
+    spec.nodata = -9999;
+    for (int i = 0; i < side * side; ++i)
+        spec.values.push_back(i / side < 12 ? -9999 : i / side < 13 ? -3000 : i / 1600.0);
+    write(path("side.tif"), spec);
+    const std::vector<double> values = ndvi();
+    EXPECT_EQ(std::ranges::count_if(values, [](double value) { return std::isnan(value); }), 14 * side);
+    ASSERT_EQ(warnings().size(), 2U);
+    expect_has(warnings()[0], "80 cells of the NDVI " + quoted("side.tif") +
+                                  " have values blended with -9999 beside cells without data");
+}
+
 TEST_F(Ndvi, otherProductsAreRefused) {
     const auto text = [this](const std::string& value) {
         return "The NDVI " + quoted("side.tif") + " has the value " + value +

@@ -325,6 +325,30 @@ TEST_F(TerrainLimits, undeclaredNoDataIsNoElevationAndSaidSo) {
     expect_values(row, std::vector<double>(20, 0));
 }
 
+TEST_F(TerrainLimits, valuesBlendedWithNoDataAreNoElevationAndSaidSo) {
+    for (const bool declared : {false, true}) {
+        RasterSpec spec{.cols = 20, .rows = 20, .type = GDT_Float32};
+        spec.transform = {{500000, 1, 0, 5538650, 0, -1}};
+        if (declared)
+            spec.nodata = 0;
+        for (int i = 0; i < 400; ++i)
+            spec.values.push_back(i < 60 ? 0 : i < 80 ? 40 : 100 + 0.001 * i);
+        write(path("side.tif"), spec);
+        warnings_.clear();
+        const std::vector<double> read = terrain();
+        for (std::size_t i = 0; i < read.size(); ++i)
+            EXPECT_TRUE(i < 100 ? std::isnan(read[i]) : std::abs(read[i] - spec.values[i]) < 1e-4) << i;
+        EXPECT_EQ(outside_range_, declared ? 40 : 100);
+        ASSERT_FALSE(warnings().empty());
+        EXPECT_EQ(
+            warnings().back(),
+            "40 cells of the terrain " + quoted("side.tif") +
+                " have values blended with 0 beside cells without data, because it was resampled before "
+                "that was declared as NoData, so they are treated as no data; resample it again, for "
+                "example with gdalwarp -srcnodata 0.");
+    }
+}
+
 TEST_F(TerrainLimits, aHoleFarBelowIsNamed) {
     RasterSpec spec{
         .cols = 40, .rows = 40, .type = GDT_Float32, .transform = {{500000, 0.5, 0, 5538650, 0, -0.5}}};

@@ -23,6 +23,7 @@ class MemorySource : public DemSource {
         info_.window = {0, 0, rows, cols};
     }
     DemInfo& edit() { return info_; }
+    std::vector<double>& values() { return elevations_; }
     [[nodiscard]] const DemInfo& info() const override { return info_; }
     void read(const Window& part, std::span<double> elevations) override {
         ++std::atomic_ref(reads);  // threads read side by side

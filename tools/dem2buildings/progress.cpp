@@ -84,6 +84,7 @@ const std::vector<Part>& parts() {
         {"doubtful", "face", "of roofs", {Reason::roof_face_doubtful}},
         {"treated as no data", "cell", "outside -zrange", {Reason::elevation_outside_range}},
         {"treated as no data", "cell", "of undeclared NoData", {Reason::elevation_undeclared_nodata}},
+        {"treated as no data", "cell", "blended with NoData", {Reason::elevation_blended}},
         {"treated as no data", "cell", "far above all cells around", {Reason::elevation_spike}},
         {"treated as no data", "cell", "of the terrain", {Reason::terrain_outside_range}},
         {"not a roof", "cell", "far above all cells around", {Reason::roof_spike}},

@@ -84,6 +84,10 @@ Json json_of(const TilePlan& plan, const TileCost& cost) {
         {"nodata_values", json_of(plan.undeclared.taken)},
         {"doubtful_values", json_of(plan.undeclared.named)},
         {"lowest_at_edge", plan.undeclared.lowest_at_edge ? Json(*plan.undeclared.lowest_at_edge) : Json()},
+        {"blended_margin",
+         {{"cells", plan.undeclared.margin.cells},
+          {"missing", plan.undeclared.margin.missing},
+          {"with", plan.undeclared.margin.with}}},
         {"expected",
          {{"find_seconds_a_tile", cost.find_seconds},
           {"draw_seconds_a_tile", cost.draw_seconds},
@@ -133,9 +137,13 @@ TilePlan plan_of(const Json& json) {
         plan.files.push_back({from_json(file.at("name").get<std::string>()),
                               whole(file.at("bytes"), min_whole, max_whole),
                               whole(file.at("modified"), min_whole, max_whole)});
-    plan.undeclared = {values_of(json.at("nodata_values")), values_of(json.at("doubtful_values")), {}};
+    plan.undeclared = {values_of(json.at("nodata_values")), values_of(json.at("doubtful_values")), {}, {}};
     if (const Json& lowest = json.at("lowest_at_edge"); !lowest.is_null())
         plan.undeclared.lowest_at_edge = lowest.get<double>();
+    const Json& margin = json.at("blended_margin");
+    plan.undeclared.margin = {static_cast<std::int32_t>(whole(margin.at("cells"), 0, most_cells)),
+                              margin.at("missing").get<std::vector<double>>(),
+                              margin.at("with").get<double>()};
     return plan;
 }
 

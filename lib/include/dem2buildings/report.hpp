@@ -41,6 +41,7 @@ enum class Reason {
     elevation_outside_range,      ///< not an elevation: outside of the range on land, or of -zrange
     elevation_undeclared_nodata,  ///< not an elevation: shared by many cells along the edge, a step from all
                                   ///< others
+    elevation_blended,            ///< not an elevation: blended with NoData beside it by resampling
     elevation_spike,              ///< not an elevation: far above all its surroundings
     roof_spike,                   ///< above all its surroundings, so not the height of a building
     terrain_outside_range,        ///< not an elevation of the terrain model
@@ -57,7 +58,7 @@ enum class Reason {
     building_excluded,  ///< half of it lies in polygons of objects that are not buildings
     building_denied,    ///< an editor has decided that it is not a building
 };
-inline constexpr std::array<std::string_view, 34> reason_names{"threshold_not_above_minimum",
+inline constexpr std::array<std::string_view, 35> reason_names{"threshold_not_above_minimum",
                                                                "threshold_not_below_maximum",
                                                                "threshold_repeated",
                                                                "contour_short",
@@ -76,6 +77,7 @@ inline constexpr std::array<std::string_view, 34> reason_names{"threshold_not_ab
                                                                "building_not_tall",
                                                                "elevation_outside_range",
                                                                "elevation_undeclared_nodata",
+                                                               "elevation_blended",
                                                                "elevation_spike",
                                                                "roof_spike",
                                                                "terrain_outside_range",

@@ -105,7 +105,8 @@ Window expanded(const Window& window, std::int32_t rows, std::int32_t cols, cons
 TileRun::TileRun(const TileRunParameters& work, const Options& options, const Sources& sources,
                  FeatureSink& features, const Callbacks& callbacks)
     : work_(work),
-      sources_(sources),
+      dem_(sources.dem),
+      sources_(with_dem(sources, dem_)),
       context_(callbacks),
       setup_(pipeline::set_up_run(options, sources.dem.info(), features, context_, sources.footprints)),
       units_(pipeline::unit_grid(setup_.plan, setup_.dem.window, setup_.cell, work.units)),
@@ -114,7 +115,8 @@ TileRun::TileRun(const TileRunParameters& work, const Options& options, const So
         work_.undeclared =
             undeclared_values(sources.dem, setup_.plan.asked,
                               d2b::validity_rules(setup_.plan.asked.read, false, setup_.dem, metres()),
-                              setup_.cell_m(), nullptr, context_);
+                              setup_.cell_m(), nullptr, false, context_);
+    dem_.set_margin(work_.undeclared->margin);
 }
 
 ValidityRules TileRun::validity_rules() const {

@@ -12,6 +12,7 @@
 #include "dem2buildings/run.hpp"
 #include "detect/units.hpp"
 #include "elevations/filter_invalid.hpp"
+#include "elevations/unblended_source.hpp"
 #include "pipeline/run_setup.hpp"
 #include "pipeline/tiles/checkpoint_file.hpp"
 #include "pipeline/tiles/found_tile.hpp"
@@ -113,6 +114,7 @@ class TileRun {
 
   private:
     TileRunParameters work_;
+    UnblendedSource dem_;
     Sources sources_;
     Context context_;
     features::RunSetup setup_;
