@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/text.hpp"
@@ -12,249 +13,320 @@
 namespace d2b {
 namespace {
 
-constexpr std::int32_t strip_rows = 32;
+constexpr std::int32_t strip_rows = 48;
 constexpr std::int32_t strips = 16;
-constexpr std::size_t line_cells = 12;
-constexpr std::size_t land_cell = 3;      ///< of a line, from which on it is land
-constexpr double least_blending = 0.02;   ///< share of the missing value in a blended one
-constexpr double blended_share = 0.3;     ///< of the lines
-constexpr std::int64_t least_lines = 20;  ///< because a few may be walls
-constexpr double covered_share = 0.75;    ///< of the blended lines that end within the margin
+constexpr std::int32_t inner_cells = 12;  ///< distance from missing cells from which on nothing is blended
+constexpr std::size_t line_cells = 24;
+constexpr double least_inner = 0.3;     ///< share of inner cells; heights of buildings alone have hardly any
+constexpr double outermost = 0.005;     ///< share of the inner cells beyond each end of the range of land
+constexpr double blended_share = 0.05;  ///< of the lines that lead away from missing cells
+constexpr std::int64_t least_lines = 20;  ///< because a few cells may be anything
+constexpr double covered_share = 0.75;    ///< of the blended lines, whose blended cells lie within the margin
+constexpr std::int32_t nearby = 16;       ///< cells along an edge among which one shows that it is blended
 
 bool is_missing(double value, const std::vector<double>& values) {
     return std::isnan(value) || std::ranges::find(values, value) != values.end();
 }
 
-/// Lines of cells that lead away from missing cells.
-struct Lines {
-    std::int64_t all = 0;
-    std::array<std::int64_t, line_cells> blended{};  ///< by the number of blended cells
-    std::map<double, std::int64_t> outside;  ///< cells by their value, if that is outside of the limits
+/// Cells that are marked in a part of a raster.
+struct Marks {
+    std::vector<std::uint8_t> cells;
+    std::int32_t rows;
+    std::int32_t cols;
 
-    [[nodiscard]] std::int64_t blended_lines() const {
-        std::int64_t sum = 0;
-        for (const std::int64_t lines : blended)
-            sum += lines;
-        return sum;
+    [[nodiscard]] std::size_t index(std::int32_t row, std::int32_t col) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) + static_cast<std::size_t>(col);
     }
-    [[nodiscard]] bool are_blended() const {
-        const std::int64_t lines = blended_lines();
-        return lines >= least_lines && static_cast<double>(lines) >= blended_share * static_cast<double>(all);
-    }
+    /// Returns the cells that are at most `reach` rows and columns away from marked ones.
+    [[nodiscard]] Marks widened(std::int32_t reach) const;
 };
 
-/// Counts a line. @param missing value beside its first cell
-void count_line(std::span<const double> line, double missing, double step, Lines& lines) {
-    if (line.size() <= land_cell)
-        return;
-    const double difference = line[land_cell] - missing;
-    if (std::abs(difference) < 3 * step)
-        return;
-    ++lines.all;
-    const double least = std::max(step, least_blending * std::abs(difference));
-    const double sign = difference < 0 ? -1 : 1;
-    for (std::size_t i = 1; i <= land_cell; ++i)
-        if (sign * (line[i] - line[0]) < least)
-            return;
-    std::size_t cells = 1;
-    while (cells + 1 < line.size() && std::abs(line[cells + 1] - line[cells]) >= step)
-        ++cells;
-    ++lines.blended[cells];
+Marks Marks::widened(std::int32_t reach) const {
+    Marks wide{std::vector<std::uint8_t>(cells.size()), rows, cols};
+    std::vector<std::uint8_t> along(cells.size());
+    const auto spread = [reach](std::int32_t count, const auto& from, const auto& to) {
+        std::int32_t since = reach + 1;
+        const auto visit = [&](std::int32_t i) {
+            since = from(i) != 0 ? 0 : since + 1;
+            if (since <= reach)
+                to(i) = 1;
+            since = std::min(since, reach + 1);
+        };
+        for (std::int32_t i = 0; i < count; ++i)
+            visit(i);
+        since = reach + 1;
+        for (std::int32_t i = count; i-- > 0;)
+            visit(i);
+    };
+    for (std::int32_t row = 0; row < rows; ++row)
+        spread(
+            cols, [&](std::int32_t i) { return cells[index(row, i)]; },
+            [&](std::int32_t i) -> std::uint8_t& { return along[index(row, i)]; });
+    for (std::int32_t col = 0; col < cols; ++col)
+        spread(
+            rows, [&](std::int32_t i) { return along[index(i, col)]; },
+            [&](std::int32_t i) -> std::uint8_t& { return wide.cells[index(i, col)]; });
+    return wide;
+}
+
+Marks missing_cells(std::span<const double> values, std::int32_t rows, std::int32_t cols,
+                    const std::vector<double>& missing) {
+    Marks marks{std::vector<std::uint8_t>(values.size()), rows, cols};
+    std::ranges::transform(values, marks.cells.begin(), [&](double value) {
+        return static_cast<std::uint8_t>(is_missing(value, missing) ? 1 : 0);
+    });
+    return marks;
 }
 
 /// Rows of a raster that were read together.
 struct Strip {
-    std::span<const double> values;
-    std::int32_t rows;
-    std::int32_t cols;
-
-    [[nodiscard]] double at(std::int32_t row, std::int32_t col) const {
-        return values[static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) +
-                      static_cast<std::size_t>(col)];
-    }
+    std::vector<double> values;
+    std::int32_t rows = 0;
+    std::int32_t cols = 0;
+    bool first = false;  ///< begins with the first row of the window
+    bool last = false;
 };
 
-void count_lines(const Strip& strip, const MissingValues& missing, double step, Lines& lines) {
-    std::array<double, line_cells> line{};
-    const auto follow = [&](std::int32_t row, std::int32_t col, std::int32_t down, std::int32_t right) {
-        const double beside = strip.at(row, col);
-        if (std::isnan(beside) && !missing.declared)
-            return;
-        std::size_t cells = 0;
-        for (row += down, col += right;
-             cells < line.size() && row >= 0 && row < strip.rows && col >= 0 && col < strip.cols;
-             row += down, col += right, ++cells) {
-            line[cells] = strip.at(row, col);
-            if (is_missing(line[cells], missing.undeclared))
-                break;
-        }
-        count_line(std::span(line).first(cells), std::isnan(beside) ? *missing.declared : beside, step,
-                   lines);
-    };
-    std::vector<bool> above;
-    std::vector<bool> here(static_cast<std::size_t>(strip.cols));
-    for (std::int32_t row = 0; row < strip.rows; ++row) {
-        for (std::int32_t col = 0; col < strip.cols; ++col) {
-            const auto at = static_cast<std::size_t>(col);
-            here[at] = is_missing(strip.at(row, col), missing.undeclared);
-            if (col > 0 && here[at - 1] != here[at])
-                here[at] ? follow(row, col, 0, -1) : follow(row, col - 1, 0, 1);
-            if (row > 0 && above[at] != here[at])
-                here[at] ? follow(row, col, -1, 0) : follow(row - 1, col, 1, 0);
-        }
-        above = here;
-    }
-}
-
-void count_outside(std::span<const double> values, const ElevationLimits& limits, Lines& lines) {
-    constexpr std::size_t most_values = 1 << 16;
-    for (const double value : values)
-        if (!std::isnan(value) && !limits.hold(value) &&
-            (lines.outside.size() < most_values || lines.outside.contains(value)))
-            ++lines.outside[value];
-}
-
-/// Looks at strips of a window.
-class Search {
+/// Reads strips of a window.
+class StripReader {
   public:
-    Search(const Window& window, const MissingValues& missing, double step, const ReadValues& read)
-        : window_(window), missing_(missing), step_(step), read_(read) {}
+    StripReader(const Window& window, const ReadValues& read) : window_(window), read_(read) {}
 
-    [[nodiscard]] Lines lines();
+    /// Calls use(strip) for all rows of a small window, or else for strips at equal distances. Where one of
+    /// two successive strips is all missing, a strip between both shows the edge, which runs along rows.
+    template <typename Use>
+    void for_each(const std::vector<double>& missing, const Use& use);
 
   private:
-    void read(std::int32_t begin, std::int32_t end);
-    void look_at(std::int32_t begin, std::int32_t end);
-    /// Returns true if the rows read last have no elevation.
-    [[nodiscard]] bool is_empty() const;
-    void look_at_end_of_empty_rows(std::int32_t begin, std::int32_t end, bool first_is_empty);
+    void read(std::int32_t begin, std::int32_t end) {
+        strip_.rows = end - begin;
+        strip_.cols = window_.cols;
+        strip_.first = begin == window_.row;
+        strip_.last = end == window_.end_row();
+        strip_.values.resize(static_cast<std::size_t>(strip_.rows) * static_cast<std::size_t>(strip_.cols));
+        read_({begin, window_.col, strip_.rows, strip_.cols}, strip_.values);
+    }
+    [[nodiscard]] bool is_empty(const std::vector<double>& missing) const {
+        return std::ranges::all_of(strip_.values, [&](double value) { return is_missing(value, missing); });
+    }
+    void read_edge(std::int32_t begin, std::int32_t end, bool first_is_empty,
+                   const std::vector<double>& missing);
 
     const Window& window_;
-    const MissingValues& missing_;
-    double step_;
     const ReadValues& read_;
-    std::vector<double> values_;
-    Lines lines_;
+    Strip strip_;
 };
 
-void Search::read(std::int32_t begin, std::int32_t end) {
-    values_.resize(static_cast<std::size_t>(end - begin) * static_cast<std::size_t>(window_.cols));
-    read_({begin, window_.col, end - begin, window_.cols}, values_);
-}
-
-void Search::look_at(std::int32_t begin, std::int32_t end) {
-    read(begin, end);
-    count_outside(values_, missing_.limits, lines_);
-    count_lines({values_, end - begin, window_.cols}, missing_, step_, lines_);
-}
-
-bool Search::is_empty() const {
-    return std::ranges::all_of(values_, [&](double value) { return is_missing(value, missing_.undeclared); });
-}
-
-/// Finds an edge that runs along rows, because strips elsewhere do not show it. @param begin, end rows, of
-/// which either the first or the last is empty
-void Search::look_at_end_of_empty_rows(std::int32_t begin, std::int32_t end, bool first_is_empty) {
+/// @param begin, end rows, of which either the first or the last is empty
+void StripReader::read_edge(std::int32_t begin, std::int32_t end, bool first_is_empty,
+                            const std::vector<double>& missing) {
     std::int32_t low = begin;
     std::int32_t high = end - 1;
     while (high - low > 1) {
         const std::int32_t middle = low + (high - low) / 2;
         read(middle, middle + 1);
-        (is_empty() == first_is_empty ? low : high) = middle;
+        (is_empty(missing) == first_is_empty ? low : high) = middle;
     }
-    look_at(std::max(begin, high - strip_rows / 2), std::min(end, high + strip_rows / 2));
+    const std::int32_t first = std::max(begin, high - strip_rows / 2);
+    read(first, std::min(end, first + strip_rows));
 }
 
-Lines Search::lines() {
-    // All rows of a small raster.
-    const std::int32_t rows = window_.rows <= 2 * strips * strip_rows ? window_.rows : strip_rows;
-    const std::int32_t count = rows == window_.rows ? 1 : strips;
+template <typename Use>
+void StripReader::for_each(const std::vector<double>& missing, const Use& use) {
+    if (window_.rows <= 4 * strips * strip_rows / 3) {
+        for (std::int32_t row = window_.row; row < window_.end_row(); row += 2 * strip_rows) {
+            read(row, std::min(row + 2 * strip_rows, window_.end_row()));
+            use(strip_);
+        }
+        return;
+    }
     std::optional<bool> above;
     std::int32_t end_above = window_.row;
-    for (std::int32_t i = 0; i < count; ++i) {
-        const auto begin = static_cast<std::int32_t>(
-            window_.row + (count == 1 ? 0 : std::int64_t{window_.rows - rows} * i / (count - 1)));
-        look_at(begin, begin + rows);
-        const bool empty = is_empty();
-        if (above && *above != empty)
-            look_at_end_of_empty_rows(end_above - 1, begin + 1, *above);
+    for (std::int32_t i = 0; i < strips; ++i) {
+        const auto begin = static_cast<std::int32_t>(window_.row + std::int64_t{window_.rows - strip_rows} *
+                                                                       i / (strips - 1));
+        read(begin, begin + strip_rows);
+        use(strip_);
+        const bool empty = is_empty(missing);
+        if (above && *above != empty) {
+            read_edge(end_above - 1, begin + 1, *above, missing);
+            use(strip_);
+        }
         above = empty;
-        end_above = begin + rows;
+        end_above = begin + strip_rows;
     }
-    return std::move(lines_);
 }
 
-/// Returns the value outside of the limits that more than half of such cells have.
-std::optional<double> shared_outside(const Lines& lines) {
+/// Range of elevations away from missing cells.
+struct Land {
+    double lowest = 0;
+    double highest = 0;
+    bool known = false;
+};
+
+/// Samples of elevations and of values outside of the limits.
+struct Survey {
+    std::vector<double> inner;  ///< a sample
+    std::int64_t inner_count = 0;
+    std::int64_t candidates = 0;             ///< valid cells that might be inner ones
+    std::map<double, std::int64_t> outside;  ///< cells by their value
+
+    void add(const Strip& strip, const MissingValues& missing);
+    [[nodiscard]] Land land();
+    /// Returns the value outside of the limits that more than half of such cells have.
+    [[nodiscard]] std::optional<double> shared_outside() const;
+};
+
+void Survey::add(const Strip& strip, const MissingValues& missing) {
+    constexpr std::size_t most_values = 1 << 16;
+    constexpr std::int64_t sampled = 7;  // one of so many cells
+    Marks gaps = missing_cells(strip.values, strip.rows, strip.cols, missing.undeclared);
+    for (std::size_t i = 0; i < strip.values.size(); ++i)
+        if (const double value = strip.values[i]; gaps.cells[i] == 0 && !missing.limits.hold(value)) {
+            gaps.cells[i] = 1;
+            if (outside.size() < most_values || outside.contains(value))
+                ++outside[value];
+        }
+    // Rows beyond the strip may be missing.
+    const std::int32_t begin = strip.first ? 0 : std::min(inner_cells, strip.rows);
+    const std::int32_t end = strip.last ? strip.rows : std::max(begin, strip.rows - inner_cells);
+    candidates += std::count(gaps.cells.begin() + std::ptrdiff_t{begin} * strip.cols,
+                             gaps.cells.begin() + std::ptrdiff_t{end} * strip.cols, std::uint8_t{0});
+    const Marks near = gaps.widened(inner_cells);
+    for (std::size_t i = gaps.index(begin, 0); i < gaps.index(end, 0); ++i)
+        if (near.cells[i] == 0 && inner_count++ % sampled == 0)
+            inner.push_back(strip.values[i]);
+}
+
+Land Survey::land() {
+    if (inner.empty() || static_cast<double>(inner_count) < least_inner * static_cast<double>(candidates))
+        return {};
+    const auto beyond = static_cast<std::ptrdiff_t>(outermost * static_cast<double>(inner.size()));
+    const auto low = inner.begin() + beyond;
+    std::ranges::nth_element(inner, low);
+    const double lowest = *low;
+    const auto high = inner.end() - 1 - beyond;
+    std::ranges::nth_element(inner, high);
+    return {lowest, *high, true};
+}
+
+std::optional<double> Survey::shared_outside() const {
     std::int64_t all = 0;
     std::pair<std::int64_t, double> most;
-    for (const auto& [value, cells] : lines.outside) {
+    for (const auto& [value, cells] : outside) {
         all += cells;
         most = std::max(most, {cells, value});
     }
     return 2 * most.first > all ? std::optional(most.second) : std::nullopt;
 }
 
-/// Replaces the cells that are at most `cells` rows and columns away from a missing one.
-void replace_margin(const BlendedMargin& margin, const Window& area, std::span<double> values) {
-    const auto cols = static_cast<std::size_t>(area.cols);
-    const auto rows = static_cast<std::size_t>(area.rows);
-    const auto reach = static_cast<std::size_t>(margin.cells);
-    constexpr std::size_t far = std::size_t{1} << 30U;
-    // First along rows, then along columns.
-    std::vector<bool> near(values.size());
-    for (std::size_t row = 0; row < rows; ++row) {
-        std::size_t since = far;
-        for (std::size_t i = 0; i < cols; ++i) {
-            const std::size_t at = row * cols + i;
-            since = is_missing(values[at], margin.missing) ? 0 : since + 1;
-            near[at] = since <= reach;
-        }
-        since = far;
-        for (std::size_t i = cols; i-- > 0;) {
-            const std::size_t at = row * cols + i;
-            since = is_missing(values[at], margin.missing) ? 0 : since + 1;
-            near[at] = near[at] || since <= reach;
-        }
+/// Lines of cells that lead away from missing cells.
+struct Lines {
+    std::int64_t all = 0;
+    std::array<std::int64_t, line_cells + 1> blended{};    ///< by the number of the last blended cell
+    std::map<std::optional<double>, std::int64_t> beside;  ///< blended lines by the value of the missing cell
+
+    void add(const Strip& strip, const MissingValues& missing, const BlendedMargin& range);
+    [[nodiscard]] std::int64_t all_blended() const {
+        std::int64_t sum = 0;
+        for (const std::int64_t lines : blended)
+            sum += lines;
+        return sum;
     }
-    std::vector<bool> replaced(values.size());
-    std::vector<std::size_t> since(cols, far);
-    const auto pass = [&](std::size_t row) {
-        for (std::size_t i = 0; i < cols; ++i) {
-            const std::size_t at = row * cols + i;
-            since[i] = near[at] ? 0 : since[i] + 1;
-            replaced[at] = replaced[at] || since[i] <= reach;
-        }
+    [[nodiscard]] bool are_blended() const {
+        return all_blended() >= least_lines &&
+               static_cast<double>(all_blended()) >= blended_share * static_cast<double>(all);
+    }
+
+  private:
+    void add(std::span<const double> line, std::optional<double> value, const BlendedMargin& range);
+};
+
+void Lines::add(std::span<const double> line, std::optional<double> value, const BlendedMargin& range) {
+    if (line.empty())
+        return;
+    ++all;
+    if (!range.is_beyond(line.front()))
+        return;
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (range.is_beyond(line[i]))
+            last = i + 1;
+    ++blended[last];
+    ++beside[value];
+}
+
+void Lines::add(const Strip& strip, const MissingValues& missing, const BlendedMargin& range) {
+    const Marks gaps = missing_cells(strip.values, strip.rows, strip.cols, missing.undeclared);
+    std::array<double, line_cells> line{};
+    const auto follow = [&](std::int32_t row, std::int32_t col, std::int32_t down, std::int32_t right) {
+        const double beside_line = strip.values[gaps.index(row, col)];
+        std::size_t cells = 0;
+        for (row += down, col += right; cells < line.size() && row >= 0 && row < strip.rows && col >= 0 &&
+                                        col < strip.cols && gaps.cells[gaps.index(row, col)] == 0;
+             row += down, col += right, ++cells)
+            line[cells] = strip.values[gaps.index(row, col)];
+        add(std::span(line).first(cells),
+            std::isnan(beside_line) ? missing.declared : std::optional(beside_line), range);
     };
-    for (std::size_t row = 0; row < rows; ++row)
-        pass(row);
-    since.assign(cols, far);
-    for (std::size_t row = rows; row-- > 0;)
-        pass(row);
-    for (std::size_t at = 0; at < values.size(); ++at)
-        if (replaced[at] && !is_missing(values[at], margin.missing))
-            values[at] = blended_value;
+    const auto is_gap = [&](std::int32_t row, std::int32_t col) {
+        return gaps.cells[gaps.index(row, col)] != 0;
+    };
+    for (std::int32_t row = 0; row < strip.rows; ++row)
+        for (std::int32_t col = 0; col < strip.cols; ++col) {
+            const bool here = is_gap(row, col);
+            if (col > 0 && is_gap(row, col - 1) != here)
+                here ? follow(row, col, 0, -1) : follow(row, col - 1, 0, 1);
+            if (row > 0 && is_gap(row - 1, col) != here)
+                here ? follow(row, col, -1, 0) : follow(row - 1, col, 1, 0);
+        }
+}
+
+/// Replaces blended cells by `blended_value`.
+void replace_blended(const BlendedMargin& margin, const Window& area, std::span<double> values) {
+    const Marks gaps = missing_cells(values, area.rows, area.cols, margin.missing);
+    const Marks near = gaps.widened(margin.cells);
+    Marks blended{std::vector<std::uint8_t>(values.size()), area.rows, area.cols};
+    for (std::size_t i = 0; i < values.size(); ++i)
+        blended.cells[i] = near.cells[i] != 0 && gaps.cells[i] == 0 && margin.is_beyond(values[i]) ? 1 : 0;
+    const Marks edges = blended.widened(nearby);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (near.cells[i] != 0 && edges.cells[i] != 0 && gaps.cells[i] == 0)
+            values[i] = blended_value;
 }
 
 }  // namespace
 
 BlendedMargin find_blended_margin(const Window& window, MissingValues missing, double step,
                                   const ReadValues& read) {
-    Lines lines = Search(window, missing, step, read).lines();
-    if (!lines.are_blended())
-        if (const auto outside = shared_outside(lines)) {
-            missing.undeclared.push_back(*outside);
-            lines = Search(window, missing, step, read).lines();
-        }
+    StripReader reader(window, read);
+    Survey survey;
+    reader.for_each(missing.undeclared, [&](const Strip& strip) { survey.add(strip, missing); });
+    const Land land = survey.land();
+    if (!land.known)
+        return {};
+    BlendedMargin margin{0, {}, {}, land.lowest - step, land.highest + step};
+    const auto count_lines = [&] {
+        Lines lines;
+        reader.for_each(missing.undeclared, [&](const Strip& strip) { lines.add(strip, missing, margin); });
+        return lines;
+    };
+    Lines lines = count_lines();
+    if (const auto outside = survey.shared_outside(); outside && !lines.are_blended()) {
+        missing.undeclared.push_back(*outside);
+        lines = count_lines();
+    }
     if (!lines.are_blended())
         return {};
-    const auto blended = static_cast<double>(lines.blended_lines());
-    BlendedMargin margin{0, missing.undeclared,
-                         missing.undeclared.empty() ? *missing.declared : missing.undeclared.front()};
-    std::int64_t covered = 0;
-    while (static_cast<double>(covered) < covered_share * blended)
-        covered += lines.blended[static_cast<std::size_t>(margin.cells++)];
-    // The last increment adds a cell, because cubic resampling overshoots, and edges may run aslant.
+    margin.missing = missing.undeclared;
+    const auto blended = static_cast<double>(lines.all_blended());
+    std::int32_t last = 0;
+    for (std::int64_t covered = 0; static_cast<double>(covered) < covered_share * blended;)
+        covered += lines.blended[static_cast<std::size_t>(++last)];
+    // Cubic resampling overshoots on the side of the land as well, where it cannot be told from buildings.
+    margin.cells = last + (last + 1) / 2;
+    margin.with =
+        std::ranges::max_element(lines.beside, {}, [](const auto& pair) { return pair.second; })->first;
     return margin;
 }
 
@@ -264,13 +336,14 @@ void read_without_margin(const BlendedMargin& margin, const Window& raster, cons
         read(part, values);
         return;
     }
-    const std::int32_t row = std::max(raster.row, part.row - margin.cells);
-    const std::int32_t col = std::max(raster.col, part.col - margin.cells);
-    const Window area{row, col, std::min(raster.end_row(), part.end_row() + margin.cells) - row,
-                      std::min(raster.end_col(), part.end_col() + margin.cells) - col};
+    const std::int32_t around = margin.cells + nearby;
+    const std::int32_t row = std::max(raster.row, part.row - around);
+    const std::int32_t col = std::max(raster.col, part.col - around);
+    const Window area{row, col, std::min(raster.end_row(), part.end_row() + around) - row,
+                      std::min(raster.end_col(), part.end_col() + around) - col};
     std::vector<double> all(static_cast<std::size_t>(area.points()));
     read(area, all);
-    replace_margin(margin, area, all);
+    replace_blended(margin, area, all);
     for (std::int32_t i = 0; i < part.rows; ++i)
         std::copy_n(all.begin() + std::ptrdiff_t{part.row - row + i} * area.cols + (part.col - col),
                     part.cols, values.begin() + std::ptrdiff_t{i} * part.cols);
@@ -279,10 +352,11 @@ void read_without_margin(const BlendedMargin& margin, const Window& raster, cons
 std::string blended_text(std::int64_t cells, const BlendedMargin& margin, const std::string& raster,
                          const std::string& stored) {
     return cells_have(cells, raster) + (cells == 1 ? "a value" : "values") + " blended with " +
-           value_text(margin.with) +
-           " beside cells without data, because it was resampled before that was declared as NoData, so they "
-           "are treated as no data; resample it again, for example with gdalwarp -srcnodata " +
-           stored + ".";
+           (margin.with ? value_text(*margin.with) : "another") +
+           " beside cells without data, as resampling does before that is declared as NoData, so they are "
+           "treated "
+           "as no data; resample the original raster again" +
+           (margin.with ? ", for example with gdalwarp -srcnodata " + stored : "") + ".";
 }
 
 }  // namespace d2b

@@ -21,18 +21,18 @@ struct MissingValues {
 };
 
 /// Finds out if the cells beside missing ones were blended with their value, because the raster was resampled
-/// before that value was declared. Looks at lines of cells that lead away from missing cells, in strips of
-/// the window.
+/// before that value was declared: many of them lie beyond the range of all cells farther away. Looks at
+/// strips of the window.
 /// @param step smallest step of a wall, in units of the values
 /// @param read values before limits are applied
 [[nodiscard]] BlendedMargin find_blended_margin(const Window& window, MissingValues missing, double step,
                                                 const ReadValues& read);
 
-/// Marks the cells within a margin beside missing ones.
+/// Value of blended cells.
 inline constexpr double blended_value = std::numeric_limits<double>::infinity();
 
-/// Reads a part of a raster, with `blended_value` in the margin. @param raster rows and columns that can be
-/// read
+/// Reads a part of a raster, with `blended_value` in the margin, where it is blended. @param raster rows and
+/// columns that can be read
 void read_without_margin(const BlendedMargin& margin, const Window& raster, const Window& part,
                          std::span<double> values, const ReadValues& read);
 

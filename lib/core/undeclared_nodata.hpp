@@ -13,11 +13,16 @@
 
 namespace d2b {
 
-/// Cells beside missing ones whose values were blended with the value of these.
+/// Cells beside missing ones whose values were blended with the value of these, so that many of them lie
+/// beyond the range of land.
 struct BlendedMargin {
-    std::int32_t cells = 0;       ///< rows and columns; 0: nothing was blended
-    std::vector<double> missing;  ///< values of missing cells that are not read as NaN
-    double with = 0;              ///< value that was blended
+    std::int32_t cells = 0;        ///< rows and columns beside missing cells; 0: nothing was blended
+    std::vector<double> missing;   ///< values of missing cells that are not read as NaN
+    std::optional<double> with{};  ///< value that was blended; nothing if it is unknown
+    double lowest = 0;             ///< of land
+    double highest = 0;
+
+    [[nodiscard]] bool is_beyond(double value) const { return value < lowest || value > highest; }
 };
 
 /// Values that mark missing data without being declared as NoData: many cells share exactly this value, they

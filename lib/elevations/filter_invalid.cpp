@@ -250,7 +250,8 @@ UndeclaredNodata undeclared_values(DemSource& source, const Options& options, co
     UndeclaredNodata found =
         find_undeclared_nodata(window, border != nullptr ? *border : read_border(window, read),
                                {step, options.ground.max_building_width / side}, read);
-    if (!all_valid || !found.taken.empty())
+    // Heights above the ground may have no value on the ground, and any along walls.
+    if (options.ground.mode != GroundMode::none && (!all_valid || !found.taken.empty()))
         found.margin =
             find_blended_margin(window, {source.info().nodata, found.values(), rules.limits}, step, read_all);
     return found;

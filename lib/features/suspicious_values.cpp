@@ -114,9 +114,11 @@ void Strange::warn_of_undeclared(const SuspiciousValues& suspicious,
                                  const UndeclaredNodata& undeclared) const {
     for (const SharedValue& taken : undeclared.taken) {
         const std::int64_t cells = suspicious.undeclared.cells_of(taken.value).value_or(taken.cells);
+        // To declare a value that was blended with others would not help, see warn_of_blended().
+        const bool blended = undeclared.margin.cells > 0 && undeclared.margin.with == taken.value;
         context_.warn(undeclared_text({taken.value, cells}, name_) + ", so they are treated as no data; " +
-                      declaration("declare that with", taken.value) +
-                      ", or keep the elevation with -inodata.");
+                      (blended ? "" : declaration("declare that with", taken.value) + ", or ") +
+                      "keep the elevation with -inodata.");
     }
     for (const SharedValue& named : undeclared.named)
         context_.warn(undeclared_text(named, name_) + "; if it stands for no data, " +
@@ -125,7 +127,8 @@ void Strange::warn_of_undeclared(const SuspiciousValues& suspicious,
 
 void Strange::warn_of_blended(std::int64_t cells, const BlendedMargin& margin) const {
     if (cells > 0)
-        context_.warn(blended_text(cells, margin, name_, stored_text(margin.with, info_)));
+        context_.warn(
+            blended_text(cells, margin, name_, margin.with ? stored_text(*margin.with, info_) : ""));
 }
 
 void Strange::warn_of_shared(const SuspiciousValues& suspicious, std::int64_t cells,

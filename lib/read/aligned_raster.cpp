@@ -148,7 +148,8 @@ BlendedMargin AlignedRaster::find_blended(const std::vector<double>& undeclared,
 
 void AlignedRaster::warn_about_blended(const BlendedMargin& margin) const {
     if (const std::int64_t cells = counts().blended; cells > 0)
-        warnings_.add(blended_text(cells, margin, "the " + name_, value_text(reader_.stored(margin.with))));
+        warnings_.add(blended_text(cells, margin, "the " + name_,
+                                   margin.with ? value_text(reader_.stored(*margin.with)) : ""));
 }
 
 std::string AlignedRaster::declaration_advice(double value) const {

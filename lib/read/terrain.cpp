@@ -125,8 +125,11 @@ void TerrainSource::report_undeclared() {
     for (const double value : excluded_)
         if (const std::int64_t cells = undeclared.cells_of(value).value_or(0); cells > 0)
             warnings().add(undeclared_text({value, cells}, "the " + raster_.name()) +
-                           ", so they are treated as no data; " + raster_.declaration_advice(value) +
-                           ", or keep the elevation with -inodata.");
+                           ", so they are treated as no data; " +
+                           (margin_.cells > 0 && margin_.with == value
+                                ? ""
+                                : raster_.declaration_advice(value) + ", or ") +
+                           "keep the elevation with -inodata.");
 }
 
 void TerrainSource::report_shared() {

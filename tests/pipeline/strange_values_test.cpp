@@ -353,14 +353,13 @@ TEST_P(Collar, ThatWasBlendedIsNoGround) {
             EXPECT_EQ(result.report.valid_points, clean.report.valid_points);
             ASSERT_EQ(result.report.warnings.size(), known ? 1U : 2U);
             const std::string value = value_text(GetParam());
-            EXPECT_EQ(
-                result.report.warnings.back(),
-                std::to_string(3 * MadeTown::cols) + " cells of 'town.tif' have values blended with " +
-                    value +
-                    " beside cells without data, because it was resampled before that was declared as "
-                    "NoData, so they are treated as no data; resample it again, for example with gdalwarp "
-                    "-srcnodata " +
-                    value + ".");
+            EXPECT_EQ(result.report.warnings.back(),
+                      std::to_string(3 * MadeTown::cols) + " cells of 'town.tif' have values blended with " +
+                          value +
+                          " beside cells without data, as resampling does before that is declared as NoData, "
+                          "so they are treated as no data; resample the original raster again, for example "
+                          "with gdalwarp -srcnodata " +
+                          value + ".");
         }
 }
 

@@ -327,25 +327,25 @@ TEST_F(TerrainLimits, undeclaredNoDataIsNoElevationAndSaidSo) {
 
 TEST_F(TerrainLimits, valuesBlendedWithNoDataAreNoElevationAndSaidSo) {
     for (const bool declared : {false, true}) {
-        RasterSpec spec{.cols = 20, .rows = 20, .type = GDT_Float32};
+        dem({.cols = 60, .rows = 60, .transform = {{500000, 1, 0, 5538650, 0, -1}}});
+        RasterSpec spec{.cols = 60, .rows = 60, .type = GDT_Float32};
         spec.transform = {{500000, 1, 0, 5538650, 0, -1}};
         if (declared)
             spec.nodata = 0;
-        for (int i = 0; i < 400; ++i)
-            spec.values.push_back(i < 60 ? 0 : i < 80 ? 40 : 100 + 0.001 * i);
+        for (int i = 0; i < 3600; ++i)
+            spec.values.push_back(i < 600 ? 0 : i < 660 ? 40 : 100 + 0.001 * i);
         write(path("side.tif"), spec);
         warnings_.clear();
         const std::vector<double> read = terrain();
         for (std::size_t i = 0; i < read.size(); ++i)
-            EXPECT_TRUE(i < 100 ? std::isnan(read[i]) : std::abs(read[i] - spec.values[i]) < 1e-4) << i;
-        EXPECT_EQ(outside_range_, declared ? 40 : 100);
+            EXPECT_TRUE(i < 720 ? std::isnan(read[i]) : std::abs(read[i] - spec.values[i]) < 1e-4) << i;
+        EXPECT_EQ(outside_range_, declared ? 120 : 720);
         ASSERT_FALSE(warnings().empty());
-        EXPECT_EQ(
-            warnings().back(),
-            "40 cells of the terrain " + quoted("side.tif") +
-                " have values blended with 0 beside cells without data, because it was resampled before "
-                "that was declared as NoData, so they are treated as no data; resample it again, for "
-                "example with gdalwarp -srcnodata 0.");
+        EXPECT_EQ(warnings().back(),
+                  "120 cells of the terrain " + quoted("side.tif") +
+                      " have values blended with 0 beside cells without data, as resampling does before that "
+                      "is declared as NoData, so they are treated as no data; resample the original raster "
+                      "again, for example with gdalwarp -srcnodata 0.");
     }
 }
 

@@ -87,7 +87,8 @@ Json json_of(const TilePlan& plan, const TileCost& cost) {
         {"blended_margin",
          {{"cells", plan.undeclared.margin.cells},
           {"missing", plan.undeclared.margin.missing},
-          {"with", plan.undeclared.margin.with}}},
+          {"with", plan.undeclared.margin.with ? Json(*plan.undeclared.margin.with) : Json()},
+          {"land", {plan.undeclared.margin.lowest, plan.undeclared.margin.highest}}}},
         {"expected",
          {{"find_seconds_a_tile", cost.find_seconds},
           {"draw_seconds_a_tile", cost.draw_seconds},
@@ -141,9 +142,11 @@ TilePlan plan_of(const Json& json) {
     if (const Json& lowest = json.at("lowest_at_edge"); !lowest.is_null())
         plan.undeclared.lowest_at_edge = lowest.get<double>();
     const Json& margin = json.at("blended_margin");
-    plan.undeclared.margin = {static_cast<std::int32_t>(whole(margin.at("cells"), 0, most_cells)),
-                              margin.at("missing").get<std::vector<double>>(),
-                              margin.at("with").get<double>()};
+    plan.undeclared.margin = {
+        static_cast<std::int32_t>(whole(margin.at("cells"), 0, most_cells)),
+        margin.at("missing").get<std::vector<double>>(),
+        margin.at("with").is_null() ? std::nullopt : std::optional(margin.at("with").get<double>()),
+        margin.at("land").at(0).get<double>(), margin.at("land").at(1).get<double>()};
     return plan;
 }
 
