@@ -13,8 +13,8 @@
 namespace d2b {
 namespace {
 
-constexpr std::int32_t strip_rows = 48;
-constexpr std::int32_t strips = 16;
+constexpr std::int32_t strip_rows = 32;
+constexpr std::int32_t strips = 24;
 constexpr std::int32_t inner_cells = 12;  ///< distance from missing cells from which on nothing is blended
 constexpr std::size_t line_cells = 24;
 constexpr double least_inner = 0.3;     ///< share of inner cells; heights of buildings alone have hardly any
@@ -220,11 +220,29 @@ std::optional<double> Survey::shared_outside() const {
     return 2 * most.first > all ? std::optional(most.second) : std::nullopt;
 }
 
+/// Sides of land on which missing values are.
+struct Sides {
+    bool low;
+    bool high;
+};
+
+/// Returns both sides if no missing value is known.
+Sides sides_of(const MissingValues& missing, const Land& land) {
+    std::vector<double> values = missing.undeclared;
+    if (missing.declared)
+        values.push_back(*missing.declared);
+    if (values.empty())
+        return {true, true};
+    return {std::ranges::min(values) < land.lowest, std::ranges::max(values) > land.highest};
+}
+
 /// Lines of cells that lead away from missing cells.
 struct Lines {
+    double step = 0;  ///< smallest one between blended cells
     std::int64_t all = 0;
-    std::array<std::int64_t, line_cells + 1> blended{};    ///< by the number of the last blended cell
-    std::map<std::optional<double>, std::int64_t> beside;  ///< blended lines by the value of the missing cell
+    std::array<std::int64_t, line_cells + 1> blended{};  ///< by the number of the last blended cell
+    std::map<std::optional<double>, std::int64_t>
+        beside{};  ///< blended lines by the value of the missing cell
 
     void add(const Strip& strip, const MissingValues& missing, const BlendedMargin& range);
     [[nodiscard]] std::int64_t all_blended() const {
@@ -252,6 +270,12 @@ void Lines::add(std::span<const double> line, std::optional<double> value, const
     for (std::size_t i = 0; i < line.size(); ++i)
         if (range.is_beyond(line[i]))
             last = i + 1;
+    // A tower that is higher than all land has a level roof, and so has water that is lower.
+    std::size_t steep = 0;
+    for (std::size_t i = 0; i < last && i + 1 < line.size(); ++i)
+        steep += std::abs(line[i + 1] - line[i]) >= step ? 1U : 0U;
+    if (2 * steep < last)
+        return;
     ++blended[last];
     ++beside[value];
 }
@@ -305,9 +329,12 @@ BlendedMargin find_blended_margin(const Window& window, MissingValues missing, d
     const Land land = survey.land();
     if (!land.known)
         return {};
-    BlendedMargin margin{0, {}, {}, land.lowest - step, land.highest + step};
+    BlendedMargin margin;
     const auto count_lines = [&] {
-        Lines lines;
+        const auto [low, high] = sides_of(missing, land);
+        margin.lowest = low ? land.lowest - step : -std::numeric_limits<double>::infinity();
+        margin.highest = high ? land.highest + step : std::numeric_limits<double>::infinity();
+        Lines lines{.step = step};
         reader.for_each(missing.undeclared, [&](const Strip& strip) { lines.add(strip, missing, margin); });
         return lines;
     };

@@ -62,7 +62,7 @@ TEST(BlendedMargin, IsHalfAsBroadAgainAsTheCellsThatAreNoLand) {
                                    {-9999, {0.5}, 1},
                                    {300, {0.25, 0.75}, 2},
                                    {0, {-0.07, 0.5, 1.07}, 2},  // a building may have 53 m
-                                   {-9999, {-0.07, 0.5, 1.07}, 3},
+                                   {-9999, {-0.07, 0.5}, 2},
                                    {0, {0.2, 0.4, 0.6, 0.8}, 4}};
     for (const auto& [value, shares, last] : all) {
         const std::int32_t broad = last + (last + 1) / 2;
@@ -108,6 +108,16 @@ TEST(BlendedMargin, IsNotFoundWhereNothingIsBlended) {
     };
     Made buildings{{0, 0, 200, 200}, building};
     EXPECT_EQ(buildings.find({-9999, {}, land_limits}).cells, 0);
+}
+
+TEST(BlendedMargin, ATowerWithAHoleIsNoMargin) {
+    const auto tower = [](std::int32_t row, std::int32_t col) {
+        const std::int32_t away = std::max(std::abs(row - 100), std::abs(col - 80));
+        return away < 6 ? no_data : away < 20 ? 130.0 + 0.1 * away : uneven_town(row, col);
+    };
+    Made made{{0, 0, 200, 150}, tower};
+    EXPECT_EQ(made.find({std::nullopt, {}, land_limits}).cells, 0);
+    EXPECT_EQ(made.find({-9999, {}, land_limits}).cells, 0);
 }
 
 TEST(BlendedMargin, IsFoundInLargeRastersFromStrips) {
