@@ -89,7 +89,8 @@ outline::OutlineRules outline_rules(const RunSetup& setup, const Context& contex
             asked.wall_inset,
             asked.simplify,
             setup.target.kind() != Crs::Kind::none,
-            context.report.units.vertical_metres};
+            context.report.units.vertical_metres,
+            lattice_frame(setup.dem.window, setup.plan.trace)};
 }
 
 double x_stretch_of(const RunSetup& setup) {

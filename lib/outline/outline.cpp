@@ -141,8 +141,8 @@ WallOptions wall_options(const OutlineRules& rules, const Georeference& georefer
     constexpr double most_rows = 100;
     const double tolerance =
         std::min(rules.wall_tolerance, std::max(always, most_rows / shape.longer_side()));
-    return {rules.walls,      wall_distance(tolerance), shape,
-            rules.wall_inset, rules.wall_price,         rules.vertical_metres};
+    return {rules.walls,      wall_distance(tolerance), shape,      rules.wall_inset,
+            rules.wall_price, rules.vertical_metres,    rules.frame};
 }
 
 OutlineQuality quality_of(const WallQuality& quality) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "contours/contour.hpp"
@@ -24,6 +25,7 @@ struct OutlineRules {
     double simplify = 0;         ///< tolerance in units of the CRS; 0 keeps every corner
     bool reprojected = false;    ///< corners are transformed afterwards
     double vertical_metres = 1;  ///< metres per unit of elevation
+    std::optional<LatticeBox> frame = {};  ///< of the raster, which cuts buildings off
 };
 
 /// Largest distance in cells between an outline with walls and its trace: walls lie near the midpoints of

@@ -115,6 +115,37 @@ Place in_frame(Place p, Place origin, double angle) {
             (p.y - origin.y) * std::cos(angle) - (p.x - origin.x) * std::sin(angle)};
 }
 
+/// The directions of a building with a rough wall are not those of the edge of the raster that cuts it off:
+/// in these, the wall would be a staircase.
+TEST(Walls, TheEdgeOfTheRasterIsNoWall) {
+    constexpr double angle = 4 * std::numbers::pi / 180;
+    const TraceGrid cut = paint(140, [](Place p) {
+        const Place q = in_frame(p, {70, 0}, angle);
+        const double rough = std::sin(0.9 * q.x) + std::sin(0.4 * q.x + 2);
+        return std::abs(q.x) < 60 && q.y > -20 + 0.5 * rough ? 1 : 0;
+    });
+    OutlineRules rules = walls(Walls::automatic, 2.5);
+    EXPECT_GE(Drawn(cut, rules).exterior(1).size(), 16U);
+    rules.frame = {{0, 0}, {140, 140}};
+    const Drawn drawn(cut, rules);
+    const std::vector<Position> ring = drawn.exterior(1);
+    EXPECT_LE(ring.size(), 10U);
+    double edge = 0;   // on the first row
+    double along = 0;  // elsewhere, within two degrees
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Position a = ring[i];
+        const Position b = ring[(i + 1) % ring.size()];
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        const double off = (std::atan2(b.y - a.y, b.x - a.x) - angle) / (std::numbers::pi / 2);
+        if (a.y == 0 && b.y == 0)
+            edge += length;
+        else if (std::abs(off - std::round(off)) * 90 < 2)
+            along += length;
+    }
+    EXPECT_NEAR(edge, 120, 2);
+    EXPECT_GT(along, 130);
+}
+
 /// Turns of a ring at its corners, in degrees.
 std::vector<double> turns_of(const std::vector<Position>& ring) {
     std::vector<double> turns;

@@ -393,9 +393,32 @@ ChainFitter::ChainFitter(const Chain& chain, const WallOptions& options)
       walls_(chain, options.shape),
       turning_points_(outline::turning_points(samples(), staircase_tolerance)),
       midpoints_(samples(), shape_, origin_, chain.node_steps, limit_) {
+    stretches_ = stretches_between(samples(), turning_points_, [&](std::size_t first, std::size_t last) {
+        return options.frame && options.walls != Walls::right && is_on_frame(*options.frame, first, last);
+    });
     if (chain.closed)
         parameters_.price =
             std::min(parameters_.price, max_price_share * std::abs(twice_area(samples())) / 2);
+}
+
+bool ChainFitter::is_on_frame(const LatticeBox& frame, std::size_t first, std::size_t last) {
+    const FinePoint from = shape_.to_fine(samples().at(first), origin_);
+    const FinePoint to = shape_.to_fine(samples().at(last), origin_);
+    const auto both_near = [](std::int64_t a, std::int64_t b, std::int32_t side) {
+        const std::int64_t at = std::int64_t{side} * FinePoint::steps;
+        return std::max(std::abs(a - at), std::abs(b - at)) <= FinePoint::steps;
+    };
+    const auto note = [this](Vec2 along) {
+        const double side = std::atan2(along.y, along.x);
+        if (std::ranges::find(frame_sides_, side) == frame_sides_.end())
+            frame_sides_.push_back(side);
+        return true;
+    };
+    if (both_near(from.row, to.row, frame.low.row) || both_near(from.row, to.row, frame.high.row))
+        return note(shape_.col);
+    if (both_near(from.col, to.col, frame.low.col) || both_near(from.col, to.col, frame.high.col))
+        return note(shape_.row);
+    return false;
 }
 
 bool ChainFitter::plan(double price, WallDirections& directions, bool turn_frames, const StopToken& stop) {

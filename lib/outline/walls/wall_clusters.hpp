@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "contours/contour.hpp"
@@ -15,9 +16,10 @@ struct WallOptions {
     Walls walls = Walls::automatic;
     double tolerance = 0;  ///< cells
     CellShape shape;
-    double inset = 0;            ///< cells by which walls are moved inward
-    double price = 1;            ///< of a wall, in cells of area that it has to be worth
-    double vertical_metres = 1;  ///< metres per unit of elevation
+    double inset = 0;                      ///< cells by which walls are moved inward
+    double price = 1;                      ///< of a wall, in cells of area that it has to be worth
+    double vertical_metres = 1;            ///< metres per unit of elevation
+    std::optional<LatticeBox> frame = {};  ///< of the raster, which cuts buildings off
 };
 
 /// Contours whose walls are fitted together.

@@ -10,24 +10,6 @@ namespace {
 
 constexpr double quarter_turn = std::numbers::pi / 2;
 
-struct Direction {
-    double length;  // cells
-    double angle;   // radians
-};
-
-/// Directions of the stretches between turning points.
-std::vector<Direction> stretch_directions(const TraceSums& samples, const std::vector<std::size_t>& points) {
-    std::vector<Direction> found;
-    for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
-        const std::size_t first = points[i];
-        const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
-        const std::size_t cut = steps_at_corner(last - first);
-        const Vec2 along = samples.sums(first + cut, last - cut).direction();
-        found.push_back({length(samples.at(last) - samples.at(first)), std::atan2(along.y, along.x)});
-    }
-    return found;
-}
-
 }  // namespace
 
 double angle_between(double from, double to) {
@@ -35,12 +17,27 @@ double angle_between(double from, double to) {
     return turn - std::round(turn / quarter_turn) * quarter_turn;
 }
 
-void DirectionHistogram::add(const TraceSums& samples, const std::vector<std::size_t>& points) {
+std::vector<Stretch> stretches_between(const TraceSums& samples, const std::vector<std::size_t>& points,
+                                       const std::function<bool(std::size_t, std::size_t)>& on_frame) {
+    std::vector<Stretch> found;
+    for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
+        const std::size_t first = points[i];
+        const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
+        if (on_frame(first, last))
+            continue;
+        const std::size_t cut = steps_at_corner(last - first);
+        const Vec2 along = samples.sums(first + cut, last - cut).direction();
+        found.push_back({length(samples.at(last) - samples.at(first)), std::atan2(along.y, along.x)});
+    }
+    return found;
+}
+
+void DirectionHistogram::add(const std::vector<Stretch>& stretches) {
     constexpr double min_length = 2.5;   // cells
     constexpr double long_stretch = 8;   // cells; its weight per cell is 1
     constexpr double max_weight = 1.5;   // per cell
     constexpr double half_a_cell = 0.5;  // lateral error at the ends of a stretch
-    for (const Direction& stretch : stretch_directions(samples, points)) {
+    for (const Stretch& stretch : stretches) {
         if (stretch.length < min_length)
             continue;
         const double spread = std::clamp(half_a_cell / stretch.length / degree, 1.2, 8.0);  // degrees
@@ -100,15 +97,13 @@ std::vector<double> DirectionHistogram::frames(std::size_t most) const {
     return found;
 }
 
-void align_frames(const TraceSums& samples, const std::vector<std::size_t>& points,
-                  std::vector<double>& frames) {
+void align_frames(const std::vector<Stretch>& stretches, std::vector<double>& frames) {
     constexpr double near = 6 * degree;
     constexpr double min_length = 5;  // cells
-    const std::vector<Direction> stretches = stretch_directions(samples, points);
     for (double& frame : frames) {
         double turns = 0;
         double weights = 0;
-        for (const Direction& stretch : stretches) {
+        for (const Stretch& stretch : stretches) {
             const double turn = angle_between(frame, stretch.angle);
             if (stretch.length < min_length || std::abs(turn) > near)
                 continue;
@@ -122,15 +117,13 @@ void align_frames(const TraceSums& samples, const std::vector<std::size_t>& poin
     }
 }
 
-std::vector<double> single_directions(const TraceSums& samples, const std::vector<std::size_t>& points,
-                                      const std::vector<double>& frames, double min_length,
-                                      std::size_t most) {
+std::vector<double> single_directions(std::vector<Stretch> stretches, const std::vector<double>& frames,
+                                      double min_length, std::size_t most) {
     constexpr double apart = 7 * degree;
     constexpr double max_offset = 1.5;  // cells by which the end of a wall may leave its direction
-    std::vector<Direction> stretches = stretch_directions(samples, points);
-    std::ranges::stable_sort(stretches, std::greater{}, &Direction::length);
+    std::ranges::stable_sort(stretches, std::greater{}, &Stretch::length);
     std::vector<double> found;
-    for (const Direction& stretch : stretches) {
+    for (const Stretch& stretch : stretches) {
         if (stretch.length < min_length || found.size() == most)
             break;
         const auto explains = [&](double direction) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -28,12 +29,24 @@ struct WallDirections {
 /// Smallest angle between two directions modulo 90 degrees, in radians, with its sign.
 [[nodiscard]] double angle_between(double from, double to);
 
+/// A stretch of a chain between two turning points.
+struct Stretch {
+    double length;  ///< cells
+    double angle;   ///< radians
+};
+
+/// Returns the stretches of a chain without those along the frame, because the raster was cut there.
+/// @param points steps at which the chain may turn, see turning_points()
+/// @param on_frame true for a stretch along the frame, by its first and last step
+[[nodiscard]] std::vector<Stretch> stretches_between(
+    const TraceSums& samples, const std::vector<std::size_t>& points,
+    const std::function<bool(std::size_t, std::size_t)>& on_frame);
+
 /// Histogram of the directions of the stretches of chains modulo 90 degrees. Long stretches count more than
 /// their length because their direction is known better, and are spread less for the same reason.
 class DirectionHistogram {
   public:
-    /// @param points steps at which the chain may turn, see turning_points()
-    void add(const TraceSums& samples, const std::vector<std::size_t>& points);
+    void add(const std::vector<Stretch>& stretches);
     void add(const DirectionHistogram& other, double weight);
 
     [[nodiscard]] double total() const;
@@ -47,14 +60,12 @@ class DirectionHistogram {
 };
 
 /// Turns frames to the stretches of a chain that lie along them, because a histogram is coarser than these.
-void align_frames(const TraceSums& samples, const std::vector<std::size_t>& points,
-                  std::vector<double>& frames);
+void align_frames(const std::vector<Stretch>& stretches, std::vector<double>& frames);
 
 /// Directions of the longest stretches of a chain that lie neither along a frame nor halfway between two
 /// walls of the main one.
 /// @param frames radians @param min_length cells
-[[nodiscard]] std::vector<double> single_directions(const TraceSums& samples,
-                                                    const std::vector<std::size_t>& points,
+[[nodiscard]] std::vector<double> single_directions(std::vector<Stretch> stretches,
                                                     const std::vector<double>& frames, double min_length,
                                                     std::size_t most);
 

@@ -227,20 +227,25 @@ void WallLayout::find_frames() {
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
         stop_.check();
         if (graph_.chains[c].rank <= WallGraph::highest_low_rank)
-            groups[footprints.group_of(c)].add(fitter(c).samples(), fitter(c).turning_points());
+            groups[footprints.group_of(c)].add(fitter(c).stretches());
     }
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
         if (reference_chain(graph_, cluster_, c) != WallGraph::none)
             continue;
         const ChainFitter& chain = fitter(c);
         DirectionHistogram own;
-        own.add(chain.samples(), chain.turning_points());
+        own.add(chain.stretches());
         // A short chain says little, so that its building counts as much at least.
         constexpr double weight_of_short = 50;
         const auto group = groups.find(footprints.group_of(c));
         if (group != groups.end() && group->second.total() > 0)
             own.add(group->second, (own.total() + weight_of_short) / group->second.total());
-        states_[c].directions.frames = own.frames(most_frames_of(chain, options_.walls));
+        std::vector<double>& frames = states_[c].directions.frames;
+        frames = own.frames(most_frames_of(chain, options_.walls));
+        for (const double side : chain.frame_sides())
+            if (std::ranges::none_of(
+                    frames, [&](double frame) { return std::abs(angle_between(frame, side)) < degree; }))
+                frames.push_back(side);
     }
 }
 
@@ -255,7 +260,7 @@ WallDirections WallLayout::directions(std::uint32_t c) const {
         directions.frames = states_[base].directions.frames;
         directions.frames.resize(std::min(directions.frames.size(), most_frames_of(chain, options_.walls)));
         DirectionHistogram own;
-        own.add(chain.samples(), chain.turning_points());
+        own.add(chain.stretches());
         const double main = own.frames(1).front();
         if (!right && own.total() > 0 && std::ranges::none_of(directions.frames, [&](double frame) {
                 return std::abs(angle_between(frame, main)) < apart;
@@ -267,13 +272,12 @@ WallDirections WallLayout::directions(std::uint32_t c) const {
     constexpr double min_length = 5;        // cells
     constexpr double min_tolerances = 2.4;  // 6 m with the usual tolerance
     if (!right)
-        directions.single = single_directions(chain.samples(), chain.turning_points(), directions.frames,
-                                              std::max(min_length, min_tolerances * options_.tolerance),
-                                              options_.walls == Walls::free
-                                                  ? most_free_singles
-                                                  : std::min(most_directions_of(chain), most_singles));
+        directions.single = single_directions(
+            chain.stretches(), directions.frames, std::max(min_length, min_tolerances * options_.tolerance),
+            options_.walls == Walls::free ? most_free_singles
+                                          : std::min(most_directions_of(chain), most_singles));
     if (graph_.chains[c].rank < min_rank)
-        align_frames(chain.samples(), chain.turning_points(), directions.frames);
+        align_frames(chain.stretches(), directions.frames);
     return directions;
 }
 

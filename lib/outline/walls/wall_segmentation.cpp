@@ -84,7 +84,7 @@ constexpr double min_corner_distance =
 constexpr std::size_t min_stretches = 4;  // fewest stretches that an arc replaces
 
 /// A stretch of the trace between two turning points.
-struct Stretch {
+struct PricedStretch {
     std::size_t first;
     std::size_t last;
     Vec2 along;
@@ -92,9 +92,9 @@ struct Stretch {
 };
 
 /// Stretches of a chain; those of a closed one begin at the sharpest corner, because no arc contains it.
-std::vector<Stretch> stretches_of(const TraceSums& samples, const std::vector<std::size_t>& points,
-                                  const WallParameters& parameters) {
-    std::vector<Stretch> stretches;
+std::vector<PricedStretch> stretches_of(const TraceSums& samples, const std::vector<std::size_t>& points,
+                                        const WallParameters& parameters) {
+    std::vector<PricedStretch> stretches;
     for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
         const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
         const TraceSums::Sums sums = samples.sums(points[i], last);
@@ -109,7 +109,7 @@ std::vector<Stretch> stretches_of(const TraceSums& samples, const std::vector<st
     std::size_t start = 0;
     double largest = -1;
     for (std::size_t i = 0; i < n; ++i) {
-        const Stretch& before = stretches[(i + n - 1) % n];
+        const PricedStretch& before = stretches[(i + n - 1) % n];
         const auto shorter = static_cast<double>(
             std::min({before.last - before.first, stretches[i].last - stretches[i].first, std::size_t{20}}));
         const double turn = std::abs(cross(before.along, stretches[i].along)) * shorter;
@@ -156,7 +156,7 @@ std::optional<WallSegment> fit_arc(const TraceSums& samples, const WallParameter
 
 /// Direction of the turn between two stretches: 1 or -1, or 0 if the turn is too sharp or too slight for an
 /// arc.
-int turn(const Stretch& a, const Stretch& b) {
+int turn(const PricedStretch& a, const PricedStretch& b) {
     const double sine = cross(a.along, b.along);
     if (dot(a.along, b.along) < std::cos(std::numbers::pi / 3) || std::abs(sine) < 0.02)
         return 0;
@@ -165,7 +165,7 @@ int turn(const Stretch& a, const Stretch& b) {
 
 /// Returns the end of the longest run of stretches from i that turn the same way, limited to one and a half
 /// turns: no arc is longer, and a spiral would otherwise be searched to its end from each of its stretches.
-std::size_t end_of_turn(const std::vector<Stretch>& stretches, std::size_t i) {
+std::size_t end_of_turn(const std::vector<PricedStretch>& stretches, std::size_t i) {
     constexpr double most = 3 * std::numbers::pi;
     std::size_t end = i + 1;
     for (double angle = 0; end < stretches.size() && angle < most; ++end) {
@@ -179,7 +179,7 @@ std::size_t end_of_turn(const std::vector<Stretch>& stretches, std::size_t i) {
 
 /// True if a stretch continues an arc or is at a right angle to its end, as walls are; crowns join houses at
 /// any angle.
-bool joins(const TraceSums& samples, const WallSegment& arc, const Stretch& stretch, bool at_end) {
+bool joins(const TraceSums& samples, const WallSegment& arc, const PricedStretch& stretch, bool at_end) {
     constexpr double max_error = 20.0 / 180 * std::numbers::pi;
     const Vec2 spoke = samples.at(at_end ? arc.last : arc.first) - arc.circle->centre;
     const double size = length(spoke);
@@ -191,7 +191,7 @@ bool joins(const TraceSums& samples, const WallSegment& arc, const Stretch& stre
 
 /// Longest arc that begins with a stretch. @param end of the run of stretches, set to that of the arc
 std::optional<WallSegment> longest_arc(const TraceSums& samples, const WallParameters& parameters,
-                                       const std::vector<Stretch>& stretches, std::size_t begin,
+                                       const std::vector<PricedStretch>& stretches, std::size_t begin,
                                        std::size_t& end, const StopToken& stop) {
     for (; end >= begin + min_stretches; --end) {
         stop.check();
@@ -211,9 +211,9 @@ std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std:
                                             const WallParameters& parameters, const StopToken& stop) {
     if (parameters.walls != Walls::automatic || points.size() < min_stretches)
         return {};
-    const std::vector<Stretch> stretches = stretches_of(samples, points, parameters);
+    const std::vector<PricedStretch> stretches = stretches_of(samples, points, parameters);
     double cost = 0;
-    for (const Stretch& stretch : stretches)
+    for (const PricedStretch& stretch : stretches)
         cost += stretch.cost;
     if (samples.closed())
         if (const auto circle = fit_arc(samples, parameters, 0, samples.steps(), cost))
