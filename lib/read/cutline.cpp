@@ -42,11 +42,6 @@ std::vector<WorldRing> clipped(const std::vector<WorldRing>& rings, const ClipBo
     return kept;
 }
 
-bool is_valid(OGRGeometryH polygon) {
-    const GdalMessages quiet;  // suppresses GDAL's explanation
-    return OGR_G_IsValid(polygon) != FALSE;
-}
-
 void add_polygon(const std::vector<WorldRing>& rings, RingProjector& projector, const SearchExtents& around,
                  std::vector<PixelPolygon>& polygons) {
     const bool on_earth =

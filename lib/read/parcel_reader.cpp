@@ -217,8 +217,7 @@ PixelParcel ParcelReader::parcel_of(OGRFeatureH feature, OGRGeometryH geometry) 
     for (OGRGeometryH const line : lines_within(straight.get()))
         parcel.lines.push_back(projector_->project(points_of(line)));
     if (!parcel.polygons.empty()) {
-        const GdalMessages quiet;  // suppresses GDAL's explanation
-        parcel.valid = OGR_G_IsValid(straight.get()) != FALSE;
+        parcel.valid = is_valid(straight.get());
         names_.try_emplace(parcel.number, text_of(feature));
     }
     return parcel;

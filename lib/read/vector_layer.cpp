@@ -1,5 +1,6 @@
 #include "read/vector_layer.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "dem2buildings/error.hpp"
@@ -74,6 +75,16 @@ std::vector<OGRGeometryH> points_within(OGRGeometryH geometry) {
         parts_within(geometry, [](OGRwkbGeometryType type) { return type == wkbPoint; });
     std::erase_if(points, [](OGRGeometryH point) { return OGR_G_IsEmpty(point) != FALSE; });
     return points;
+}
+
+bool is_valid(OGRGeometryH geometry) {
+    const GdalMessages quiet;  // suppresses GDAL's explanation
+    const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(geometry));
+    if (type == wkbPolyhedralSurface || type == wkbTIN)
+        return std::ranges::all_of(polygons_within(geometry), is_valid);
+    // A triangle is taken as the polygon that it is.
+    const GeometryOwner polygon(type == wkbTriangle ? OGR_G_ForceToPolygon(OGR_G_Clone(geometry)) : nullptr);
+    return OGR_G_IsValid(polygon ? polygon.get() : geometry) != FALSE;
 }
 
 WorldRing points_of(OGRGeometryH line) {

@@ -22,6 +22,9 @@ namespace d2b::reading {
 /// Same for points that are not empty; vertices do not count.
 [[nodiscard]] std::vector<OGRGeometryH> points_within(OGRGeometryH geometry);
 
+/// Returns true if a geometry is valid, or if all polygons of a surface are, of which GEOS knows none.
+[[nodiscard]] bool is_valid(OGRGeometryH geometry);
+
 /// Returns the vertices of a line or ring, without heights.
 [[nodiscard]] WorldRing points_of(OGRGeometryH line);
 

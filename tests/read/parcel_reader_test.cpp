@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include <cpl_vsi.h>
 #include <gtest/gtest.h>
 
 #include "dem2buildings/error.hpp"
@@ -140,6 +141,23 @@ TEST_F(ParcelReaderTest, bringsThemToTheCrsOfTheDem) {
     parcels->read({0, 0, 20, 20}, cells);
     EXPECT_EQ(cells[5].parcel, 1);
     EXPECT_EQ(cells[14].parcel, ParcelCell::no_parcel);
+}
+
+TEST_F(ParcelReaderTest, takesSurfacesOfValidPolygons) {
+    const std::string ring = "((500000 5700000,500020 5700000,500020 5700020,500000 5700020,500000 5700000))";
+    const std::string triangle = "((500000 5700000,500020 5700000,500020 5700020,500000 5700000))";
+    const std::string crossed =
+        "((500000 5700000,500020 5700020,500020 5700000,500000 5700020,500000 5700000))";
+    for (const auto& [wkt, valid] :
+         {std::pair("POLYHEDRALSURFACE(" + ring + ")", true), std::pair("TIN(" + triangle + ")", true),
+          std::pair("POLYHEDRALSURFACE(" + crossed + ")", false)}) {
+        write_layer(path("p.gpkg"), {"parcels", {{wkt}}});
+        std::vector<ParcelCell> cells(20 * 20);
+        read_from()->read({0, 0, 20, 20}, cells);
+        EXPECT_EQ(cells[10 * 20 + 17].invalid, !valid) << wkt;
+        EXPECT_EQ(cells[10 * 20 + 17].parcel, 1) << wkt;
+        VSIUnlink(path("p.gpkg").c_str());
+    }
 }
 
 TEST_F(ParcelReaderTest, knowsWhatIsNotValid) {
