@@ -64,8 +64,10 @@ TEST(BlendedMargin, IsHalfAsBroadAgainAsTheCellsThatAreNoLand) {
                                    {0, {-0.07, 0.5, 1.07}, 2},  // a building may have 53 m
                                    {-9999, {-0.07, 0.5}, 2},
                                    {0, {0.2, 0.4, 0.6, 0.8}, 4}};
-    for (const auto& [value, shares, last] : all) {
-        const std::int32_t broad = last + (last + 1) / 2;
+    for (const Blended& blended : all) {
+        const double value = blended.value;
+        const std::vector<double>& shares = blended.shares;
+        const std::int32_t broad = blended.last + (blended.last + 1) / 2;
         Made left{{3, 5, 200, 150}, [&](std::int32_t row, std::int32_t col) {
                       return behind_edge(col - 5, row, col, no_data, value, shares);
                   }};
