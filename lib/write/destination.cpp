@@ -229,10 +229,10 @@ void reject_foreign_data(const Destination& destination, const ExistingDataset& 
                          GDALDatasetH dataset, const VectorFormat& format, const WriteOptions& options,
                          const std::vector<std::string>& own) {
     std::vector<std::string> names = own;
-    // A user's layer of the name of an index has features.
+    // A user's layer of the name of an index has features. GDAL 3.10 shows no index as a layer.
     for (const std::string& index : format.indices)
         if (OGRLayerH layer = GDALDatasetGetLayerByName(dataset, index.c_str());
-            layer != nullptr && OGR_L_GetFeatureCount(layer, TRUE) == 0)
+            layer == nullptr || OGR_L_GetFeatureCount(layer, TRUE) == 0)
             names.push_back(index);
     const std::string flag = options.overwrite ? "-overwrite" : "-append";
     if (options.overwrite || format.folder) {
