@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include <cpl_string.h>
+#include <cpl_vsi.h>
 #include <gdal.h>
 #include <ogr_api.h>
 
@@ -27,7 +29,7 @@ struct FormatProbe {
     bool folder = false;
     bool in_memory = false;
     std::vector<std::string> suffixes;  ///< suffixes of its files from the first dot on; empty for a folder
-    std::vector<std::string> indices;   ///< layers that were not asked for
+    std::vector<std::string> indices;   ///< stems of files in a folder that belong to no layer
 };
 
 /// Writes two layers with one feature each into /vsimem/ under a name with the extension of the destination,
@@ -108,9 +110,11 @@ void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result)
     if (!dataset)
         return;
     result.multiple_layers = result.multiple_layers && GDALDatasetGetLayerCount(dataset.get()) > 1;
-    for (int i = 0; result.folder && i < GDALDatasetGetLayerCount(dataset.get()); ++i)
-        if (const std::string name = OGR_L_GetName(GDALDatasetGetLayer(dataset.get(), i));
-            name != "one" && name != "two")
+    // By its files, because GDAL 3.10 shows no index as a layer.
+    const CPLStringList files(result.folder ? VSIReadDir(file.c_str()) : nullptr);
+    for (int i = 0; i < files.Count(); ++i)
+        if (const std::string name = std::filesystem::path(files[i]).stem().string();
+            name != "one" && name != "two" && name != "." && name != "..")
             result.indices.push_back(name);
     OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), 0);
     result.preserves_crs = layer != nullptr && OGR_L_GetSpatialRef(layer) != nullptr;
