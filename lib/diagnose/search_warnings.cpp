@@ -13,7 +13,7 @@ namespace {
 /// Minimum number of pieces, because one or two may be a small cut-out of a surface.
 constexpr std::int64_t fewest_islands = 3;
 
-constexpr int picture_bands = 3;  // bands of a picture
+constexpr int picture_bands = 3;
 constexpr double fewest_bare = 0.05;
 constexpr double farthest_m = 2;
 constexpr double fewest_raised = 0.001;

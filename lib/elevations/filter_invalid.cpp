@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <iterator>
 
-#include "core/blended_margin.hpp"
+#include "raster/blended_margin.hpp"
 
 namespace d2b {
 namespace {

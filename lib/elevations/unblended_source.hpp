@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/blended_margin.hpp"
+#include "raster/blended_margin.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/run.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/blended_margin.hpp"
+#include "raster/blended_margin.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 

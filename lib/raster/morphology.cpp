@@ -270,6 +270,33 @@ Mask open_mask(const Mask& mask, double radius_m, const CellSize& cell, Executor
     return complement_of_erosion(complement_of_erosion(mask, element, threads), reflected(element), threads);
 }
 
+Mask dilate(const Mask& mask, std::int32_t reach) {
+    Mask along(mask.rows, mask.cols);
+    Mask dilated(mask.rows, mask.cols);
+    const auto spread = [reach](std::int32_t count, const auto& from, const auto& to) {
+        std::int32_t since = reach + 1;  // cells since the last one of the mask
+        const auto visit = [&](std::int32_t i) {
+            since = from(i) != 0 ? 0 : std::min(since, reach) + 1;
+            if (since <= reach)
+                to(i) = 1;
+        };
+        for (std::int32_t i = 0; i < count; ++i)
+            visit(i);
+        since = reach + 1;
+        for (std::int32_t i = count; i-- > 0;)
+            visit(i);
+    };
+    for (std::int32_t row = 0; row < mask.rows; ++row)
+        spread(
+            mask.cols, [&](std::int32_t i) { return mask.at(row, i); },
+            [&](std::int32_t i) -> std::uint8_t& { return along.at(row, i); });
+    for (std::int32_t col = 0; col < mask.cols; ++col)
+        spread(
+            mask.rows, [&](std::int32_t i) { return along.at(i, col); },
+            [&](std::int32_t i) -> std::uint8_t& { return dilated.at(i, col); });
+    return dilated;
+}
+
 Mask dilate_within(Mask mask, const Mask& within, int steps, Executor& threads) {
     for_bands_with_halo(threads, mask, steps, [&](HaloBand<std::uint8_t>& copy) {
         grow_copy(copy, within, steps);

@@ -32,6 +32,9 @@ using Element = std::vector<ElementRow>;
 /// structuring element is a block of two by two cells. The border is replicated. Halo: twice the radius.
 [[nodiscard]] Mask open_mask(const Mask& mask, double radius_m, const CellSize& cell, Executor& threads);
 
+/// Dilation by a square: adds the cells that are at most `reach` rows and columns away. O(cells).
+[[nodiscard]] Mask dilate(const Mask& mask, std::int32_t reach);
+
 /// Geodesic dilation: adds 4-neighbours within `within`, `steps` times. Halo: one cell per step.
 [[nodiscard]] Mask dilate_within(Mask mask, const Mask& within, int steps, Executor& threads);
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/blended_margin.hpp"
+#include "raster/blended_margin.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"

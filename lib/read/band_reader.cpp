@@ -7,7 +7,7 @@
 
 #include <cpl_conv.h>
 
-#include "core/blended_margin.hpp"
+#include "raster/blended_margin.hpp"
 #include "core/grid.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"

@@ -65,6 +65,24 @@ TEST(Morphology, OpenedAndErodedByDefinition) {
     }
 }
 
+TEST(Morphology, DilatedByDefinition) {
+    std::mt19937 random(7);
+    for (std::int32_t reach = 0; reach < 5; ++reach)
+        for (int i = 0; i < 20; ++i) {
+            const auto rows = static_cast<std::int32_t>(1 + random() % 20);
+            const auto cols = static_cast<std::int32_t>(1 + random() % 20);
+            const Mask mask = random_mask(rows, cols, 5, random);
+            Mask expected(rows, cols);
+            for (std::int32_t r = 0; r < rows; ++r)
+                for (std::int32_t c = 0; c < cols; ++c)
+                    for (std::int32_t down = -reach; down <= reach; ++down)
+                        for (std::int32_t right = -reach; right <= reach; ++right)
+                            if (mask.holds(r + down, c + right) && mask.at(r + down, c + right) != 0)
+                                expected.at(r, c) = 1;
+            ASSERT_EQ(drawing(dilate(mask, reach)), drawing(expected)) << reach;
+        }
+}
+
 TEST(Morphology, OpeningCutsBridgesAndKeepsHouses) {
     const Mask mask = drawn({"..........",  //
                              ".####.####",  //

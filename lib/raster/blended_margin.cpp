@@ -1,4 +1,4 @@
-#include "core/blended_margin.hpp"
+#include "raster/blended_margin.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "core/grid.hpp"
 #include "core/text.hpp"
+#include "raster/morphology.hpp"
 
 namespace d2b {
 namespace {
@@ -28,54 +30,13 @@ bool is_missing(double value, const std::vector<double>& values) {
     return std::isnan(value) || std::ranges::find(values, value) != values.end();
 }
 
-/// Cells that are marked in a part of a raster.
-struct Marks {
-    std::vector<std::uint8_t> cells;
-    std::int32_t rows;
-    std::int32_t cols;
-
-    [[nodiscard]] std::size_t index(std::int32_t row, std::int32_t col) const {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(cols) + static_cast<std::size_t>(col);
-    }
-    /// Returns the cells that are at most `reach` rows and columns away from marked ones.
-    [[nodiscard]] Marks widened(std::int32_t reach) const;
-};
-
-Marks Marks::widened(std::int32_t reach) const {
-    Marks wide{std::vector<std::uint8_t>(cells.size()), rows, cols};
-    std::vector<std::uint8_t> along(cells.size());
-    const auto spread = [reach](std::int32_t count, const auto& from, const auto& to) {
-        std::int32_t since = reach + 1;
-        const auto visit = [&](std::int32_t i) {
-            since = from(i) != 0 ? 0 : since + 1;
-            if (since <= reach)
-                to(i) = 1;
-            since = std::min(since, reach + 1);
-        };
-        for (std::int32_t i = 0; i < count; ++i)
-            visit(i);
-        since = reach + 1;
-        for (std::int32_t i = count; i-- > 0;)
-            visit(i);
-    };
-    for (std::int32_t row = 0; row < rows; ++row)
-        spread(
-            cols, [&](std::int32_t i) { return cells[index(row, i)]; },
-            [&](std::int32_t i) -> std::uint8_t& { return along[index(row, i)]; });
-    for (std::int32_t col = 0; col < cols; ++col)
-        spread(
-            rows, [&](std::int32_t i) { return along[index(i, col)]; },
-            [&](std::int32_t i) -> std::uint8_t& { return wide.cells[index(i, col)]; });
-    return wide;
-}
-
-Marks missing_cells(std::span<const double> values, std::int32_t rows, std::int32_t cols,
-                    const std::vector<double>& missing) {
-    Marks marks{std::vector<std::uint8_t>(values.size()), rows, cols};
-    std::ranges::transform(values, marks.cells.begin(), [&](double value) {
+Mask missing_cells(std::span<const double> values, std::int32_t rows, std::int32_t cols,
+                   const std::vector<double>& missing) {
+    Mask mask(rows, cols);
+    std::ranges::transform(values, mask.values.begin(), [&](double value) {
         return static_cast<std::uint8_t>(is_missing(value, missing) ? 1 : 0);
     });
-    return marks;
+    return mask;
 }
 
 /// Rows of a raster that were read together.
@@ -180,21 +141,21 @@ struct Survey {
 void Survey::add(const Strip& strip, const MissingValues& missing) {
     constexpr std::size_t most_values = 1 << 16;
     constexpr std::int64_t sampled = 7;  // one of so many cells
-    Marks gaps = missing_cells(strip.values, strip.rows, strip.cols, missing.undeclared);
+    Mask gaps = missing_cells(strip.values, strip.rows, strip.cols, missing.undeclared);
     for (std::size_t i = 0; i < strip.values.size(); ++i)
-        if (const double value = strip.values[i]; gaps.cells[i] == 0 && !missing.limits.hold(value)) {
-            gaps.cells[i] = 1;
+        if (const double value = strip.values[i]; gaps.values[i] == 0 && !missing.limits.hold(value)) {
+            gaps.values[i] = 1;
             if (outside.size() < most_values || outside.contains(value))
                 ++outside[value];
         }
     // Rows beyond the strip may be missing.
     const std::int32_t begin = strip.first ? 0 : std::min(inner_cells, strip.rows);
     const std::int32_t end = strip.last ? strip.rows : std::max(begin, strip.rows - inner_cells);
-    candidates += std::count(gaps.cells.begin() + std::ptrdiff_t{begin} * strip.cols,
-                             gaps.cells.begin() + std::ptrdiff_t{end} * strip.cols, std::uint8_t{0});
-    const Marks near = gaps.widened(inner_cells);
+    candidates += std::count(gaps.values.begin() + std::ptrdiff_t{begin} * strip.cols,
+                             gaps.values.begin() + std::ptrdiff_t{end} * strip.cols, std::uint8_t{0});
+    const Mask near = dilate(gaps, inner_cells);
     for (std::size_t i = gaps.index(begin, 0); i < gaps.index(end, 0); ++i)
-        if (near.cells[i] == 0 && inner_count++ % sampled == 0)
+        if (near.values[i] == 0 && inner_count++ % sampled == 0)
             inner.push_back(strip.values[i]);
 }
 
@@ -281,20 +242,20 @@ void Lines::add(std::span<const double> line, std::optional<double> value, const
 }
 
 void Lines::add(const Strip& strip, const MissingValues& missing, const BlendedMargin& range) {
-    const Marks gaps = missing_cells(strip.values, strip.rows, strip.cols, missing.undeclared);
+    const Mask gaps = missing_cells(strip.values, strip.rows, strip.cols, missing.undeclared);
     std::array<double, line_cells> line{};
     const auto follow = [&](std::int32_t row, std::int32_t col, std::int32_t down, std::int32_t right) {
         const double beside_line = strip.values[gaps.index(row, col)];
         std::size_t cells = 0;
         for (row += down, col += right; cells < line.size() && row >= 0 && row < strip.rows && col >= 0 &&
-                                        col < strip.cols && gaps.cells[gaps.index(row, col)] == 0;
+                                        col < strip.cols && gaps.values[gaps.index(row, col)] == 0;
              row += down, col += right, ++cells)
             line[cells] = strip.values[gaps.index(row, col)];
         add(std::span(line).first(cells),
             std::isnan(beside_line) ? missing.declared : std::optional(beside_line), range);
     };
     const auto is_gap = [&](std::int32_t row, std::int32_t col) {
-        return gaps.cells[gaps.index(row, col)] != 0;
+        return gaps.values[gaps.index(row, col)] != 0;
     };
     for (std::int32_t row = 0; row < strip.rows; ++row)
         for (std::int32_t col = 0; col < strip.cols; ++col) {
@@ -308,14 +269,14 @@ void Lines::add(const Strip& strip, const MissingValues& missing, const BlendedM
 
 /// Replaces blended cells by `blended_value`.
 void replace_blended(const BlendedMargin& margin, const Window& area, std::span<double> values) {
-    const Marks gaps = missing_cells(values, area.rows, area.cols, margin.missing);
-    const Marks near = gaps.widened(margin.cells);
-    Marks blended{std::vector<std::uint8_t>(values.size()), area.rows, area.cols};
+    const Mask gaps = missing_cells(values, area.rows, area.cols, margin.missing);
+    const Mask near = dilate(gaps, margin.cells);
+    Mask blended(area.rows, area.cols);
     for (std::size_t i = 0; i < values.size(); ++i)
-        blended.cells[i] = near.cells[i] != 0 && gaps.cells[i] == 0 && margin.is_beyond(values[i]) ? 1 : 0;
-    const Marks edges = blended.widened(nearby);
+        blended.values[i] = near.values[i] != 0 && gaps.values[i] == 0 && margin.is_beyond(values[i]) ? 1 : 0;
+    const Mask edges = dilate(blended, nearby);
     for (std::size_t i = 0; i < values.size(); ++i)
-        if (near.cells[i] != 0 && edges.cells[i] != 0 && gaps.cells[i] == 0)
+        if (near.values[i] != 0 && edges.values[i] != 0 && gaps.values[i] == 0)
             values[i] = blended_value;
 }
 

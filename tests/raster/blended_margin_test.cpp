@@ -1,4 +1,4 @@
-#include "core/blended_margin.hpp"
+#include "raster/blended_margin.hpp"
 
 #include <algorithm>
 #include <cmath>
