@@ -51,7 +51,7 @@ constexpr double long_edge = 16;  // cells; longer edges are halved at least twi
                                   // may pass through the midpoint of the chord
 constexpr int deepest = 12;       // at most 4096 parts per edge
 
-constexpr double margin = 4;  // in sizes of the window
+constexpr double window_margin = 4;  // in sizes of the window
 
 /// Returns a lattice of points over the window, because its rim alone would miss a pole inside.
 std::vector<Position> lattice_of(const DemInfo& info) {
@@ -178,7 +178,7 @@ SearchExtents search_extents(OGRSpatialReferenceH polygons, OGRSpatialReferenceH
     const auto [least, most] = std::ranges::minmax(xs);
     const double turn = full_circle_of(polygons);
     const auto [left, right] = turn > 0 ? range_of_longitudes(std::move(xs), turn) : std::pair(least, most);
-    const double room = margin * std::max(right - left, top - bottom);
+    const double room = window_margin * std::max(right - left, top - bottom);
     ClipBox box{left - room, bottom - room, right + room, top + room};
     if (!(turn > 0))
         return {{box}, {}};

@@ -319,7 +319,9 @@ std::size_t label_count(const std::vector<std::int32_t>& labels) {
 std::vector<Plane> fit_planes(const BuildingGrid& grid, const std::vector<std::int32_t>& labels,
                               std::size_t count) {
     constexpr double least_weight = 0.001;
+    constexpr double largest_share = 1.5;  // of the root mean square
     std::vector<Plane> planes(count);
+    std::vector<double> limits(count);
     for (int round = 0; round < fit_rounds; ++round) {
         std::vector<PlaneMoments> sums(count);
         for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -330,12 +332,17 @@ std::vector<Plane> fit_planes(const BuildingGrid& grid, const std::vector<std::i
             const auto [x, y] = grid.centre(i);
             double weight = 1;
             if (round > 0) {
-                const double u = (z - planes[label].at(x, y)) / fitted_residual_m;
+                const double u = (z - planes[label].at(x, y)) / limits[label];
                 weight = u * u < 1 ? (1 - u * u) * (1 - u * u) : least_weight;
             }
             sums[label].add(x, y, z, weight);
         }
-        std::ranges::transform(sums, planes.begin(), [](const PlaneMoments& sum) { return sum.fit(); });
+        for (std::size_t i = 0; i < count; ++i) {
+            planes[i] = sums[i].fit();
+            // A few cells of ground tilt the first planes by so much that hardly any cell is near them.
+            const double rms = std::sqrt(sums[i].error() / std::max(sums[i].weight(), 1.0));
+            limits[i] = std::max(fitted_residual_m, largest_share * rms);
+        }
     }
     return planes;
 }
