@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
+#include "core/statistics.hpp"
 
 namespace d2b::roofs {
 namespace {
@@ -87,13 +88,19 @@ class PlaneSystem {
     /// Share of its slope that a plane may keep such that no corner is far above or below the cells of its
     /// face; 0 if it has to be level.
     [[nodiscard]] double plausible_slope(std::size_t face, const Plane& plane) const;
+    /// Makes a face level at the median of its cells, because cells of walls would tilt or lower it.
+    void level(std::size_t face, FacePlane& plane);
     /// Removes, of each face to which meeting its neighbours costs too much, the meeting with the highest
     /// step between the planes that fit best. @return false if there was none
     bool drop_costly(const std::vector<FacePlane>& best, const std::vector<FacePlane>& planes,
                      std::vector<Meeting>& meetings) const;
 
   private:
+    /// Sets the equations of a face. @param plane cells near it count fully
+    void set_normal(std::size_t face, const Plane& plane);
+
     const BuildingGrid& grid_;
+    const std::vector<std::vector<std::size_t>>& cells_;
     std::vector<Normal> normals_;
     std::vector<std::vector<GridPoint>> corners_;  ///< by face
 };
@@ -101,33 +108,48 @@ class PlaneSystem {
 PlaneSystem::PlaneSystem(const std::vector<LabelledFace>& faces, const std::vector<Plane>& first,
                          const std::vector<std::vector<std::size_t>>& cells, const BuildingGrid& grid,
                          const RoofLattice& lattice)
-    : grid_(grid), normals_(faces.size()), corners_(faces.size()) {
+    : grid_(grid), cells_(cells), normals_(faces.size()), corners_(faces.size()) {
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        for_corners(faces[i].outline, [&](FinePoint p) { corners_[i].push_back(lattice.position(p)); });
+        set_normal(i, first[i]);
+    }
+}
+
+void PlaneSystem::set_normal(std::size_t face, const Plane& plane) {
     constexpr double near_m = 0.5;  // residual of cells that count fully
     constexpr double far_weight = 0.02;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        Normal& normal = normals_[i];
-        for_corners(faces[i].outline, [&](FinePoint p) { corners_[i].push_back(lattice.position(p)); });
-        for (const GridPoint& p : corners_[i]) {
-            normal.centre.x += p.x / static_cast<double>(corners_[i].size());
-            normal.centre.y += p.y / static_cast<double>(corners_[i].size());
-        }
-        for (const std::size_t cell : cells[i]) {
-            const double z = grid.elevation(cell);
-            if (std::isnan(z))
-                continue;
-            const GridPoint p = grid.centre(cell);
-            normal.add(p, z, std::abs(z - first[i].at(p.x, p.y)) < near_m ? 1 : far_weight);
-            normal.low = std::min(normal.low, z);
-            normal.high = std::max(normal.high, z);
-        }
-        // The plane of the whole segment, which may have more cells.
-        const Eigen::Vector3d prior(first[i].slope_x, first[i].slope_y,
-                                    first[i].at(normal.centre.x, normal.centre.y));
-        const Eigen::Vector3d weight(0.5, 0.5, 0.1);
-        normal.matrix += weight.asDiagonal();
-        normal.right += weight.cwiseProduct(prior);
-        normal.squares += prior.dot(weight.cwiseProduct(prior));
+    Normal& normal = normals_[face];
+    normal = {};
+    for (const GridPoint& p : corners_[face]) {
+        normal.centre.x += p.x / static_cast<double>(corners_[face].size());
+        normal.centre.y += p.y / static_cast<double>(corners_[face].size());
     }
+    for (const std::size_t cell : cells_[face]) {
+        const double z = grid_.elevation(cell);
+        if (std::isnan(z))
+            continue;
+        const GridPoint p = grid_.centre(cell);
+        normal.add(p, z, std::abs(z - plane.at(p.x, p.y)) < near_m ? 1 : far_weight);
+        normal.low = std::min(normal.low, z);
+        normal.high = std::max(normal.high, z);
+    }
+    // The plane of the whole segment, which may have more cells.
+    const Eigen::Vector3d prior(plane.slope_x, plane.slope_y, plane.at(normal.centre.x, normal.centre.y));
+    const Eigen::Vector3d weight(0.5, 0.5, 0.1);
+    normal.matrix += weight.asDiagonal();
+    normal.right += weight.cwiseProduct(prior);
+    normal.squares += prior.dot(weight.cwiseProduct(prior));
+}
+
+void PlaneSystem::level(std::size_t face, FacePlane& plane) {
+    std::vector<double> elevations;
+    for (const std::size_t cell : cells_[face])
+        if (const double z = grid_.elevation(cell); !std::isnan(z))
+            elevations.push_back(z);
+    if (!elevations.empty())
+        plane.plane = {0, 0, upper_median(elevations)};
+    plane.level = true;
+    set_normal(face, plane.plane);
 }
 
 void PlaneSystem::solve(std::span<const Meeting> meetings, std::vector<FacePlane>& planes) const {
@@ -254,7 +276,7 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
                                       const std::vector<FaceEdge>& edges, const std::vector<Plane>& first,
                                       const std::vector<std::vector<std::size_t>>& cells,
                                       const BuildingGrid& grid, const RoofLattice& lattice) {
-    const PlaneSystem system(faces, first, cells, grid, lattice);
+    PlaneSystem system(faces, first, cells, grid, lattice);
     std::vector<FacePlane> planes(first.size());
     std::ranges::transform(first, planes.begin(), [](const Plane& plane) { return FacePlane{plane}; });
     const auto keep_plausible = [&] {
@@ -265,9 +287,10 @@ std::vector<FacePlane> meeting_planes(const std::vector<LabelledFace>& faces,
                 continue;
             changed = true;
             planes[i].fixed = true;
-            planes[i].level = share == 0;
             planes[i].plane.slope_x *= share;
             planes[i].plane.slope_y *= share;
+            if (share == 0)
+                system.level(i, planes[i]);
         }
         return changed;
     };
