@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <vector>
@@ -144,6 +145,86 @@ TEST(Walls, TheEdgeOfTheRasterIsNoWall) {
     }
     EXPECT_NEAR(edge, 120, 2);
     EXPECT_GT(along, 130);
+}
+
+/// Outline of a shape alone, without ground around it, which the edge of the raster cuts off.
+std::vector<Position> cut_off(std::int32_t size, const Shape& shape) {
+    TraceGrid grid = paint(size, shape);
+    for (std::size_t i = 0; i < grid.z.size(); ++i)
+        if (grid.labels[i] == 0)
+            grid.z[i] = std::numeric_limits<double>::quiet_NaN();
+    OutlineRules rules = walls(Walls::automatic, 2.5);
+    rules.frame = {{0, 0}, {size, size}};
+    return Drawn(grid, rules).exterior(0);
+}
+
+/// Corners of a turned box below y = 0.
+std::vector<Place> cut_box(Place centre, double angle, double width, double height) {
+    std::vector<Place> corners;
+    for (const auto& [u, v] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
+        corners.push_back({centre.x + u * width * std::cos(angle) - v * height * std::sin(angle),
+                           centre.y + u * width * std::sin(angle) + v * height * std::cos(angle)});
+    std::vector<Place> cut;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Place a = corners[i];
+        const Place b = corners[(i + 1) % 4];
+        if (a.y <= 0)
+            cut.push_back(a);
+        if ((a.y <= 0) != (b.y <= 0))
+            cut.push_back({a.x + a.y / (a.y - b.y) * (b.x - a.x), 0});
+    }
+    return cut;
+}
+
+class CutRectangle : public testing::TestWithParam<int> {};
+
+/// A building ends at the edge of the raster, exactly and at whatever angle.
+TEST_P(CutRectangle, EndsAtTheEdgeOfTheRaster) {
+    const double angle = GetParam() * std::numbers::pi / 180;
+    const Place centre{40.3, -9.6};
+    const std::vector<Position> ring =
+        cut_off(80, [&](Place p) { return in_box(p, centre, angle, 44, 24) ? 1 : 0; });
+    const std::vector<Place> expected = cut_box(centre, angle, 44, 24);
+    EXPECT_EQ(ring.size(), expected.size());
+    for (const Position corner : ring) {
+        EXPECT_LE(corner.y, 0);
+        double nearest = 1e9;
+        for (const Place place : expected)
+            nearest = std::min(nearest, std::hypot(corner.x - place.x, corner.y - place.y));
+        EXPECT_LT(nearest, 3);
+    }
+    EXPECT_EQ(std::ranges::count(ring, 0.0, &Position::y), 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degrees, CutRectangle, testing::Values(0, 8, 15, 25, 40, 60, 75));
+
+TEST(Walls, AllAroundTheRaster) {
+    const std::vector<Position> ring = cut_off(20, [](Place) { return 1; });
+    EXPECT_EQ(ring, (std::vector<Position>{{0, 0}, {0, -20}, {20, -20}, {20, 0}}));
+}
+
+/// A dent of a cell beside the edge of the raster is noise, a bay is not.
+TEST(Walls, DentsAtTheEdgeOfTheRaster) {
+    const auto corners = [](double depth) {
+        return cut_off(60, [&](Place p) {
+                   const bool bay = p.x > 28 && p.x < 34 && p.y > -depth;
+                   return p.x > 10 && p.x < 50 && p.y > -30 && !bay ? 1 : 0;
+               }).size();
+    };
+    EXPECT_EQ(corners(1), 4U);
+    EXPECT_EQ(corners(9), 8U);
+}
+
+/// A round tower beside the edge keeps its arc.
+TEST(Walls, AnArcThatTheEdgeOfTheRasterCutsOff) {
+    const std::vector<Position> ring =
+        cut_off(80, [](Place p) { return std::hypot(p.x - 40.2, p.y + 5) < 20 ? 1 : 0; });
+    ASSERT_GT(ring.size(), 12U);
+    for (const Position corner : ring) {
+        EXPECT_LE(corner.y, 0);
+        EXPECT_NEAR(std::hypot(corner.x - 40.2, corner.y + 5), 20, 1);
+    }
+    EXPECT_EQ(std::ranges::count(ring, 0.0, &Position::y), 2);
 }
 
 /// Turns of a ring at its corners, in degrees.

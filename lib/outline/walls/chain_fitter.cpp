@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "outline/walls/frame_walls.hpp"
+
 namespace d2b::outline {
 
 /// Composes a chain from stretches of walls and stretches that follow the trace more closely. A wall extends
@@ -135,6 +137,18 @@ WallParameters parameters_for(const Chain& chain, const WallOptions& options) {
         parameters.price *= tier_price * share;
     }
     return parameters;
+}
+
+/// Walls on the frame begin and end at turning points.
+std::vector<std::size_t> turning_points_of(const ChainWalls& walls) {
+    const TraceSums& samples = walls.samples();
+    std::vector<std::size_t> points = turning_points(samples, staircase_tolerance);
+    for (const WallSegment& wall : walls.on_frame())
+        for (const std::size_t step : {wall.first, wall.last})
+            points.push_back(samples.closed() ? step % samples.steps() : step);
+    std::ranges::sort(points);
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
 }
 
 }  // namespace
@@ -390,35 +404,15 @@ ChainFitter::ChainFitter(const Chain& chain, const WallOptions& options)
       shape_(options.shape),
       parameters_(parameters_for(chain, options)),
       limit_(parameters_.tolerance - rounding_error),
-      walls_(chain, options.shape),
-      turning_points_(outline::turning_points(samples(), staircase_tolerance)),
+      walls_(chain, options),
+      turning_points_(turning_points_of(walls_)),
       midpoints_(samples(), shape_, origin_, chain.node_steps, limit_) {
     stretches_ = stretches_between(samples(), turning_points_, [&](std::size_t first, std::size_t last) {
-        return options.frame && options.walls != Walls::right && is_on_frame(*options.frame, first, last);
+        return is_on(walls_.on_frame(), first, last, samples().steps());
     });
     if (chain.closed)
         parameters_.price =
             std::min(parameters_.price, max_price_share * std::abs(twice_area(samples())) / 2);
-}
-
-bool ChainFitter::is_on_frame(const LatticeBox& frame, std::size_t first, std::size_t last) {
-    const FinePoint from = shape_.to_fine(samples().at(first), origin_);
-    const FinePoint to = shape_.to_fine(samples().at(last), origin_);
-    const auto both_near = [](std::int64_t a, std::int64_t b, std::int32_t side) {
-        const std::int64_t at = std::int64_t{side} * FinePoint::steps;
-        return std::max(std::abs(a - at), std::abs(b - at)) <= FinePoint::steps;
-    };
-    const auto note = [this](Vec2 along) {
-        const double side = std::atan2(along.y, along.x);
-        if (std::ranges::find(frame_sides_, side) == frame_sides_.end())
-            frame_sides_.push_back(side);
-        return true;
-    };
-    if (both_near(from.row, to.row, frame.low.row) || both_near(from.row, to.row, frame.high.row))
-        return note(shape_.col);
-    if (both_near(from.col, to.col, frame.low.col) || both_near(from.col, to.col, frame.high.col))
-        return note(shape_.row);
-    return false;
 }
 
 bool ChainFitter::plan(double price, WallDirections& directions, bool turn_frames, const StopToken& stop) {

@@ -121,10 +121,8 @@ class ChainFitter {
         walls_.shift(wall, cells);
         planned_.reset();
     }
-    /// Stretches of the chain without those along the frame of the raster.
+    /// Stretches of the chain without those on the frame of the raster.
     [[nodiscard]] const std::vector<Stretch>& stretches() const { return stretches_; }
-    /// Directions of the stretches along the frame, in radians; none with Walls::right.
-    [[nodiscard]] const std::vector<double>& frame_sides() const { return frame_sides_; }
     /// Divides the chain into walls. @param price relative to the usual one of a wall
     /// @param directions the frames are turned to the walls if `turn_frames`
     /// @return false if walls are impossible @throws Cancelled
@@ -140,8 +138,6 @@ class ChainFitter {
     /// Draws the whole chain with walls.
     const ChainPolyline& draw_planned(const std::optional<ChainEnds>& ends);
     [[nodiscard]] bool is_sound(const ChainPolyline& drawn) const;
-    /// Notes the side. @param first, last steps
-    [[nodiscard]] bool is_on_frame(const LatticeBox& frame, std::size_t first, std::size_t last);
 
     LatticePoint origin_;
     CellShape shape_;
@@ -149,7 +145,6 @@ class ChainFitter {
     double limit_;  // cells between vertices and trace before rounding to the fine lattice
     ChainWalls walls_;
     std::vector<std::size_t> turning_points_;  // steps
-    std::vector<double> frame_sides_;
     std::vector<Stretch> stretches_;
     StepMidpoints midpoints_;
     std::optional<ChainPolyline> planned_;      // drawn with walls only; kept until used or outdated

@@ -25,6 +25,7 @@ std::size_t nearest_step(const TraceSums& samples, Vec2 place, std::size_t low, 
 
 constexpr double sagitta = 0.1;          // cells between a circle and its polygon
 constexpr double min_sine = 0.2;         // walls at a smaller angle do not intersect
+constexpr double frame_sine = 0.05;      // same with the edge of the raster, which is exact
 constexpr std::size_t corner_reach = 8;  // steps before and behind the end of a wall
 constexpr double max_kink = 0.6;         // cells: parallel walls closer than this are joined into one line
 
@@ -49,7 +50,7 @@ std::optional<Vec2> crossing(const WallSegment& a, const WallSegment& b, Vec2 ne
         return crossing(b.line, *a.circle, near);
     if (b.circle)
         return crossing(a.line, *b.circle, near);
-    return crossing(a.line, b.line, min_sine);
+    return crossing(a.line, b.line, a.on_frame || b.on_frame ? frame_sine : min_sine);
 }
 
 /// Draws one chain.

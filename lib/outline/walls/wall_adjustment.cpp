@@ -33,7 +33,7 @@ double adjust_frames(const TraceSums& samples, const std::vector<WallSegment>& w
     std::vector<double> turns(n + 1);
     std::vector<double> weights(n + 1);
     for (const WallSegment& wall : walls) {
-        if (wall.circle || wall.family > static_cast<int>(n))
+        if (!wall.is_wall() || wall.family > static_cast<int>(n))
             continue;
         double w = 0;
         double x = 0;
@@ -81,7 +81,7 @@ void turn_walls(const TraceSums& samples, const WallDirections& from, const Wall
                 std::vector<WallSegment>& walls) {
     const std::size_t frames = from.frames.size();
     for (WallSegment& wall : walls) {
-        if (wall.circle)
+        if (!wall.is_wall())
             continue;
         const auto family = static_cast<std::size_t>(wall.family);
         const bool single = family >= frames && family < frames + from.single.size();

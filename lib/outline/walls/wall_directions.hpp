@@ -35,9 +35,9 @@ struct Stretch {
     double angle;   ///< radians
 };
 
-/// Returns the stretches of a chain without those along the frame, because the raster was cut there.
+/// Returns the stretches of a chain without those on the frame of the raster, because it was cut there.
 /// @param points steps at which the chain may turn, see turning_points()
-/// @param on_frame true for a stretch along the frame, by its first and last step
+/// @param on_frame true for a stretch on the frame, by its first and last step
 [[nodiscard]] std::vector<Stretch> stretches_between(
     const TraceSums& samples, const std::vector<std::size_t>& points,
     const std::function<bool(std::size_t, std::size_t)>& on_frame);

@@ -240,12 +240,7 @@ void WallLayout::find_frames() {
         const auto group = groups.find(footprints.group_of(c));
         if (group != groups.end() && group->second.total() > 0)
             own.add(group->second, (own.total() + weight_of_short) / group->second.total());
-        std::vector<double>& frames = states_[c].directions.frames;
-        frames = own.frames(most_frames_of(chain, options_.walls));
-        for (const double side : chain.frame_sides())
-            if (std::ranges::none_of(
-                    frames, [&](double frame) { return std::abs(angle_between(frame, side)) < degree; }))
-                frames.push_back(side);
+        states_[c].directions.frames = own.frames(most_frames_of(chain, options_.walls));
     }
 }
 

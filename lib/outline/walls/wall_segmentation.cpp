@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "outline/walls/chain_polyline.hpp"
+#include "outline/walls/frame_walls.hpp"
 #include "outline/walls/wall_adjustment.hpp"
 #include "outline/walls/wall_path.hpp"
 
@@ -89,10 +90,12 @@ struct PricedStretch {
     std::size_t last;
     Vec2 along;
     double cost;
+    bool on_frame = false;  // of the raster, which cuts arcs off
 };
 
 /// Stretches of a chain; those of a closed one begin at the sharpest corner, because no arc contains it.
 std::vector<PricedStretch> stretches_of(const TraceSums& samples, const std::vector<std::size_t>& points,
+                                        const std::vector<WallSegment>& on_frame,
                                         const WallParameters& parameters) {
     std::vector<PricedStretch> stretches;
     for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
@@ -101,7 +104,8 @@ std::vector<PricedStretch> stretches_of(const TraceSums& samples, const std::vec
         const Vec2 along = sums.direction();
         const Vec2 run = samples.at(last) - samples.at(points[i]);
         stretches.push_back({points[i], last, dot(run, along) < 0 ? -1 * along : along,
-                             chord_price + parameters.misfit(sums.least_squares(), sums.n)});
+                             chord_price + parameters.misfit(sums.least_squares(), sums.n),
+                             is_on(on_frame, points[i], last, samples.steps())});
     }
     if (!samples.closed())
         return stretches;
@@ -158,7 +162,7 @@ std::optional<WallSegment> fit_arc(const TraceSums& samples, const WallParameter
 /// arc.
 int turn(const PricedStretch& a, const PricedStretch& b) {
     const double sine = cross(a.along, b.along);
-    if (dot(a.along, b.along) < std::cos(std::numbers::pi / 3) || std::abs(sine) < 0.02)
+    if (a.on_frame || b.on_frame || dot(a.along, b.along) < std::cos(std::numbers::pi / 3) || std::abs(sine) < 0.02)
         return 0;
     return sine > 0 ? 1 : -1;
 }
@@ -181,6 +185,8 @@ std::size_t end_of_turn(const std::vector<PricedStretch>& stretches, std::size_t
 /// any angle.
 bool joins(const TraceSums& samples, const WallSegment& arc, const PricedStretch& stretch, bool at_end) {
     constexpr double max_error = 20.0 / 180 * std::numbers::pi;
+    if (stretch.on_frame)
+        return true;
     const Vec2 spoke = samples.at(at_end ? arc.last : arc.first) - arc.circle->centre;
     const double size = length(spoke);
     const double sine =
@@ -208,14 +214,15 @@ std::optional<WallSegment> longest_arc(const TraceSums& samples, const WallParam
 /// Finds circular arcs among the stretches of a chain: where a run of them that turn the same way is
 /// described more cheaply by an arc. Walls::automatic only. @throws Cancelled
 std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std::vector<std::size_t>& points,
+                                            const std::vector<WallSegment>& on_frame,
                                             const WallParameters& parameters, const StopToken& stop) {
     if (parameters.walls != Walls::automatic || points.size() < min_stretches)
         return {};
-    const std::vector<PricedStretch> stretches = stretches_of(samples, points, parameters);
+    const std::vector<PricedStretch> stretches = stretches_of(samples, points, on_frame, parameters);
     double cost = 0;
     for (const PricedStretch& stretch : stretches)
         cost += stretch.cost;
-    if (samples.closed())
+    if (samples.closed() && on_frame.empty())
         if (const auto circle = fit_arc(samples, parameters, 0, samples.steps(), cost))
             return {*circle};
     std::vector<WallSegment> arcs;
@@ -231,9 +238,8 @@ std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std:
             arcs.push_back(*arc);
         i = arc ? end : i + 1;
     }
-    // The first one begins in the first lap.
-    if (!arcs.empty() && arcs.front().first >= samples.steps())
-        for (WallSegment& arc : arcs) {
+    for (WallSegment& arc : arcs)
+        if (arc.first >= samples.steps()) {
             arc.first -= samples.steps();
             arc.last -= samples.steps();
         }
@@ -242,16 +248,16 @@ std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std:
 
 constexpr std::size_t min_wedge_steps = 8;  // of the walls of a triangle; smaller ones are not houses
 
-/// Walls of a chain, and its arcs between them. A ring too small for that becomes a rectangle.
+/// Walls of a chain between its known segments: arcs, and walls on the frame. A ring too small for that becomes a rectangle.
 std::optional<std::vector<WallSegment>> divide(const TraceSums& samples,
                                                const std::vector<std::size_t>& points,
-                                               const std::vector<WallSegment>& arcs,
+                                               const std::vector<WallSegment>& known,
                                                const WallParameters& parameters,
                                                const WallDirections& directions, const StopToken& stop) {
     const auto walls = [&](std::size_t first, std::size_t last) {
         return find_walls(samples, first, last, points, parameters, directions, stop);
     };
-    if (arcs.empty()) {
+    if (known.empty()) {
         std::optional<std::vector<WallSegment>> found = walls(0, samples.steps());
         const auto is_short = [](const WallSegment& wall) {
             return wall.last - wall.first < min_wedge_steps;
@@ -270,12 +276,12 @@ std::optional<std::vector<WallSegment>> divide(const TraceSums& samples,
             result.insert(result.end(), found->begin(), found->end());
         return found.has_value();
     };
-    bool all = samples.closed() || add(0, arcs.front().first);
-    for (std::size_t i = 0; i < arcs.size() && all; ++i) {
-        result.push_back(arcs[i]);
-        const bool last = i + 1 == arcs.size();
-        const std::size_t end = samples.closed() ? arcs.front().first + samples.steps() : samples.steps();
-        all = add(arcs[i].last, last ? end : arcs[i + 1].first);
+    bool all = samples.closed() || add(0, known.front().first);
+    for (std::size_t i = 0; i < known.size() && all; ++i) {
+        result.push_back(known[i]);
+        const bool last = i + 1 == known.size();
+        const std::size_t end = samples.closed() ? known.front().first + samples.steps() : samples.steps();
+        all = add(known[i].last, last ? end : known[i + 1].first);
     }
     return all ? std::optional(result) : std::nullopt;
 }
@@ -387,7 +393,8 @@ void move_inward(const TraceSums& samples, int higher, double cells, double limi
         for (int quarters = 4; quarters > 0; --quarters) {
             WallSegment moved = segment;
             shift_wall(moved, samples, higher * quarters * cells / 4);
-            if (!segment.circle && !samples.near(segment.first, segment.last, moved.line, limit))
+            if (segment.on_frame ||
+                (!segment.circle && !samples.near(segment.first, segment.last, moved.line, limit)))
                 continue;
             segment = moved;
             break;
@@ -397,13 +404,19 @@ void move_inward(const TraceSums& samples, int higher, double cells, double limi
 void separate_cells(const TraceSums& samples, int higher, double limit, std::vector<WallSegment>& segments) {
     Separator separator(samples, higher);
     for (WallSegment& segment : segments) {
-        if (segment.circle)
+        if (!segment.is_wall())
             continue;
         WallSegment moved = segment;
         shift_wall(moved, samples, separator.move(segment));
         if (samples.near(segment.first, segment.last, moved.line, limit))
             segment.line = moved.line;
     }
+}
+
+ChainWalls::ChainWalls(const Chain& chain, const WallOptions& options)
+    : samples_(chain.trace, chain.closed, options.shape) {
+    if (options.frame && options.walls != Walls::right)
+        on_frame_ = walls_on_frame(chain, samples_, *options.frame);
 }
 
 WallSegment ChainWalls::segment(std::size_t i) const {
@@ -426,8 +439,10 @@ bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallParamete
     constexpr double slight = 2 * degree;  // frames that turn by less have the same walls
     constexpr double negligible = 0.1 * degree;
     constexpr int most_rounds = 3;
-    const std::vector<WallSegment> arcs = find_circular_arcs(samples_, points, parameters, stop);
-    auto segments = divide(samples_, points, arcs, parameters, directions, stop);
+    std::vector<WallSegment> known = find_circular_arcs(samples_, points, on_frame_, parameters, stop);
+    known.insert(known.end(), on_frame_.begin(), on_frame_.end());
+    std::ranges::sort(known, {}, &WallSegment::first);
+    auto segments = divide(samples_, points, known, parameters, directions, stop);
     if (!segments)
         return false;
     for (int round = 0; turn_frames && round < most_rounds; ++round) {
@@ -435,7 +450,7 @@ bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallParamete
         const double turn = adjust_frames(samples_, *segments, turned);
         if (turn < slight)
             turn_walls(samples_, directions, turned, *segments);
-        else if (auto again = divide(samples_, points, arcs, parameters, turned, stop))
+        else if (auto again = divide(samples_, points, known, parameters, turned, stop))
             segments = std::move(again);
         else
             break;
@@ -468,7 +483,7 @@ std::vector<std::size_t> ChainWalls::movable_walls(std::size_t begin, std::size_
             return last > first ? last - first : 0;
         };
         const std::size_t within = common(0, 0) + (closed ? common(round, 0) + common(0, round) : 0);
-        if (shifts_[i].times < most_shifts && static_cast<double>(within) >= most * length(i))
+        if (!segment.on_frame && shifts_[i].times < most_shifts && static_cast<double>(within) >= most * length(i))
             walls.push_back(i);
     };
     // Both ranges of a closed chain may wrap around. Walls are in order along the chain.

@@ -20,6 +20,10 @@ struct WallSegment {
     int family = 0;  ///< index of its frame or single direction in WallDirections; one more at 45 degrees
     Line2 line;      ///< its direction is that of the chain
     std::optional<Circle> circle;  ///< set if the segment is an arc
+    bool on_frame = false;         ///< lies on the edge of the raster, and stays there
+
+    /// True if its line follows the directions of its chain, and may be moved.
+    [[nodiscard]] bool is_wall() const { return !circle && !on_frame; }
 };
 
 /// Margin in cells subtracted from the tolerance, because intersections of walls are rounded to the fine
@@ -67,9 +71,11 @@ void separate_cells(const TraceSums& samples, int higher, double limit, std::vec
 /// Walls of a chain and their accumulated shifts.
 class ChainWalls {
   public:
-    ChainWalls(const Chain& chain, const CellShape& shape) : samples_(chain.trace, chain.closed, shape) {}
+    ChainWalls(const Chain& chain, const WallOptions& options);
 
     [[nodiscard]] const TraceSums& samples() const { return samples_; }
+    /// Walls along the edge of the raster; none with Walls::right.
+    [[nodiscard]] const std::vector<WallSegment>& on_frame() const { return on_frame_; }
     /// Divides the chain into walls and arcs. @param points steps at which it may turn
     /// @param directions the frames are turned to the walls that follow them if `turn_frames`
     /// @return false if there is no division; nothing has changed then @throws Cancelled
@@ -102,6 +108,7 @@ class ChainWalls {
     };
 
     TraceSums samples_;
+    std::vector<WallSegment> on_frame_;
     std::vector<WallSegment> segments_;
     std::vector<Shift> shifts_;  // per wall
 };
