@@ -27,8 +27,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace d2b::test;
     Bytes bytes(data, size);
     const bool walls = bytes.next() % 2 == 0;
-    const d2b::outline::OutlineRules rules = rules_of(bytes, walls);
+    d2b::outline::OutlineRules rules = rules_of(bytes, walls);
     const RandomGridCase c = grid_of(bytes, 20);
+    if (size % 2 == 1)
+        rules.frame = {{0, 0}, {c.grid.rows, c.grid.cols}};
     d2b::Context context;
     const ContourSet set = trace_grid(c.grid, c.thresholds, {c.mode}, context);
     const d2b::outline::OutlineMethod drawing =

@@ -1,5 +1,6 @@
 #include <array>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -55,6 +56,7 @@ struct WallCase {
     std::vector<double> thresholds;
     TraceMode mode = TraceMode::cells;
     OutlineRules rules;
+    int ground = 1;  // level that stands on no other
 };
 
 WallCase wall_case(unsigned seed) {
@@ -71,6 +73,17 @@ WallCase wall_case(unsigned seed) {
         c.grid = random_town(seed);
         c.thresholds = {5, 15, 25};
         c.mode = seed % 7 == 0 ? TraceMode::points : TraceMode::cells;
+    }
+    if (seed % 8 < 5) {
+        const std::int32_t less = c.mode == TraceMode::points ? 1 : 0;
+        c.rules.frame = {{0, 0}, {c.grid.rows - less, c.grid.cols - less}};
+    }
+    // Without ground around them, houses alone reach the edge.
+    if (seed % 8 < 3 && !c.grid.labels.empty()) {
+        c.ground = 0;
+        for (std::size_t i = 0; i < c.grid.z.size(); ++i)
+            if (c.grid.labels[i] == 0)
+                c.grid.z[i] = std::numeric_limits<double>::quiet_NaN();
     }
     return c;
 }
@@ -133,7 +146,7 @@ TEST_P(RandomWalls, StayNearTheirTraceAndKeepTheirAreas) {
             // A fiftieth, or 0.07 of a cell along the border if that is more. Tiers cannot move the walls of
             // lower levels on which they stand.
             const double traced_area = std::abs(area_of(*before[r]));
-            const double border = set_.contours[i].key.level > 1 ? 0.25 : 0.07;
+            const double border = set_.contours[i].key.level > case_.ground ? 0.25 : 0.07;
             const double room =
                 std::max(0.02 * traced_area, border * length_of(*before[r])) + largest_cut_area;
             const double inset = case_.rules.wall_inset * length_of(*before[r]);
@@ -151,7 +164,11 @@ TEST_P(RandomWalls, ComeOutTheSameWhereverTheWindowIs) {
     test::TraceSettings settings(case_.mode);
     settings.origin = {1234, 56789};
     const test::ContourSet moved = test::trace_grid(case_.grid, case_.thresholds, settings, context_);
-    const Outliner other(*moved.list, OutlineMethod::regularized, case_.rules, unit_grid, 1, context_);
+    OutlineRules rules = case_.rules;
+    if (rules.frame)
+        for (LatticePoint* corner : {&rules.frame->low, &rules.frame->high})
+            *corner = {corner->row + 1234, corner->col + 56789};
+    const Outliner other(*moved.list, OutlineMethod::regularized, rules, unit_grid, 1, context_);
     ASSERT_EQ(moved.contours.size(), set_.contours.size());
     for (std::size_t i = 0; i < moved.contours.size(); ++i) {
         FineRing ring = outliner.outline(i).exterior;

@@ -206,10 +206,12 @@ TEST(Walls, AllAroundTheRaster) {
 /// A dent of a cell beside the edge of the raster is noise, a bay is not.
 TEST(Walls, DentsAtTheEdgeOfTheRaster) {
     const auto corners = [](double depth) {
-        return cut_off(60, [&](Place p) {
-                   const bool bay = p.x > 28 && p.x < 34 && p.y > -depth;
-                   return p.x > 10 && p.x < 50 && p.y > -30 && !bay ? 1 : 0;
-               }).size();
+        return cut_off(60,
+                       [&](Place p) {
+                           const bool bay = p.x > 28 && p.x < 34 && p.y > -depth;
+                           return p.x > 10 && p.x < 50 && p.y > -30 && !bay ? 1 : 0;
+                       })
+            .size();
     };
     EXPECT_EQ(corners(1), 4U);
     EXPECT_EQ(corners(9), 8U);

@@ -13,7 +13,7 @@ enum class Side : std::uint8_t { none, top, bottom, left, right };
 
 /// Side of the frame along which a step runs.
 Side side_of(LatticePoint a, LatticePoint b, const LatticeBox& frame) {
-    const auto both_in = [&](std::int32_t LatticePoint::* at, std::int32_t line) {
+    const auto both_in = [&](std::int32_t LatticePoint::*at, std::int32_t line) {
         return a.*at == line && b.*at == line;
     };
     return both_in(&LatticePoint::row, frame.low.row)    ? Side::top

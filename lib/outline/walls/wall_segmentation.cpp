@@ -162,7 +162,8 @@ std::optional<WallSegment> fit_arc(const TraceSums& samples, const WallParameter
 /// arc.
 int turn(const PricedStretch& a, const PricedStretch& b) {
     const double sine = cross(a.along, b.along);
-    if (a.on_frame || b.on_frame || dot(a.along, b.along) < std::cos(std::numbers::pi / 3) || std::abs(sine) < 0.02)
+    if (a.on_frame || b.on_frame || dot(a.along, b.along) < std::cos(std::numbers::pi / 3) ||
+        std::abs(sine) < 0.02)
         return 0;
     return sine > 0 ? 1 : -1;
 }
@@ -248,7 +249,8 @@ std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std:
 
 constexpr std::size_t min_wedge_steps = 8;  // of the walls of a triangle; smaller ones are not houses
 
-/// Walls of a chain between its known segments: arcs, and walls on the frame. A ring too small for that becomes a rectangle.
+/// Walls of a chain between its known segments: arcs, and walls on the frame. A ring too small for that
+/// becomes a rectangle.
 std::optional<std::vector<WallSegment>> divide(const TraceSums& samples,
                                                const std::vector<std::size_t>& points,
                                                const std::vector<WallSegment>& known,
@@ -483,7 +485,8 @@ std::vector<std::size_t> ChainWalls::movable_walls(std::size_t begin, std::size_
             return last > first ? last - first : 0;
         };
         const std::size_t within = common(0, 0) + (closed ? common(round, 0) + common(0, round) : 0);
-        if (!segment.on_frame && shifts_[i].times < most_shifts && static_cast<double>(within) >= most * length(i))
+        if (!segment.on_frame && shifts_[i].times < most_shifts &&
+            static_cast<double>(within) >= most * length(i))
             walls.push_back(i);
     };
     // Both ranges of a closed chain may wrap around. Walls are in order along the chain.
