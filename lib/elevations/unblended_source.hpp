@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "raster/blended_margin.hpp"
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/run.hpp"
+#include "raster/blended_margin.hpp"
 
 namespace d2b {
 

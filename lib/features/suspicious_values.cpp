@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "raster/blended_margin.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
+#include "raster/blended_margin.hpp"
 
 namespace d2b::features {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <limits>
 
-#include "raster/blended_margin.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
+#include "raster/blended_margin.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeferencing.hpp"
 #include "read/open_dem.hpp"

@@ -7,10 +7,10 @@
 
 #include <cpl_conv.h>
 
-#include "raster/blended_margin.hpp"
 #include "core/grid.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
+#include "raster/blended_margin.hpp"
 #include "read/fetch_gate.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/georeferencing.hpp"

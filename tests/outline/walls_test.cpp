@@ -11,6 +11,7 @@
 
 #include "geometry/geos.hpp"
 #include "outline/outline.hpp"
+#include "outline/walls/wall_directions.hpp"
 #include "support/outline_checks.hpp"
 #include "support/trace_grid.hpp"
 
@@ -108,6 +109,28 @@ TEST(Walls, FollowWhatIsWorthTheirPrice) {
     EXPECT_EQ(Drawn(house, rules).exterior(1).size(), 8U);
     rules.wall_price = 4;
     EXPECT_EQ(Drawn(house, rules).exterior(1).size(), 4U);
+}
+
+/// A frame takes two walls; one alone is a direction of its own, in which nothing else runs.
+TEST(WallDirections, OneWallIsNotAFrame) {
+    const auto stretch = [](double length, double degrees) { return Stretch{length, degrees * degree}; };
+    std::vector<Stretch> house{stretch(20, 3), stretch(10, 93), stretch(20, 183), stretch(10, -87),
+                               stretch(12, 40)};
+    const auto frames = [&] {
+        DirectionHistogram histogram;
+        histogram.add(house);
+        return histogram.frames(4);
+    };
+    ASSERT_EQ(frames().size(), 1U);
+    EXPECT_NEAR(frames()[0], 3 * degree, 0.5 * degree);
+    const std::vector<double> single = single_directions(house, frames(), 6, 3);
+    ASSERT_EQ(single.size(), 1U);
+    EXPECT_NEAR(single[0], 40 * degree, 1e-9);
+    house.push_back(stretch(4, 130));  // too short for a wall
+    EXPECT_EQ(frames().size(), 1U);
+    house.push_back(stretch(6, 130));
+    ASSERT_EQ(frames().size(), 2U);
+    EXPECT_NEAR(frames()[1], 40 * degree, 0.5 * degree);
 }
 
 /// A place in the frame of a building: along its main direction and across it.

@@ -34,6 +34,7 @@ std::vector<Stretch> stretches_between(const TraceSums& samples, const std::vect
 
 void DirectionHistogram::add(const std::vector<Stretch>& stretches) {
     constexpr double min_length = 2.5;   // cells
+    constexpr double wall_length = 5;    // cells
     constexpr double long_stretch = 8;   // cells; its weight per cell is 1
     constexpr double max_weight = 1.5;   // per cell
     constexpr double half_a_cell = 0.5;  // lateral error at the ends of a stretch
@@ -44,6 +45,7 @@ void DirectionHistogram::add(const std::vector<Stretch>& stretches) {
         const double weight = stretch.length * std::min(stretch.length / long_stretch, max_weight) / spread;
         const double at =
             (stretch.angle - std::floor(stretch.angle / quarter_turn) * quarter_turn) / degree * 2;
+        walls_[static_cast<std::size_t>(at) % bins] += stretch.length >= wall_length ? 1 : 0;
         const int reach = static_cast<int>(std::ceil(6 * spread));  // three standard deviations
         for (int k = -reach; k <= reach; ++k) {
             const double bin = std::floor(at) + k;
@@ -54,9 +56,10 @@ void DirectionHistogram::add(const std::vector<Stretch>& stretches) {
     }
 }
 
-void DirectionHistogram::add(const DirectionHistogram& other, double weight) {
+void DirectionHistogram::add(const DirectionHistogram& building, double weight) {
     for (std::size_t i = 0; i < bins; ++i)
-        weights_[i] += weight * other.weights_[i];
+        weights_[i] += weight * building.weights_[i];
+    walls_ = building.walls_;
 }
 
 double DirectionHistogram::total() const {
@@ -67,6 +70,7 @@ std::vector<double> DirectionHistogram::frames(std::size_t most) const {
     constexpr double min_share = 0.06;
     constexpr int apart = 16;  // bins
     constexpr int half_width = 8;
+    constexpr int wall_width = 13;  // half of it
     std::array<double, bins> left = weights_;
     const auto bin = [&](std::size_t at, int k) {
         return static_cast<std::size_t>(static_cast<int>(at) + k + static_cast<int>(bins)) % bins;
@@ -88,7 +92,11 @@ std::vector<double> DirectionHistogram::frames(std::size_t most) const {
             sum += left[bin(at, k)];
             moment += k * left[bin(at, k)];
         }
-        found.push_back((static_cast<double>(at) + moment / sum) / 2 * degree);
+        int walls = 0;
+        for (int k = 1 - wall_width; k < wall_width; ++k)
+            walls += walls_[bin(at, k)];
+        if (found.empty() || walls > 1)
+            found.push_back((static_cast<double>(at) + moment / sum) / 2 * degree);
         for (int k = 1 - apart; k < apart; ++k)
             left[bin(at, k)] = 0;
     }

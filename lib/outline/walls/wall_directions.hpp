@@ -47,16 +47,19 @@ struct Stretch {
 class DirectionHistogram {
   public:
     void add(const std::vector<Stretch>& stretches);
-    void add(const DirectionHistogram& other, double weight);
+    /// Adds the weights of a building to those of its chain. Its walls are those of the building.
+    void add(const DirectionHistogram& building, double weight);
 
     [[nodiscard]] double total() const;
-    /// Peaks, the highest first: at least 8 degrees apart, each with at least 6 % of the total. One direction
-    /// of 0 if there are no stretches.
+    /// Peaks, the highest first: at least 8 degrees apart, each with at least 6 % of the total, and all but
+    /// the first of two walls or more, because a single wall has a direction of its own. One direction of 0
+    /// if there are no stretches.
     [[nodiscard]] std::vector<double> frames(std::size_t most) const;
 
   private:
     static constexpr std::size_t bins = 180;  // of half a degree
     std::array<double, bins> weights_{};
+    std::array<int, bins> walls_{};  // stretches long enough for one
 };
 
 /// Turns frames to the stretches of a chain that lie along them, because a histogram is coarser than these.
