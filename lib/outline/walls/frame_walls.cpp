@@ -30,7 +30,8 @@ std::vector<Side> sides_of(const Chain& chain, const LatticeBox& frame) {
     for (std::size_t i = 0; i + (chain.closed ? 0 : 1) < corners; ++i) {
         const LatticePoint a = chain.trace[i];
         const LatticePoint b = chain.trace[i + 1 < corners ? i + 1 : 0];
-        const auto steps = static_cast<std::size_t>(std::abs(b.row - a.row) + std::abs(b.col - a.col));
+        const auto steps = static_cast<std::size_t>(std::abs(b.row - a.row)) +
+                           static_cast<std::size_t>(std::abs(b.col - a.col));
         sides.insert(sides.end(), steps, side_of(a, b, frame));
     }
     return sides;
