@@ -56,10 +56,9 @@ void DirectionHistogram::add(const std::vector<Stretch>& stretches) {
     }
 }
 
-void DirectionHistogram::add(const DirectionHistogram& building, double weight) {
+void DirectionHistogram::add(const DirectionHistogram& other, double weight) {
     for (std::size_t i = 0; i < bins; ++i)
-        weights_[i] += weight * building.weights_[i];
-    walls_ = building.walls_;
+        weights_[i] += weight * other.weights_[i];
 }
 
 double DirectionHistogram::total() const {

@@ -47,8 +47,9 @@ struct Stretch {
 class DirectionHistogram {
   public:
     void add(const std::vector<Stretch>& stretches);
-    /// Adds the weights of a building to those of its chain. Its walls are those of the building.
-    void add(const DirectionHistogram& building, double weight);
+    /// Adds the weights of another one, but not its walls.
+    void add(const DirectionHistogram& other, double weight);
+    void take_walls_of(const DirectionHistogram& building) { walls_ = building.walls_; }
 
     [[nodiscard]] double total() const;
     /// Peaks, the highest first: at least 8 degrees apart, each with at least 6 % of the total, and all but

@@ -224,11 +224,16 @@ bool WallLayout::lower_price(std::uint32_t c) {
 void WallLayout::find_frames() {
     FootprintGroups footprints(graph_, cluster_);
     std::map<std::uint32_t, DirectionHistogram> groups;
+    std::map<std::uint32_t, DirectionHistogram> tiers;  // of the same groups
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
         stop_.check();
-        if (graph_.chains[c].rank <= WallGraph::highest_low_rank)
-            groups[footprints.group_of(c)].add(fitter(c).stretches());
+        const bool is_tier = graph_.chains[c].rank > WallGraph::highest_low_rank;
+        (is_tier ? tiers : groups)[footprints.group_of(c)].add(fitter(c).stretches());
     }
+    // Ridges and steps of a roof run as its walls do, and no crown hides them.
+    constexpr double tier_weight = 0.5;
+    for (const auto& [group, histogram] : tiers)
+        groups[group].add(histogram, tier_weight);
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
         if (reference_chain(graph_, cluster_, c) != WallGraph::none)
             continue;
@@ -240,6 +245,8 @@ void WallLayout::find_frames() {
         const auto group = groups.find(footprints.group_of(c));
         if (group != groups.end() && group->second.total() > 0)
             own.add(group->second, (own.total() + weight_of_short) / group->second.total());
+        if (group != groups.end())
+            own.take_walls_of(group->second);
         states_[c].directions.frames = own.frames(most_frames_of(chain, options_.walls));
     }
 }

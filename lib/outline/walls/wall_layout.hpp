@@ -63,7 +63,7 @@ class WallLayout {
     void draw_chain(std::uint32_t chain);
     void plan(std::uint32_t chain);
     /// Sets the frames of the chains that follow no other chain: of their own stretches, and of those of all
-    /// chains of levels 0 and 1 of the footprints that share chains with theirs.
+    /// chains of the footprints that share chains with theirs.
     void find_frames();
     [[nodiscard]] WallDirections directions(std::uint32_t chain) const;
     [[nodiscard]] ChainFitter& fitter(std::uint32_t chain);
