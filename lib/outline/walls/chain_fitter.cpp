@@ -408,7 +408,7 @@ ChainFitter::ChainFitter(const Chain& chain, const WallOptions& options)
       turning_points_(turning_points_of(walls_)),
       midpoints_(samples(), shape_, origin_, chain.node_steps, limit_) {
     stretches_ = stretches_between(samples(), turning_points_, [&](std::size_t first, std::size_t last) {
-        return is_on(walls_.on_frame(), first, last, samples().steps());
+        return is_on(walls_.on_frame(), first, last);
     });
     if (chain.closed)
         parameters_.price =

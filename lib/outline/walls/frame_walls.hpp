@@ -10,19 +10,17 @@
 
 namespace d2b::outline {
 
-/// Returns the walls of a chain along the edge of the raster, in order, the first one in the first lap. They
-/// are known: the raster cuts the building off there, whatever directions it has.
+/// Returns the walls of a chain along the edge of the raster, in order. They are known: the raster cuts the
+/// building off there, whatever directions it has.
 /// @param frame of the raster
 [[nodiscard]] std::vector<WallSegment> walls_on_frame(const Chain& chain, const TraceSums& samples,
                                                       const LatticeBox& frame);
 
-/// True if the middle of a range of steps is on one of the walls. @param around steps of the chain
-[[nodiscard]] inline bool is_on(const std::vector<WallSegment>& walls, std::size_t first, std::size_t last,
-                                std::size_t around) {
+/// True if the middle of a range of steps is on one of the walls.
+[[nodiscard]] inline bool is_on(const std::vector<WallSegment>& walls, std::size_t first, std::size_t last) {
     const std::size_t middle = (first + last) / 2;
-    return std::ranges::any_of(walls, [&](const WallSegment& wall) {
-        return (middle >= wall.first && middle < wall.last) || middle + around < wall.last;
-    });
+    return std::ranges::any_of(
+        walls, [&](const WallSegment& wall) { return middle >= wall.first && middle < wall.last; });
 }
 
 }  // namespace d2b::outline

@@ -242,11 +242,10 @@ void WallLayout::find_frames() {
         own.add(chain.stretches());
         // A short chain says little, so that its building counts as much at least.
         constexpr double weight_of_short = 50;
-        const auto group = groups.find(footprints.group_of(c));
-        if (group != groups.end() && group->second.total() > 0)
-            own.add(group->second, (own.total() + weight_of_short) / group->second.total());
-        if (group != groups.end())
-            own.take_walls_of(group->second);
+        const DirectionHistogram& building = groups.at(footprints.group_of(c));
+        if (building.total() > 0)
+            own.add(building, (own.total() + weight_of_short) / building.total());
+        own.take_walls_of(building);
         states_[c].directions.frames = own.frames(most_frames_of(chain, options_.walls));
     }
 }

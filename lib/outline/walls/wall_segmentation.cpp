@@ -105,7 +105,7 @@ std::vector<PricedStretch> stretches_of(const TraceSums& samples, const std::vec
         const Vec2 run = samples.at(last) - samples.at(points[i]);
         stretches.push_back({points[i], last, dot(run, along) < 0 ? -1 * along : along,
                              chord_price + parameters.misfit(sums.least_squares(), sums.n),
-                             is_on(on_frame, points[i], last, samples.steps())});
+                             is_on(on_frame, points[i], last)});
     }
     if (!samples.closed())
         return stretches;
