@@ -51,6 +51,18 @@ class Listening(PythonCase):
                 dem2buildings.extract(large(), progress=lambda share, answer=answer: shares.append(share) or answer, **TOWN)
         self.assertEqual(len(shares), 3)
 
+    def test_who_ended_the_run_is_not_asked_again(self):
+        shares = []
+
+        def end_late(share):
+            shares.append(share)
+            time.sleep(0.3)
+            return False
+
+        with self.assertRaises(dem2buildings.Cancelled):
+            dem2buildings.extract(large(), progress=end_late, **TOWN)
+        self.assertEqual(len(shares), 1)
+
     def test_what_is_true_or_nothing_goes_on(self):
         for answer in (None, True, numpy.True_, 1, "on"):
             with self.subTest(answer=repr(answer)):

@@ -123,8 +123,8 @@ void run_listening(const py::object& listener, const std::function<void(const Py
             news = mailbox.wait();
         }
         done = news.done;
-        if (raised)
-            continue;
+        if (raised || mailbox.stopped())
+            continue;  // because who has ended the run is not asked again
         try {
             mailbox.answer(news, tell(news, listener));
         } catch (py::error_already_set& error) {
