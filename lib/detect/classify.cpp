@@ -11,9 +11,13 @@ namespace {
 
 // Buildings of the cities in docs/accuracy.md have walls on at least a quarter of their border, mostly on all
 // of it; slopes mistaken for buildings have none. Walls blurred over so many cells that nothing bends are
-// still steeper than the roof, whereas a slope falls at its border as it does within.
+// still steeper than the roof, whereas a slope falls at its border as it does within. The crest of a bank
+// bends like a wall, but soil does not lie steeper than about 40 degrees. Only large objects are banks,
+// because the blurred walls of small houses are no steeper.
 constexpr double fewest_walls = 0.1;
 constexpr double steeper = 1.2;
+constexpr double mostly_walls = 0.5;
+constexpr double steepest_bank = 0.8;
 
 // Larger objects are more likely to be buildings up to this size; woods are larger than houses.
 constexpr double house_m2 = 300;
@@ -37,7 +41,9 @@ double log_compactness_of(const ObjectFeatures& features) {
 }
 
 bool has_walls(const ObjectFeatures& features) {
-    return features.walled >= fewest_walls || features.fall > steeper * features.tilt;
+    const bool is_bank =
+        features.area_m2 >= house_m2 && features.walled < mostly_walls && features.fall < steepest_bank;
+    return !is_bank && (features.walled >= fewest_walls || features.fall > steeper * features.tilt);
 }
 
 /// Weight of a term, and the feature value at which the term is 0.
