@@ -11,13 +11,16 @@ namespace {
 
 // Buildings of the cities in docs/accuracy.md have walls on at least a quarter of their border, mostly on all
 // of it; slopes mistaken for buildings have none. Walls blurred over so many cells that nothing bends are
-// still steeper than the roof, whereas a slope falls at its border as it does within. The crest of a bank
-// bends like a wall, but soil does not lie steeper than about 40 degrees. Only large objects are banks,
-// because the blurred walls of small houses are no steeper.
+// still steeper than the roof, whereas a slope falls at its border as it does within.
 constexpr double fewest_walls = 0.1;
 constexpr double steeper = 1.2;
-constexpr double mostly_walls = 0.5;
+
+// The crest of a bank bends like a wall, but soil does not lie steeper than about 40 degrees. Coarse cells
+// have no steeper walls either if these are low, but fall by the whole of their height from cell to cell.
+// Only large objects are banks, because the blurred walls of small houses are no steeper.
 constexpr double steepest_bank = 0.8;
+constexpr double mostly_walls = 0.5;
+constexpr double lowest_wall_m = 2;
 
 // Larger objects are more likely to be buildings up to this size; woods are larger than houses.
 constexpr double house_m2 = 300;
@@ -41,8 +44,8 @@ double log_compactness_of(const ObjectFeatures& features) {
 }
 
 bool has_walls(const ObjectFeatures& features) {
-    const bool is_bank =
-        features.area_m2 >= house_m2 && features.walled < mostly_walls && features.fall < steepest_bank;
+    const bool is_bank = features.area_m2 >= house_m2 && features.fall < steepest_bank &&
+                         (features.walled < mostly_walls || features.step_m < lowest_wall_m);
     return !is_bank && (features.walled >= fewest_walls || features.fall > steeper * features.tilt);
 }
 
