@@ -299,8 +299,8 @@ constexpr std::array roof_face_table{
                               [](const RoofFaceRecord& r) -> FieldValue { return r.cells; }},
     Attribute<RoofFaceRecord>{
         "kind", "Kind", FieldType::text, Unit::none,
-        "flat (below 8 degrees), pitched, or doubtful: too narrow for a slope, or level "
-        "because no plane suits the points",
+        "flat (below 8 degrees), pitched, or doubtful: too narrow for a slope, far from most of its "
+        "points, or level because no plane suits them",
         [](const RoofFaceRecord& r) -> FieldValue { return std::string(r.kind); }},
 };
 

@@ -17,6 +17,9 @@ constexpr int merge_rounds = 3;
 constexpr double coplanar_price = 4;
 /// Width in cells of the largest square in a face below which its slope is doubtful.
 constexpr std::int32_t least_width = 3;
+/// Share of the points of a face below which its slope is doubtful, because most lie elsewhere.
+constexpr double least_near = 0.5;
+constexpr double near_points_m = 0.5;  // distance of such points from its plane
 
 LatticeBox box_of(const FinePolygon& polygon) {
     const auto floor_cell = [](std::int64_t fine) {
@@ -52,6 +55,7 @@ FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, 
     face.slope_col = plane.slope_x / grid.cell_m;
     face.slope_row = plane.slope_y / grid.cell_m;
     double squares = 0;
+    std::int64_t near = 0;
     for (const std::size_t cell : cells) {
         const double z = grid.elevation(cell);
         if (std::isnan(z))
@@ -59,9 +63,13 @@ FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, 
         const GridPoint p = grid.centre(cell);
         const double residual = z - plane.at(p.x, p.y);
         squares += residual * residual;
+        near += std::abs(residual) <= near_points_m ? 1 : 0;
         ++face.cells;
     }
-    face.rmse_m = face.cells > 0 ? std::sqrt(squares / static_cast<double>(face.cells)) : 0;
+    if (face.cells > 0) {
+        face.rmse_m = std::sqrt(squares / static_cast<double>(face.cells));
+        face.near = static_cast<double>(near) / static_cast<double>(face.cells);
+    }
     return face;
 }
 
@@ -270,9 +278,11 @@ Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprin
         face.measure = measured(planes[i].plane, inside[i], grid);
         face.measure.area = area_in_cells(face.outline);
         whole += face.measure.area;
-        face.measure.kind = planes[i].level || !is_wide(inside[i], grid, sides) ? FaceKind::doubtful
-                            : slope_degrees(face.measure) < flat_degrees        ? FaceKind::flat
-                                                                                : FaceKind::pitched;
+        const bool trusted =
+            !planes[i].level && face.measure.near >= least_near && is_wide(inside[i], grid, sides);
+        face.measure.kind = !trusted                                     ? FaceKind::doubtful
+                            : slope_degrees(face.measure) < flat_degrees ? FaceKind::flat
+                                                                         : FaceKind::pitched;
     }
     for (RoofFace& face : roof.faces)
         face.measure.area /= whole;

@@ -35,6 +35,7 @@ struct FaceMeasure {
     double slope_col = 0;  ///< rise per metre along a row
     double slope_row = 0;  ///< rise per metre down a column
     double rmse_m = 0;
+    double near = 0;         ///< share of the cells within half a metre of the plane
     std::int64_t cells = 0;  ///< valid cells with their centres in it
     FaceKind kind = FaceKind::flat;
 };

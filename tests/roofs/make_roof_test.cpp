@@ -114,6 +114,13 @@ TEST(MakeRoof, NarrowFacesAreDoubtful) {
     EXPECT_EQ(roof.type, "flat");
 }
 
+/// Any plane is within half a metre of a third of these points at most.
+TEST(MakeRoof, FacesFarFromTheirPointsAreDoubtful) {
+    const Roof roof =
+        roof_of({12, 20, [](double row, double col) { return 5 + 2 * std::fmod(std::floor(row + col), 3); }});
+    EXPECT_NEAR(share_of(roof, FaceKind::doubtful), 1, 1e-9);
+}
+
 /// Tiers are level, whatever slopes the points have, and tile the footprint.
 TEST(MakeRoof, TiersHaveNoSlope) {
     const MadeRoof made{12, 20, gable(16, 0.7)};
