@@ -45,7 +45,7 @@ double log_compactness_of(const ObjectFeatures& features) {
 
 bool has_walls(const ObjectFeatures& features) {
     const bool is_bank = features.area_m2 >= house_m2 && features.fall < steepest_bank &&
-                         (features.walled < mostly_walls || features.step_m < lowest_wall_m);
+                         (features.walled < mostly_walls || features.wall_m < lowest_wall_m);
     return !is_bank && (features.walled >= fewest_walls || features.fall > steeper * features.tilt);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -34,6 +35,7 @@ struct Sums {
     double inner_border = 0;  // number of border cells that are not on the raster's own border
     double walls = 0;         // number of these that bend like a wall
     double fall = 0;          // sum of their slopes
+    double inner_step = 0;
     BorderSums beside;
     LowSlopePairs pairs;
     ShapeMoments form;
@@ -115,11 +117,13 @@ void add_border(const Scene& scene, const Distances& distances, const Mask& cell
         if (on_border(cells, r, c) && !std::isnan(scene.surface.at(r, c))) {
             sums.border += 1;
             sums.beside.add(scene, cells, r, c);
-            sums.step += static_cast<double>(scene.surface.at(r, c) - lowest_around(scene, r, c));
+            const auto step = static_cast<double>(scene.surface.at(r, c) - lowest_around(scene, r, c));
+            sums.step += step;
             if (r == 0 || c == 0 || r + 1 == cells.rows || c + 1 == cells.cols)
                 continue;
             const SurfaceBend turn = surface_bend_at(scene, distances, r, c);
             sums.inner_border += 1;
+            sums.inner_step += step;
             sums.walls += static_cast<double>(turn.bend) > wall_bend_m + wall_bend * scene.side() ? 1 : 0;
             sums.fall += static_cast<double>(turn.fall);
         }
@@ -155,6 +159,7 @@ void add_segments(std::span<const RegionRun> pieces, const std::vector<SegmentLo
 }
 
 ObjectFeatures features_of(const Sums& sums, double cells, double cell_area) {
+    constexpr double unknown = std::numeric_limits<double>::infinity();
     const double pieces = std::max(sums.pieces, 1.0);
     return {sums.smooth / cells,
             sums.step / std::max(sums.border, 1.0),
@@ -167,7 +172,8 @@ ObjectFeatures features_of(const Sums& sums, double cells, double cell_area) {
             sums.beside.right_angles(),
             cells * cell_area,
             sums.pairs.share(),
-            sums.form.compactness()};
+            sums.form.compactness(),
+            sums.inner_border > 0 ? sums.inner_step / sums.inner_border : unknown};
 }
 
 }  // namespace

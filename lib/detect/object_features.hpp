@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "detect/detection.hpp"
@@ -107,6 +108,8 @@ struct ObjectFeatures {
     double area_m2 = 1;
     double low_slope_ratio = 1;  ///< share of neighbouring cells with the slope of a roof, see LowSlopePairs
     double compactness = neutral_compactness;  ///< see ShapeMoments
+    /// Same as step_m without the raster's own border; infinite if there is no other border.
+    double wall_m = std::numeric_limits<double>::infinity();
 };
 
 /// Objects detected so far.

@@ -167,6 +167,17 @@ TEST(ObjectFeatures, WallsAreNotKnownWhereAllBorderIsTheRasters) {
     EXPECT_EQ(features.at(0).walled, 1);
 }
 
+/// A raster of 5 m cells within a hall of 3.5 m, and one of which the hall takes all but a strip on one side.
+TEST(ObjectFeatures, ALowHallThatTheRasterCutsIsABuilding) {
+    for (const std::int32_t first : {0, 4}) {
+        Town town(40, 40, {5, 5});
+        town.build([=](std::int32_t, std::int32_t c) { return c < first ? 100.0F : 103.5F; });
+        const Detection found = detect_in(town);
+        ASSERT_EQ(found.buildings, 1U) << first;
+        EXPECT_GT(found.objects[0].confidence, 0.9);
+    }
+}
+
 TEST(Classify, PartsOfARoofAreNotJudgedByTheirRightAngles) {
     ObjectFeatures part = as_well_a_tree;
     part.smooth = 0.6;
