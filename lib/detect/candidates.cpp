@@ -133,16 +133,6 @@ ObjectRegions find_objects(const Scene& scene, const SceneCells& known, const Ma
     return {std::move(cells), std::move(regions)};
 }
 
-/// Computes the flags for a quality unless they are up to date.
-void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& cells, Executor& threads) {
-    const SmoothnessThresholds limits = smoothness_thresholds(scene.side(), quality);
-    if (cells.limits == limits)
-        return;
-    cells.flags = {};  // frees the memory before the new flags are allocated
-    cells.flags = smoothness(scene.surface, limits, threads);
-    cells.limits = limits;
-}
-
 }  // namespace
 
 void remove_blurred_edge(const Scene& scene, Mask& cells, Executor& threads) {
@@ -177,6 +167,15 @@ SurfaceQuality surface_quality(const Scene& scene, SceneCells& cells, Executor& 
     flag_cells(scene, quality, cells, threads);
     quality.filled = interpolated_fraction(scene.surface, cells.elevated, cells.flags, threads);
     return quality;
+}
+
+void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& cells, Executor& threads) {
+    const SmoothnessThresholds limits = smoothness_thresholds(scene.side(), quality);
+    if (cells.limits == limits)
+        return;
+    cells.flags = {};  // frees the memory before the new flags are allocated
+    cells.flags = smoothness(scene.surface, limits, threads);
+    cells.limits = limits;
 }
 
 Candidates find_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,

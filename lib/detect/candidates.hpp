@@ -38,6 +38,9 @@ struct SceneCells {
 /// Estimates the noise of the surface and the share of filled cells, before any detection.
 [[nodiscard]] SurfaceQuality surface_quality(const Scene& scene, SceneCells& cells, Executor& threads);
 
+/// Computes the flags of smoothness for a quality unless they are up to date.
+void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& cells, Executor& threads);
+
 /// Treatment of crowns that touch walls, see remove_attached_crowns().
 enum class CrownTreatment { cut_off, keep };
 

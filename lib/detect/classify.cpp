@@ -151,6 +151,8 @@ std::string_view counter_evidence_name(CounterEvidence doubt) {
             return "ragged form";
         case CounterEvidence::bridge:
             return "bridge";
+        case CounterEvidence::ground:
+            return "taken for ground";
     }
     return "";
 }

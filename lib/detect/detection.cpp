@@ -12,6 +12,7 @@
 #include "detect/divide_buildings.hpp"
 #include "detect/priors.hpp"
 #include "detect/sampling_rules.hpp"
+#include "detect/swallowed_roofs.hpp"
 #include "detect/threshold_scale.hpp"
 
 namespace d2b::detect {
@@ -89,7 +90,8 @@ Candidates detect_candidates(const Scene& scene, const DetectOptions& options, d
     if (second)
         judged = merge_candidates(std::move(judged), *second, threads);
     doubt_bridges(scene, judged.regions, judged.objects, threads);
-    return judged;
+    return add_swallowed_roofs(scene, cells, options.min_height, min_area_m2, quality, std::move(judged),
+                               threads);
 }
 
 /// Sorts buildings before doubtful objects, each in scan order.
@@ -116,15 +118,7 @@ Detection sorted_by_confidence(Candidates&& judged, double least, Executor& thre
 std::vector<FirstCell> remove_small(Regions& regions, std::int64_t min_cells) {
     const auto is_small = [&](std::int64_t cells) { return cells < min_cells; };
     std::vector<FirstCell> cells = first_cells(regions, is_small);
-    std::vector<Label> number(regions.cells.size(), 0);
-    std::vector<std::int64_t> left(1, 0);
-    for (Label label = 1; label < number.size(); ++label)
-        if (!is_small(regions.cells[label])) {
-            number[label] = static_cast<Label>(left.size());
-            left.push_back(regions.cells[label]);
-        }
-    relabel(regions, number);
-    regions.cells = std::move(left);
+    keep_regions(regions, [&](Label label) { return !is_small(regions.cells[label]); });
     return cells;
 }
 

@@ -59,7 +59,8 @@ enum class CounterEvidence {
     green,            ///< its NDVI is that of vegetation
     no_right_angles,  ///< its border follows no two perpendicular directions
     ragged,           ///< it is small and has arms and bays
-    bridge            ///< see doubt_bridges()
+    bridge,           ///< see doubt_bridges()
+    ground            ///< see swallowed_roofs()
 };
 [[nodiscard]] std::string_view counter_evidence_name(detect::CounterEvidence doubt);
 

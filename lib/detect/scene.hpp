@@ -48,6 +48,9 @@ struct Scene {
     const MetreGrid* greenness = nullptr;         ///< NDVI, NaN if unknown; may be null
     const detect::ParcelGrid* parcels = nullptr;  ///< parcels that divide buildings; may be null
     std::span<const detect::SceneCorrection> corrections = {};
+    /// Greatest length in m of roofs that an estimated terrain may pass through, see swallowed_roofs(); 0:
+    /// none, because the terrain is given.
+    double longest_swallowed = 0;
 
     [[nodiscard]] float height(std::size_t i) const { return surface.values[i] - terrain.values[i]; }
     /// Side in metres of a square cell of the same area.

@@ -295,6 +295,8 @@ FoundInUnit find_in_unit(const UnitSearch& search, const detect::Unit& unit) {
     Mask allowed;
     MetreGrid ndvi;
     detect::Scene scene{surface, terrain, frame.cell};
+    if (search.plan.ground == GroundMode::automatic)
+        scene.longest_swallowed = 2 * options.ground.max_building_width;
     if (sources.mask != nullptr) {
         allowed = detect::read_mask(*sources.mask, unit.seen, context);
         scene.allowed = &allowed;

@@ -7,6 +7,19 @@
 
 namespace d2b {
 
+/// Least-squares plane of the cells of a region.
+struct Plane {
+    double row = 0;  ///< a point of it, in rows and columns
+    double col = 0;
+    double z = 0;
+    double down = 0;    ///< rise in m/m from row to row
+    double across = 0;  ///< rise in m/m from column to column
+
+    [[nodiscard]] double at(std::int32_t r, std::int32_t c, const CellSize& cell) const {
+        return z + down * (r - row) * cell.down + across * (c - col) * cell.across;
+    }
+};
+
 /// Sums over the cells of a region, from which the tilt of its least-squares plane follows. They are relative
 /// to the first cell, because small numbers keep their digits.
 class PlaneSums {
@@ -34,17 +47,35 @@ class PlaneSums {
     /// Returns the rise of the plane in m/m along its steepest direction; 0 for collinear cells.
     /// @pre count() > 0
     [[nodiscard]] double tilt() const {
+        const Slopes slopes = solve();
+        return std::hypot(slopes.across, slopes.down) / slopes.determinant;
+    }
+    /// Returns the plane; level across collinear cells.
+    /// @pre count() > 0
+    [[nodiscard]] Plane plane(const CellSize& cell) const {
+        const Slopes slopes = solve();
+        return {row_ + sum_y_ / n_ / cell.down, col_ + sum_x_ / n_ / cell.across,
+                static_cast<double>(z_) + sum_h_ / n_, slopes.down / slopes.determinant,
+                slopes.across / slopes.determinant};
+    }
+
+  private:
+    /// Slopes times the determinant.
+    struct Slopes {
+        double across;
+        double down;
+        double determinant;
+    };
+    [[nodiscard]] Slopes solve() const {
         const double xx = sum_xx_ / n_ - sum_x_ * sum_x_ / n_ / n_;
         const double xy = sum_xy_ / n_ - sum_x_ * sum_y_ / n_ / n_;
         const double yy = sum_yy_ / n_ - sum_y_ * sum_y_ / n_ / n_;
         const double xh = sum_xh_ / n_ - sum_x_ * sum_h_ / n_ / n_;
         const double yh = sum_yh_ / n_ - sum_y_ * sum_h_ / n_ / n_;
         // Collinear cells have no unique plane; the small number keeps it level across.
-        const double determinant = xx * yy - xy * xy + 1e-6;
-        return std::hypot(xh * yy - yh * xy, yh * xx - xh * xy) / determinant;
+        return {xh * yy - yh * xy, yh * xx - xh * xy, xx * yy - xy * xy + 1e-6};
     }
 
-  private:
     std::int32_t row_ = 0;
     std::int32_t col_ = 0;
     float z_ = 0;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/band.hpp"
@@ -227,6 +228,21 @@ class RegionBuilder {
 
 /// Relabels runs and removes those that get 0. Regions::cells is not changed.
 void relabel(Regions& regions, std::span<const Label> number);
+
+/// Drops the regions without a property and numbers the others from 1.
+/// @param has has(label): true if the region has it
+template <typename Has>
+void keep_regions(Regions& regions, const Has& has) {
+    std::vector<Label> number(regions.cells.size(), 0);
+    std::vector<std::int64_t> left(1, 0);
+    for (Label label = 1; label < number.size(); ++label)
+        if (has(label)) {
+            number[label] = static_cast<Label>(left.size());
+            left.push_back(regions.cells[label]);
+        }
+    relabel(regions, number);
+    regions.cells = std::move(left);
+}
 
 /// Number of cells shared by a region of one set and a region of another set.
 struct RegionOverlap {

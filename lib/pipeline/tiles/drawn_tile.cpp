@@ -15,7 +15,8 @@ namespace {
 constexpr std::array doubts{detect::CounterEvidence::rough,  detect::CounterEvidence::no_step,
                             detect::CounterEvidence::steep,  detect::CounterEvidence::pieces,
                             detect::CounterEvidence::green,  detect::CounterEvidence::no_right_angles,
-                            detect::CounterEvidence::ragged, detect::CounterEvidence::bridge};
+                            detect::CounterEvidence::ragged, detect::CounterEvidence::bridge,
+                            detect::CounterEvidence::ground};
 
 std::uint8_t number_of(std::string_view doubt) {
     std::uint8_t number = 0;
