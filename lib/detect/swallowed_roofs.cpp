@@ -86,26 +86,27 @@ Mask tops_of_walls(const Scene& scene, const Mask& free, Executor& threads) {
     const float wall = wall_height(scene);
     Mask tops = Mask::unset(surface.rows, surface.cols, threads);
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
+        std::vector<float> low(static_cast<std::size_t>(surface.cols));
+        // Comparisons with NaN are false, because unknown cells give no evidence of a wall.
+        const auto lower = [](float one, float other) { return other < one ? other : one; };
         for (std::int32_t r = band.begin; r < band.end; ++r) {
             const std::span<const float> z = surface.row(r);
-            const std::span<std::uint8_t> out = tops.row(r);
-            std::fill(out.begin(), out.end(), std::uint8_t{0});
+            std::ranges::copy(z, low.begin());
             for (std::int32_t k = 1; k <= wall_cells(scene); ++k) {
                 const std::span<const float> up = surface.row(std::max(r - k, 0));
                 const std::span<const float> down = surface.row(std::min(r + k, surface.rows - 1));
-                // Comparisons with NaN are false, because unknown cells give no evidence of a wall.
-                for (std::size_t c = 0; c < out.size(); ++c)
-                    out[c] |= static_cast<std::uint8_t>((z[c] - up[c] > wall ? 1 : 0) |
-                                                        (z[c] - down[c] > wall ? 1 : 0));
+                for (std::size_t c = 0; c < low.size(); ++c)
+                    low[c] = lower(lower(low[c], up[c]), down[c]);
                 const auto beside = static_cast<std::size_t>(k);
-                for (std::size_t c = beside; c < out.size(); ++c)
-                    out[c] |= static_cast<std::uint8_t>(z[c] - z[c - beside] > wall ? 1 : 0);
-                for (std::size_t c = beside; c < out.size(); ++c)
-                    out[c - beside] |= static_cast<std::uint8_t>(z[c - beside] - z[c] > wall ? 1 : 0);
+                for (std::size_t c = beside; c < low.size(); ++c)
+                    low[c] = lower(low[c], z[c - beside]);
+                for (std::size_t c = beside; c < low.size(); ++c)
+                    low[c - beside] = lower(low[c - beside], z[c]);
             }
             const std::span<const std::uint8_t> in = free.row(r);
+            const std::span<std::uint8_t> out = tops.row(r);
             for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] &= in[c];
+                out[c] = static_cast<std::uint8_t>(in[c] & (z[c] - low[c] > wall ? 1 : 0));
         }
     });
     return tops;
