@@ -83,7 +83,6 @@ Mask free_cells(const Scene& scene, const Regions& objects, Executor& threads) {
 /// @param free only these cells
 Mask tops_of_walls(const Scene& scene, const Mask& free, Executor& threads) {
     const MetreGrid& surface = scene.surface;
-    const float wall = wall_height(scene);
     Mask tops = Mask::unset(surface.rows, surface.cols, threads);
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
         std::vector<float> low(static_cast<std::size_t>(surface.cols));
@@ -103,6 +102,8 @@ Mask tops_of_walls(const Scene& scene, const Mask& free, Executor& threads) {
                 for (std::size_t c = beside; c < low.size(); ++c)
                     low[c - beside] = lower(low[c - beside], z[c]);
             }
+            // A local value, because stores of bytes may alias anything.
+            const float wall = wall_height(scene);
             const std::span<const std::uint8_t> in = free.row(r);
             const std::span<std::uint8_t> out = tops.row(r);
             for (std::size_t c = 0; c < out.size(); ++c)
@@ -127,8 +128,8 @@ std::vector<std::uint8_t> regions_with(const Regions& regions, const Mask& mask)
 
 /// Labels regions of cells in which neighbours differ by little.
 Regions level_regions(const Scene& scene, const Mask& cells, std::int64_t min_cells, Executor& threads) {
-    const auto step = static_cast<float>(std::max(level_step_m, level_slope * scene.side()));
     const auto links_of = [&](std::int32_t r, std::vector<std::uint8_t>& links) {
+        const auto step = static_cast<float>(std::max(level_step_m, level_slope * scene.side()));
         links.resize(static_cast<std::size_t>(cells.cols));
         const std::span<std::uint8_t> out(links);
         const std::span<const std::uint8_t> in = cells.row(r);
@@ -218,7 +219,8 @@ class Border {
         for_runs_by_label(threads, pieces_, [&](std::int32_t r, const RegionRun& run) {
             for (std::int32_t c = run.begin; c < run.end; ++c)
                 for (const BorderDirection& side : border_directions)
-                    add(r, c, side, run.label, planes[run.label - 1], sums[run.label - 1]);
+                    if (side.across == 0 || c + side.across < run.begin || c + side.across >= run.end)
+                        add(r, c, side, run.label, planes[run.label - 1], sums[run.label - 1]);
         });
         return sums;
     }
