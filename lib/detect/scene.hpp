@@ -48,8 +48,8 @@ struct Scene {
     const MetreGrid* greenness = nullptr;         ///< NDVI, NaN if unknown; may be null
     const detect::ParcelGrid* parcels = nullptr;  ///< parcels that divide buildings; may be null
     std::span<const detect::SceneCorrection> corrections = {};
-    /// Greatest length in m of roofs that an estimated terrain may pass through, see swallowed_roofs(); 0:
-    /// none, because the terrain is given.
+    /// Greatest length in m of roofs that an estimated terrain may pass through, see add_swallowed_roofs();
+    /// 0: none, because the terrain is given.
     double longest_swallowed = 0;
 
     [[nodiscard]] float height(std::size_t i) const { return surface.values[i] - terrain.values[i]; }
