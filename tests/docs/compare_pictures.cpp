@@ -2,9 +2,9 @@
 //   compare_pictures <pictures of the documents> <folder where the commands ran>
 // Letters and noise may differ by a little; a picture of something else may not. Pictures that QGIS and a
 // browser have made (qgis_*, page_*) are compared by the tests in tests/desk, those of the page on Python
-// (python_*) in tests/python. pairs_of_pictures.py compares those of two previews (walls_*, crowns_*,
-// houses_* and raster_to_map), tests/bench/thesis those of the thesis (thesis_*), .ci/flow that of wind
-// (wind_*), and .ci/long those of accuracy (accuracy_*).
+// (python_*) in tests/python. pairs_of_pictures.py compares those of two previews (walls_*, worst_*,
+// crowns_*, houses_* and raster_to_map), tests/bench/thesis those of the thesis (thesis_*), .ci/flow that of
+// wind (wind_*), and .ci/long those of accuracy (accuracy_*).
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -59,9 +59,9 @@ int main(int argc, char** argv) {
     for (const auto& entry : fs::directory_iterator(argv[1])) {
         const std::string name = entry.path().filename().string();
         if (name.starts_with("qgis_") || name.starts_with("page_") || name.starts_with("python_") ||
-            name.starts_with("walls_") || name.starts_with("thesis_") || name.starts_with("accuracy_") ||
-            name.starts_with("crowns_") || name.starts_with("houses_") || name.starts_with("wind_") ||
-            name.starts_with("raster_"))
+            name.starts_with("walls_") || name.starts_with("worst_") || name.starts_with("thesis_") ||
+            name.starts_with("accuracy_") || name.starts_with("crowns_") || name.starts_with("houses_") ||
+            name.starts_with("wind_") || name.starts_with("raster_"))
             continue;
         ++seen;
         const double share = share_of_difference(read(entry.path()), read(fs::path(argv[2]) / name));
