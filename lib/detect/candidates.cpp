@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -60,7 +61,8 @@ bool is_blurred(const Scene& scene, const Mask& inside, std::int32_t row, std::i
 constexpr double opening_m = 1.5;
 // Restores the cells that an opening rounds off at a right angle.
 constexpr int border_cells = 3;
-constexpr int border_of_blocks = 2;  // if the element is a block of cells instead of a disk
+constexpr int border_of_blocks = 2;   // if the element is a block of cells instead of a disk
+constexpr float above_roof_m = 1.2F;  // cells that stand higher beside a roof are those of a crown
 constexpr double smallest_hole_m2 = 10;
 // Share of neighbours in a crown that rounding makes equal, per metre of step.
 constexpr double low_slope_by_rounding = 0.08;
@@ -113,6 +115,17 @@ void add_cells_taller_than_trees(const Scene& scene, std::span<const std::uint8_
     });
 }
 
+/// True if a cell is much higher than all cells of objects within some steps.
+bool stands_above(const Scene& scene, const Mask& objects, std::int32_t row, std::int32_t col,
+                  std::int32_t steps) {
+    float highest = -std::numeric_limits<float>::infinity();
+    for (std::int32_t r = std::max(row - steps, 0); r <= std::min(row + steps, objects.rows - 1); ++r)
+        for (std::int32_t c = std::max(col - steps, 0); c <= std::min(col + steps, objects.cols - 1); ++c)
+            if (objects.at(r, c) != 0)
+                highest = std::max(highest, scene.surface.at(r, c));
+    return scene.surface.at(row, col) > highest + above_roof_m;
+}
+
 /// @param small receives the first cells of objects that are too small
 ObjectRegions find_objects(const Scene& scene, const SceneCells& known, const Mask& elevated,
                            const SmoothSegments& segments, std::int64_t min_cells,
@@ -121,8 +134,7 @@ ObjectRegions find_objects(const Scene& scene, const SceneCells& known, const Ma
     add_cells_taller_than_trees(scene, known.tall_rows, elevated, seeds, threads);
     Mask cells = grow_by_majority(std::move(seeds), elevated, scene.cell, threads);
     cells = open_mask(cells, opening_m, scene.cell, threads);
-    cells = dilate_within(std::move(cells), elevated,
-                          disk_fits(opening_m, scene.cell) ? border_cells : border_of_blocks, threads);
+    cells = grow_border(scene, std::move(cells), elevated, threads);
     cells = smooth_border(cells, elevated, scene.cell, threads);
     remove_blurred_edge(scene, cells, threads);
     Regions regions = connected_regions(cells, 1, 0, threads);
@@ -134,6 +146,20 @@ ObjectRegions find_objects(const Scene& scene, const SceneCells& known, const Ma
 }
 
 }  // namespace
+
+Mask grow_border(const Scene& scene, Mask objects, const Mask& elevated, Executor& threads) {
+    if (!disk_fits(opening_m, scene.cell))
+        return dilate_within(std::move(objects), elevated, border_of_blocks, threads);
+    const Mask grown = dilate_within(objects, elevated, border_cells, threads);
+    Mask roofs = grown;
+    for_row_bands(threads, roofs.rows, roofs.cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            for (std::int32_t c = 0; c < roofs.cols; ++c)
+                if (grown.at(r, c) > objects.at(r, c) && stands_above(scene, objects, r, c, border_cells))
+                    roofs.at(r, c) = 0;
+    });
+    return dilate_within(std::move(objects), roofs, border_cells, threads);
+}
 
 void remove_blurred_edge(const Scene& scene, Mask& cells, Executor& threads) {
     const Mask inside = inside_of(cells, threads);

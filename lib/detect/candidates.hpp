@@ -12,6 +12,12 @@
 
 namespace d2b::detect {
 
+/// Grows objects by the rings of cells that an opening took off round corners. On cells up to 1.5 m, those do
+/// not grow back that stand more than 1.2 m above all cells of objects within three cells, because they
+/// belong to a crown beside the roof. Coarser cells hold a crown and a roof at once.
+/// @param elevated cells that may belong to objects
+[[nodiscard]] Mask grow_border(const Scene& scene, Mask objects, const Mask& elevated, Executor& threads);
+
 /// Removes border cells that are less than half as high as the inner cells within two cells. A wall crosses
 /// them, and in a blurred raster it stands at the points of half its height. Objects without inner cells keep
 /// their border.

@@ -105,6 +105,35 @@ struct BorderedBlock {
     Mask cells;
 };
 
+/// Cells of 3 x 3 cells, 5 m high, after their border has grown over 3 x 5 elevated cells beside them.
+std::int64_t cells_beside(float elevation, double side) {
+    Town town(9, 12, {side, side});
+    town.block(3, 1, 6, 4, 105);
+    Mask objects = raised(town);
+    town.block(3, 4, 6, 9, elevation);
+    Executor threads(2);
+    const Mask grown = grow_border(town.scene(), std::move(objects), raised(town), threads);
+    return std::count(grown.values.begin(), grown.values.end(), 1);
+}
+
+TEST(GrownBorder, CellsOfACrownDoNotGrowBack) {
+    EXPECT_EQ(cells_beside(103, 0.5), 3 * (3 + 3));
+    EXPECT_EQ(cells_beside(106.1F, 0.5), 3 * (3 + 3));
+    EXPECT_EQ(cells_beside(106.3F, 0.5), 3 * 3);
+    EXPECT_EQ(cells_beside(106.3F, 2.5), 3 * (3 + 2)) << "coarse cells";
+}
+
+TEST(GrownBorder, CellsBehindACrownAreNotReached) {
+    Town town(3, 9, {0.5, 0.5});
+    town.block(0, 0, 3, 3, 105);
+    Mask objects = raised(town);
+    town.block(0, 3, 3, 4, 109);
+    town.block(0, 4, 3, 9, 105);
+    Executor threads(2);
+    const Mask grown = grow_border(town.scene(), objects, raised(town), threads);
+    EXPECT_EQ(grown.values, objects.values);
+}
+
 TEST(BlurredEdge, IsTakenOffBelowHalfTheHeightBesideIt) {
     EXPECT_EQ(BorderedBlock(4.9F).left(), 36);
     EXPECT_EQ(BorderedBlock(5.1F).left(), 64);
