@@ -20,7 +20,7 @@ constexpr double steeper = 1.2;
 // Only large objects are banks, because the blurred walls of small houses are no steeper.
 constexpr double steepest_bank = 0.8;
 constexpr double mostly_walls = 0.5;
-constexpr double lowest_wall_m = 2;
+constexpr double least_wall_m = 2;
 
 // Larger objects are more likely to be buildings up to this size; woods are larger than houses.
 constexpr double house_m2 = 300;
@@ -45,7 +45,7 @@ double log_compactness_of(const ObjectFeatures& features) {
 
 bool has_walls(const ObjectFeatures& features) {
     const bool is_bank = features.area_m2 >= house_m2 && features.fall < steepest_bank &&
-                         (features.walled < mostly_walls || features.wall_m < lowest_wall_m);
+                         (features.walled < mostly_walls || features.wall_m < least_wall_m);
     return !is_bank && (features.walled >= fewest_walls || features.fall > steeper * features.tilt);
 }
 

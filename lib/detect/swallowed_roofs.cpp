@@ -79,6 +79,25 @@ Mask free_cells(const Scene& scene, const Regions& objects, Executor& threads) {
     return result;
 }
 
+/// Finds the lowest elevation within some cells along the row and column of each cell of a row.
+void lowest_along_lines(const MetreGrid& surface, std::int32_t r, std::int32_t cells, std::span<float> low) {
+    // Comparisons with NaN are false, because unknown cells give no evidence of a wall.
+    const auto lower = [](float one, float other) { return other < one ? other : one; };
+    const std::span<const float> z = surface.row(r);
+    std::ranges::copy(z, low.begin());
+    for (std::int32_t k = 1; k <= cells; ++k) {
+        const std::span<const float> up = surface.row(std::max(r - k, 0));
+        const std::span<const float> down = surface.row(std::min(r + k, surface.rows - 1));
+        for (std::size_t c = 0; c < low.size(); ++c)
+            low[c] = lower(lower(low[c], up[c]), down[c]);
+        const auto beside = static_cast<std::size_t>(k);
+        for (std::size_t c = beside; c < low.size(); ++c)
+            low[c] = lower(low[c], z[c - beside]);
+        for (std::size_t c = beside; c < low.size(); ++c)
+            low[c - beside] = lower(low[c - beside], z[c]);
+    }
+}
+
 /// Returns the cells from which the surface falls by a wall along their row or column.
 /// @param free only these cells
 Mask tops_of_walls(const Scene& scene, const Mask& free, Executor& threads) {
@@ -86,24 +105,11 @@ Mask tops_of_walls(const Scene& scene, const Mask& free, Executor& threads) {
     Mask tops = Mask::unset(surface.rows, surface.cols, threads);
     for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
         std::vector<float> low(static_cast<std::size_t>(surface.cols));
-        // Comparisons with NaN are false, because unknown cells give no evidence of a wall.
-        const auto lower = [](float one, float other) { return other < one ? other : one; };
         for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const std::span<const float> z = surface.row(r);
-            std::ranges::copy(z, low.begin());
-            for (std::int32_t k = 1; k <= wall_cells(scene); ++k) {
-                const std::span<const float> up = surface.row(std::max(r - k, 0));
-                const std::span<const float> down = surface.row(std::min(r + k, surface.rows - 1));
-                for (std::size_t c = 0; c < low.size(); ++c)
-                    low[c] = lower(lower(low[c], up[c]), down[c]);
-                const auto beside = static_cast<std::size_t>(k);
-                for (std::size_t c = beside; c < low.size(); ++c)
-                    low[c] = lower(low[c], z[c - beside]);
-                for (std::size_t c = beside; c < low.size(); ++c)
-                    low[c - beside] = lower(low[c - beside], z[c]);
-            }
+            lowest_along_lines(surface, r, wall_cells(scene), low);
             // A local value, because stores of bytes may alias anything.
             const float wall = wall_height(scene);
+            const std::span<const float> z = surface.row(r);
             const std::span<const std::uint8_t> in = free.row(r);
             const std::span<std::uint8_t> out = tops.row(r);
             for (std::size_t c = 0; c < out.size(); ++c)
@@ -243,7 +249,7 @@ class Border {
             there = plane.at(row, col, scene_.cell);
         }
         // A gap in a wood on a steep slope falls as well, but no lower than its own plane does.
-        const double wall = static_cast<double>(wall_height(scene_));
+        const auto wall = static_cast<double>(wall_height(scene_));
         if (!(static_cast<double>(foot) < std::min(static_cast<double>(z), there) - wall))
             return;
         sum.walled += 1;
