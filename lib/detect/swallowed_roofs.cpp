@@ -220,6 +220,7 @@ class Border {
             }
         });
         std::vector<Plane> planes;
+        planes.reserve(sums.size());
         for (const PieceSums& sum : sums)
             planes.push_back(sum.plane.plane(scene_.cell));
         for_runs_by_label(threads, pieces_, [&](std::int32_t r, const RegionRun& run) {
