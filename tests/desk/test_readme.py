@@ -20,7 +20,7 @@ class Readme(DeskCase):
         said = subprocess.run(["sh", "-euc", command], cwd=self.folder, env={**os.environ, "PATH": path}, check=True,
                               capture_output=True, text=True)
         self.assertEqual(said.stderr, "")
-        self.assertIn("363 buildings", said.stdout)
+        self.assertIn("364 buildings", said.stdout)
         return self.folder / "town.gpkg"
 
     def test_its_first_command_makes_the_map_that_the_tutorial_shows(self):
