@@ -63,7 +63,6 @@ constexpr double opening_m = 1.5;
 constexpr int border_cells = 3;
 constexpr int border_of_blocks = 2;   // if the element is a block of cells instead of a disk
 constexpr float above_roof_m = 1.2F;  // cells that stand higher beside a roof are those of a crown
-constexpr double smallest_hole_m2 = 10;
 // Share of neighbours in a crown that rounding makes equal, per metre of step.
 constexpr double low_slope_by_rounding = 0.08;
 // Bilbao, in whole metres and cells of 2.5 m, is detected as well as it is without these limits.

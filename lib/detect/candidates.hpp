@@ -12,6 +12,8 @@
 
 namespace d2b::detect {
 
+constexpr double smallest_hole_m2 = 10;  ///< smaller holes of objects are filled
+
 /// Grows objects by the rings of cells that an opening took off round corners. On cells up to 1.5 m, those do
 /// not grow back that stand more than 1.2 m above all cells of objects within three cells, because they
 /// belong to a crown beside the roof. Coarser cells hold a crown and a roof at once.

@@ -141,18 +141,19 @@ Candidates found_at(double factor, const Scene& scene, SceneCells& cells, double
 constexpr double margin_scale = 3;
 constexpr double log_odds_penalty = 0.8;  // penalty on the log-odds
 
-/// Clears the cells of regions and their eight neighbours.
-void clear_with_border(const Regions& regions, Mask& cells, Executor& threads) {
+}  // namespace
+
+void clear_with_border(const Regions& regions, Neighbours neighbours, Mask& cells, Executor& threads) {
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y)
+            for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y) {
+                const std::int32_t beside = y == r || neighbours == Neighbours::eight ? 1 : 0;
                 for (const RegionRun& run : regions.row(y))
-                    std::fill(cells.row(r).begin() + std::max(run.begin - 1, 0),
-                              cells.row(r).begin() + std::min(run.end + 1, cells.cols), std::uint8_t{0});
+                    std::fill(cells.row(r).begin() + std::max(run.begin - beside, 0),
+                              cells.row(r).begin() + std::min(run.end + beside, cells.cols), std::uint8_t{0});
+            }
     });
 }
-
-}  // namespace
 
 Candidates select_candidates(std::span<const Candidates> passes, std::size_t usual, Executor& threads) {
     std::vector<Chosen> chosen = choose(passes);
@@ -183,7 +184,7 @@ Candidates multi_threshold_candidates(const Scene& scene, SceneCells& cells, dou
 
 Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m2, SurfaceQuality quality,
                         const Regions& found, Executor& threads) {
-    clear_with_border(found, cells.elevated, threads);
+    clear_with_border(found, Neighbours::eight, cells.elevated, threads);
     quality.margin_scale = margin_scale;
     Candidates judged = find_candidates(scene, cells, min_area_m2, quality, threads);
     judged.rejected.small.clear();

@@ -60,6 +60,12 @@ struct NestedCandidate {
 [[nodiscard]] Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m2,
                                       SurfaceQuality quality, const Regions& found, Executor& threads);
 
+/// Neighbours of a cell: those at its sides, or at its corners as well.
+enum class Neighbours { four, eight };
+
+/// Clears the cells of regions and their neighbours.
+void clear_with_border(const Regions& regions, Neighbours neighbours, Mask& cells, Executor& threads);
+
 /// Merges two sets of objects that share no edge, in scan order.
 [[nodiscard]] Candidates merge_candidates(Candidates one, const Candidates& other, Executor& threads);
 

@@ -30,7 +30,6 @@ constexpr double least_walled = 0.4;   // share of the border that falls by a wa
 constexpr double most_above = 0.5;     // share of the height of a piece that is above the terrain
 constexpr double least_confidence = 0.5;
 constexpr double confidence_share = 0.5;
-constexpr double filled_hole_m2 = 10;  // as in other objects
 
 struct BorderDirection {
     std::int32_t down;
@@ -44,19 +43,6 @@ float wall_height(const Scene& scene) {
 }
 std::int32_t wall_cells(const Scene& scene) {
     return scene.side() <= finer_than_m ? 2 : 1;
-}
-
-/// Clears the cells of objects and their four neighbours.
-void clear_objects(const Regions& objects, Mask& cells, Executor& threads) {
-    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y) {
-                const std::int32_t beside = y == r ? 1 : 0;
-                for (const RegionRun& run : objects.row(y))
-                    std::fill(cells.row(r).begin() + std::max(run.begin - beside, 0),
-                              cells.row(r).begin() + std::min(run.end + beside, cells.cols), std::uint8_t{0});
-            }
-    });
 }
 
 /// Returns the valid cells within the allowed area that neither belong to an object nor touch one.
@@ -75,7 +61,7 @@ Mask free_cells(const Scene& scene, const Regions& objects, Executor& threads) {
                 out[c] = allowed[c] != 0 ? out[c] : std::uint8_t{0};
         }
     });
-    clear_objects(objects, result, threads);
+    clear_with_border(objects, Neighbours::four, result, threads);
     return result;
 }
 
@@ -319,8 +305,8 @@ Candidates add_swallowed_roofs(const Scene& scene, SceneCells& cells, double min
     if (std::ranges::none_of(sums, [&](const PieceSums& sum) { return sum.is_walled(min_height); }))
         return found;
     Mask walled = mask_of(pieces, is_walled, threads);
-    fill_small_holes(walled, cells_covering(filled_hole_m2, scene.cell), threads);
-    clear_objects(found.regions, walled, threads);
+    fill_small_holes(walled, cells_covering(smallest_hole_m2, scene.cell), threads);
+    clear_with_border(found.regions, Neighbours::four, walled, threads);
     flag_cells(scene, quality, cells, threads);
     const Candidates roofs = classify_pieces(scene, std::move(walled), cells.flags, quality, threads);
     keep_rejected(roofs.regions, found.rejected);
