@@ -1,12 +1,12 @@
 #include "detect/bridges.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <deque>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -40,6 +40,15 @@ struct Cell {
     std::int32_t col = 0;
 };
 
+/// Step to a neighbour: down, across or along a diagonal.
+struct Step {
+    std::int32_t down;
+    std::int32_t across;
+    std::size_t kind;
+};
+constexpr std::array<Step, 8> steps_to_neighbours{
+    {{-1, -1, 2}, {-1, 0, 0}, {-1, 1, 2}, {0, -1, 1}, {0, 1, 1}, {1, -1, 2}, {1, 0, 0}, {1, 1, 2}}};
+
 double median(std::vector<double>& values) {
     return values.empty() ? std::numeric_limits<double>::quiet_NaN() : upper_median(values);
 }
@@ -48,59 +57,68 @@ double median(std::vector<double>& values) {
 class ObjectCells {
   public:
     ObjectCells(const Regions& regions, Label label, const CellBox& box, const CellSize& cell)
-        : box_(box), cell_(cell), index_(box.rows(), box.cols()) {
+        : box_(box), cell_(cell), index_(box.rows() + 2, box.cols() + 2) {
         for (std::int32_t r = box.first_row; r < box.end_row; ++r)
             for (const RegionRun& run : regions.row(r))
                 if (run.label == label)
                     for (std::int32_t c = run.begin; c < run.end; ++c) {
                         cells_.push_back({r, c});
-                        index_.at(r - box.first_row, c - box.first_col) = static_cast<Label>(cells_.size());
+                        index_.at(r - box.first_row + 1, c - box.first_col + 1) =
+                            static_cast<Label>(cells_.size());
                     }
     }
 
     [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-    [[nodiscard]] bool holds(std::int32_t r, std::int32_t c) const { return number(r, c) != 0; }
+    [[nodiscard]] bool holds(std::int32_t r, std::int32_t c) const {
+        return r >= box_.first_row && r < box_.end_row && c >= box_.first_col && c < box_.end_col &&
+               number(r, c) != 0;
+    }
     [[nodiscard]] double distance_m(std::size_t one, std::size_t other) const {
         return std::hypot((cells_[one].row - cells_[other].row) * cell_.down,
                           (cells_[one].col - cells_[other].col) * cell_.across);
     }
-    /// Returns the lengths in m of the shortest paths to each cell, by Dijkstra's algorithm.
+    /// Returns the lengths in m of the shortest paths to each cell, by Dijkstra's algorithm. Steps have three
+    /// lengths, so a queue for each of them is sorted by itself, because paths are found in rising order.
     [[nodiscard]] std::vector<double> distances_from(std::size_t first) const {
         using Reached = std::pair<double, std::size_t>;
+        const std::array<double, 3> lengths{cell_.down, cell_.across, std::hypot(cell_.down, cell_.across)};
+        std::array<std::deque<Reached>, 3> open;
         std::vector<double> distances(cells_.size(), std::numeric_limits<double>::infinity());
-        std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;
         distances[first] = 0;
-        open.emplace(0, first);
-        while (!open.empty()) {
-            const auto [distance, at] = open.top();
-            open.pop();
+        open.front().emplace_back(0, first);
+        const auto next_length = [](const std::deque<Reached>& queue) {
+            return queue.empty() ? std::numeric_limits<double>::infinity() : queue.front().first;
+        };
+        while (true) {
+            std::deque<Reached>& queue = *std::ranges::min_element(open, {}, next_length);
+            if (queue.empty())
+                return distances;
+            const auto [distance, at] = queue.front();
+            queue.pop_front();
             if (distance > distances[at])
                 continue;
-            for (std::int32_t down = -1; down <= 1; ++down)
-                for (std::int32_t across = -1; across <= 1; ++across) {
-                    const Label next = number(cells_[at].row + down, cells_[at].col + across);
-                    const double there = distance + std::hypot(down * cell_.down, across * cell_.across);
-                    if (next == 0 || there >= distances[next - 1])
-                        continue;
-                    distances[next - 1] = there;
-                    open.emplace(there, next - 1);
-                }
+            for (const Step& step : steps_to_neighbours) {
+                const Label next = number(cells_[at].row + step.down, cells_[at].col + step.across);
+                const double there = distance + lengths[step.kind];
+                if (next == 0 || there >= distances[next - 1])
+                    continue;
+                distances[next - 1] = there;
+                open[step.kind].emplace_back(there, next - 1);
+            }
         }
-        return distances;
     }
 
   private:
-    /// Returns one plus the index of a cell, or 0 outside of the object.
+    /// Returns one plus the index of a cell, or 0 if a cell of the box or next to it is outside of the
+    /// object.
     [[nodiscard]] Label number(std::int32_t r, std::int32_t c) const {
-        const std::int32_t row = r - box_.first_row;
-        const std::int32_t col = c - box_.first_col;
-        return index_.holds(row, col) ? index_.at(row, col) : 0;
+        return index_.at(r - box_.first_row + 1, c - box_.first_col + 1);
     }
 
     CellBox box_;
     CellSize cell_;
     std::vector<Cell> cells_;
-    Grid<Label> index_;
+    Grid<Label> index_;  ///< of the box and the cells next to it
 };
 
 std::size_t farthest(const std::vector<double>& distances) {
