@@ -35,7 +35,6 @@ struct BorderDirection {
     std::int32_t down;
     std::int32_t across;
 };
-constexpr std::array<BorderDirection, 4> border_directions{{{-1, 0}, {0, -1}, {0, 1}, {1, 0}}};
 
 /// Fall of the surface, in m, that is a wall if it happens within `wall_cells`.
 float wall_height(const Scene& scene) {
@@ -170,92 +169,142 @@ Regions level_pieces(const Scene& scene, Mask free, std::int64_t min_cells, Exec
     return pieces;
 }
 
-/// Surface around the border of a piece, counted by sides of cells, and its heights.
+/// Sides of the cells of a piece at its border.
+struct BorderSides {
+    std::int64_t all = 0;
+    std::int64_t walled = 0;
+    double feet = 0;  ///< elevation below its walls, sum over sides with a wall
+
+    [[nodiscard]] bool are_walled() const {
+        return walled > 0 && static_cast<double>(walled) >= least_walled * static_cast<double>(all);
+    }
+};
+
+/// Surface of a piece.
 struct PieceSums {
     PlaneSums plane;
     double elevation = 0;  ///< sum over cells
     double above = 0;      ///< height above the terrain, sum over cells
-    double feet = 0;       ///< elevation below its walls, sum over sides with a wall
-    std::int64_t walled = 0;
-    std::int64_t sides = 0;
 
     /// @param min_height smallest height above the feet of the walls, in m
-    [[nodiscard]] bool is_walled(double min_height) const {
-        if (walled == 0 || static_cast<double>(walled) < least_walled * static_cast<double>(sides))
-            return false;
+    [[nodiscard]] bool is_above(const BorderSides& sides, double min_height) const {
         const auto cells = static_cast<double>(plane.count());
-        const double height = elevation / cells - feet / static_cast<double>(walled);
+        const double height = elevation / cells - sides.feet / static_cast<double>(sides.walled);
         return height >= min_height && above / cells < most_above * height;
     }
 };
 
-/// Measures pieces.
+std::vector<PieceSums> piece_sums(const Scene& scene, const Regions& pieces, Executor& threads) {
+    std::vector<PieceSums> sums(pieces.count());
+    for_runs_by_label(threads, pieces, [&](std::int32_t r, const RegionRun& run) {
+        PieceSums& sum = sums[run.label - 1];
+        for (std::int32_t c = run.begin; c < run.end; ++c) {
+            const float z = scene.surface.at(r, c);
+            sum.plane.add(r, c, z, scene.cell);
+            sum.elevation += static_cast<double>(z);
+            sum.above += static_cast<double>(z - scene.terrain.at(r, c));
+        }
+    });
+    return sums;
+}
+
+/// Measures the borders of pieces.
 class Border {
   public:
-    Border(const Scene& scene, const Regions& pieces) : scene_(scene), pieces_(pieces) {}
+    /// @param planes of the pieces
+    Border(const Scene& scene, const Regions& pieces, const std::vector<Plane>& planes)
+        : scene_(scene), pieces_(pieces), planes_(planes) {}
 
-    [[nodiscard]] std::vector<PieceSums> sums(Executor& threads) const {
-        std::vector<PieceSums> sums(pieces_.count());
+    [[nodiscard]] std::vector<BorderSides> sides(Executor& threads) const {
+        std::vector<BorderSides> sides(pieces_.count());
         for_runs_by_label(threads, pieces_, [&](std::int32_t r, const RegionRun& run) {
-            PieceSums& sum = sums[run.label - 1];
-            for (std::int32_t c = run.begin; c < run.end; ++c) {
-                const float z = scene_.surface.at(r, c);
-                sum.plane.add(r, c, z, scene_.cell);
-                sum.elevation += static_cast<double>(z);
-                sum.above += static_cast<double>(z - scene_.terrain.at(r, c));
-            }
+            BorderSides& sum = sides[run.label - 1];
+            for (const std::int32_t down : {-1, 1})
+                for_uncovered(r + down, run, [&](std::int32_t c) { add(r, c, {down, 0}, run.label, sum); });
+            if (!is_in(r, run.begin - 1, run.label))
+                add(r, run.begin, {0, -1}, run.label, sum);
+            if (!is_in(r, run.end, run.label))
+                add(r, run.end - 1, {0, 1}, run.label, sum);
         });
-        std::vector<Plane> planes;
-        planes.reserve(sums.size());
-        for (const PieceSums& sum : sums)
-            planes.push_back(sum.plane.plane(scene_.cell));
-        for_runs_by_label(threads, pieces_, [&](std::int32_t r, const RegionRun& run) {
-            for (std::int32_t c = run.begin; c < run.end; ++c)
-                for (const BorderDirection& side : border_directions)
-                    if (side.across == 0 || c + side.across < run.begin || c + side.across >= run.end)
-                        add(r, c, side, run.label, planes[run.label - 1], sums[run.label - 1]);
-        });
-        return sums;
+        return sides;
     }
 
   private:
-    void add(std::int32_t r, std::int32_t c, const BorderDirection& side, Label label, const Plane& plane,
-             PieceSums& sum) const {
-        if (is_in(r + side.down, c + side.across, label))
-            return;
-        sum.sides += 1;
-        const float z = scene_.surface.at(r, c);
-        float foot = std::numeric_limits<float>::infinity();
+    /// Calls use(column) for the columns of a run in which another row has no cell of the same piece.
+    template <typename Use>
+    void for_uncovered(std::int32_t row, const RegionRun& run, const Use& use) const {
+        std::int32_t c = run.begin;
+        if (row >= 0 && row < pieces_.rows) {
+            const std::span<const RegionRun> runs = pieces_.row(row);
+            auto other =
+                std::ranges::partition_point(runs, [&](const RegionRun& before) { return before.end <= c; });
+            for (; other != runs.end() && other->begin < run.end; ++other) {
+                if (other->label != run.label)
+                    continue;
+                for (; c < other->begin; ++c)
+                    use(c);
+                c = other->end;
+            }
+        }
+        for (; c < run.end; ++c)
+            use(c);
+    }
+    /// Adds a side of a cell beyond which another cell begins that is not part of the piece.
+    void add(std::int32_t r, std::int32_t c, const BorderDirection& side, Label label,
+             BorderSides& sum) const {
+        sum.all += 1;
+        const auto wall = static_cast<double>(wall_height(scene_));
+        const double below = static_cast<double>(scene_.surface.at(r, c)) - wall;
+        double foot = std::numeric_limits<double>::infinity();
         double there = 0;  // elevation of the plane
         for (std::int32_t k = 1; k <= wall_cells(scene_); ++k) {
             const std::int32_t row = r + k * side.down;
             const std::int32_t col = c + k * side.across;
-            if (!is_inside(row, col) || is_in(row, col, label) || !(scene_.surface.at(row, col) < foot))
+            if (!is_inside(row, col))
+                break;
+            const auto z = static_cast<double>(scene_.surface.at(row, col));
+            if (!(z < std::min(foot, below)) || is_in(row, col, label))
                 continue;
-            foot = scene_.surface.at(row, col);
-            there = plane.at(row, col, scene_.cell);
+            foot = z;
+            there = planes_[label - 1].at(row, col, scene_.cell);
         }
         // A gap in a wood on a steep slope falls as well, but no lower than its own plane does.
-        const auto wall = static_cast<double>(wall_height(scene_));
-        if (!(static_cast<double>(foot) < std::min(static_cast<double>(z), there) - wall))
+        if (!(foot < std::min(below, there - wall)))
             return;
         sum.walled += 1;
-        sum.feet += static_cast<double>(foot);
+        sum.feet += foot;
     }
     /// False for cells on the border of the raster, because a frame of wrong values resembles a wall.
     [[nodiscard]] bool is_inside(std::int32_t r, std::int32_t c) const {
         return r > 0 && c > 0 && r + 1 < pieces_.rows && c + 1 < pieces_.cols;
     }
     [[nodiscard]] bool is_in(std::int32_t r, std::int32_t c, Label label) const {
-        if (!scene_.surface.holds(r, c))
-            return false;
         const RegionRun* const run = run_at(pieces_.row(r), c);
         return run != nullptr && run->label == label;
     }
 
     const Scene& scene_;
     const Regions& pieces_;
+    const std::vector<Plane>& planes_;
 };
+
+/// Drops the pieces that are not above the feet of walls around them.
+/// @param min_height smallest height above these feet, in m
+void keep_walled(const Scene& scene, double min_height, Regions& pieces, Executor& threads) {
+    // Planes above everything first, because most pieces have too few walls for any plane.
+    std::vector<Plane> planes(pieces.count(), Plane{.z = std::numeric_limits<double>::infinity()});
+    std::vector<BorderSides> sides = Border(scene, pieces, planes).sides(threads);
+    keep_regions(pieces, [&](Label label) { return sides[label - 1].are_walled(); });
+    const std::vector<PieceSums> sums = piece_sums(scene, pieces, threads);
+    planes.clear();
+    for (const PieceSums& sum : sums)
+        planes.push_back(sum.plane.plane(scene.cell));
+    sides = Border(scene, pieces, planes).sides(threads);
+    keep_regions(pieces, [&](Label label) {
+        const BorderSides& border = sides[label - 1];
+        return border.are_walled() && sums[label - 1].is_above(border, min_height);
+    });
+}
 
 /// Classifies pieces as if they were objects, and keeps those that look like a roof.
 /// @param cells cells of the pieces
@@ -298,13 +347,12 @@ Candidates add_swallowed_roofs(const Scene& scene, SceneCells& cells, double min
                                const SurfaceQuality& quality, Candidates found, Executor& threads) {
     if (!(scene.longest_swallowed > 0))
         return found;
-    const Regions pieces = level_pieces(scene, free_cells(scene, found.regions, threads),
-                                        cells_covering(min_area_m2, scene.cell), threads);
-    const std::vector<PieceSums> sums = Border(scene, pieces).sums(threads);
-    const auto is_walled = [&](Label label) { return sums[label - 1].is_walled(min_height); };
-    if (std::ranges::none_of(sums, [&](const PieceSums& sum) { return sum.is_walled(min_height); }))
+    Regions pieces = level_pieces(scene, free_cells(scene, found.regions, threads),
+                                  cells_covering(min_area_m2, scene.cell), threads);
+    keep_walled(scene, min_height, pieces, threads);
+    if (pieces.count() == 0)
         return found;
-    Mask walled = mask_of(pieces, is_walled, threads);
+    Mask walled = mask_of(pieces, threads);
     fill_small_holes(walled, cells_covering(smallest_hole_m2, scene.cell), threads);
     clear_with_border(found.regions, Neighbours::four, walled, threads);
     flag_cells(scene, quality, cells, threads);
