@@ -277,8 +277,9 @@ class PathFinder {
     std::vector<std::int64_t> bases_;    // of that step
     std::vector<float> endings_;  // least costs of a wall that ends, [zone][family][twice the quarter turns]
     std::size_t row_;             // size of the costs of a step
-    std::vector<float> costs_;    // of the steps of a block
-    std::vector<float> beginnings_;  // of the block's steps and the next one, [step][zone][heading]
+    // Uninitialised at first, because setting a whole block to zero takes as long as a short chain.
+    CellValues<float> costs_;       // of the steps of a block
+    CellValues<float> beginnings_;  // of the block's steps and the next one, [step][zone][heading]
 };
 
 PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameters,
@@ -310,10 +311,12 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
             2 * zone_half_[z] + 1, 0.0F);
     }
     row_ = windows_.begin(headings_.size());
-    costs_.resize(std::min(longest, block) * row_);
-    beginnings_.resize((std::min(longest, block) + 1) * zone_count * headings_.size());
+    const std::size_t most = std::min(longest, block);
+    costs_.resize(most * row_);
+    beginnings_.resize((most + 1) * zone_count * headings_.size());
     turns_ = turns_up_to(sharpest_cosine);
-    sharp_turns_ = turns_up_to(sharp_cosine);
+    if (std::ranges::find(sharp_, 1) != sharp_.end())
+        sharp_turns_ = turns_up_to(sharp_cosine);
     set_costs();
 }
 
