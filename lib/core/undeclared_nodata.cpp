@@ -160,8 +160,11 @@ std::vector<double> border_candidates(const BorderCells& border, double step) {
 }
 
 UndeclaredNodata find_undeclared_nodata(const Window& window, const BorderCells& border,
-                                        const UndeclaredNodataRules& rules, const ReadValues& read) {
-    UndeclaredNodata found = find_at_border(window, border, rules, read);
+                                        const UndeclaredNodataRules& rules, const ReadValues& read,
+                                        const AnyCommon& any_common) {
+    UndeclaredNodata found;
+    if (!any_common || any_common(border_candidates(border, rules.step)))
+        found = find_at_border(window, border, rules, read);
     for (const std::vector<double>* side : border.sides())
         for (const double value : *side)
             if (!std::isnan(value))

@@ -82,10 +82,14 @@ using ReadValues = std::function<void(const Window&, std::span<double>)>;
 /// the eight most frequent ones.
 [[nodiscard]] std::vector<double> border_candidates(const BorderCells& border, double step);
 
+/// Returns true if one of some values may have a hundredth of the valid cells.
+using AnyCommon = std::function<bool(const std::vector<double>&)>;
+
 /// Reads the whole window, if the border has candidates, and checks them by the connected regions of their
-/// cells. @param border of the window
+/// cells. @param border of the window @param any_common if it is known; spares reading
 [[nodiscard]] UndeclaredNodata find_undeclared_nodata(const Window& window, const BorderCells& border,
                                                       const UndeclaredNodataRules& rules,
-                                                      const ReadValues& read);
+                                                      const ReadValues& read,
+                                                      const AnyCommon& any_common = {});
 
 }  // namespace d2b

@@ -235,4 +235,28 @@ void ElevationReader::for_part(const Window& part, const std::function<void(cons
     buffers_.clear();
 }
 
+void ElevationReader::read_part(const Window& part, std::span<double> elevations) {
+    for_part(part, [&](const ElevationBand& band) {
+        const auto first = std::ptrdiff_t{band.shape.first_row - part.row} * part.cols;
+        std::ranges::copy(band.elevations, elevations.begin() + first);
+    });
+}
+
+std::int64_t most_cells_of(const std::vector<double>& values, ElevationReader& reader) {
+    if (values.empty())
+        return 0;
+    std::vector<std::int64_t> cells(values.size(), 0);
+    reader.for_each(
+        [&](const ElevationBand& band, Tally&) {
+            std::vector<std::int64_t> counts(values.size());
+            std::ranges::transform(values, counts.begin(),
+                                   [&](double value) { return std::ranges::count(band.elevations, value); });
+            return counts;
+        },
+        [&](const ElevationBand&, const std::vector<std::int64_t>& counts) {
+            std::ranges::transform(cells, counts, cells.begin(), std::plus<>());
+        });
+    return std::ranges::max(cells);
+}
+
 }  // namespace d2b

@@ -89,6 +89,9 @@ class ElevationReader {
     /// relative to the part.
     void for_part(const Window& part, const std::function<void(const ElevationBand&)>& use);
 
+    /// Reads the valid elevations of a part of the window.
+    void read_part(const Window& part, std::span<double> elevations);
+
     /// Lends the kept elevations if the part is the whole window and floats hold them exactly; otherwise
     /// returns an empty grid. Request nothing until they are returned unchanged.
     /// @pre the survey is done
@@ -171,5 +174,8 @@ class ElevationReader {
     ValidityRules rules_;
     std::optional<CellDecisions> decisions_;  ///< decisions about spikes
 };
+
+/// Returns the number of cells of the most frequent one of some values.
+[[nodiscard]] std::int64_t most_cells_of(const std::vector<double>& values, ElevationReader& reader);
 
 }  // namespace d2b

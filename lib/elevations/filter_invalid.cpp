@@ -232,14 +232,16 @@ ValidityRules validity_rules(const ReadOptions& options, bool with_spikes, const
 }
 
 UndeclaredNodata undeclared_values(DemSource& source, const Options& options, const ValidityRules& rules,
-                                   double cell_m, const BorderCells* border, bool all_valid,
-                                   const Context& context) {
+                                   double cell_m, const FirstPass* known, const Context& context) {
     const Window& window = source.info().window;
     if (options.read.ignore_nodata || window.points() == 0)
         return {};
     const ReadValues read_all = [&](const Window& part, std::span<double> values) {
         context.check_stop();
-        source.read(part, values);
+        if (known != nullptr && known->read)
+            known->read(part, values);
+        else
+            source.read(part, values);
     };
     const ReadValues read = [&](const Window& part, std::span<double> values) {
         read_all(part, values);
@@ -247,11 +249,13 @@ UndeclaredNodata undeclared_values(DemSource& source, const Options& options, co
     };
     const double side = cell_m > 0 ? cell_m : 1;
     const double step = UndeclaredNodataRules::step_m / rules.metres;
+    const UndeclaredNodataRules value_rules{step, options.ground.max_building_width / side};
     UndeclaredNodata found =
-        find_undeclared_nodata(window, border != nullptr ? *border : read_border(window, read),
-                               {step, options.ground.max_building_width / side}, read);
+        known != nullptr ? find_undeclared_nodata(window, known->border, value_rules, read, known->any_common)
+                         : find_undeclared_nodata(window, read_border(window, read), value_rules, read);
     // Heights above the ground may have no value on the ground, and any along walls.
-    if (options.ground.mode != GroundMode::none && (!all_valid || !found.taken.empty()))
+    const bool all_valid = known != nullptr && known->all_valid && found.taken.empty();
+    if (options.ground.mode != GroundMode::none && !all_valid)
         found.margin =
             find_blended_margin(window, {source.info().nodata, found.values(), rules.limits}, step, read_all);
     return found;

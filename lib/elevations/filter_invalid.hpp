@@ -114,15 +114,21 @@ void apply_limits(std::span<double> elevations, const ValidityRules& rules);
 [[nodiscard]] ValidityRules validity_rules(const ReadOptions& options, bool with_spikes, const DemInfo& info,
                                            double metres);
 
+/// Results of a first pass, which spare others.
+struct FirstPass {
+    const BorderCells& border;  ///< of the window, within the limits
+    bool all_valid;             ///< every value is an elevation, as far as is known
+    AnyCommon any_common;
+    ReadValues read;  ///< reads kept values; empty if some of them were changed
+};
+
 /// Finds the undeclared NoData values of a whole window, and the margin that was blended with NoData; none
 /// with -inodata.
-/// @param border border of the window within the limits; null: it is read
-/// @param all_valid true: every value is an elevation, as far as is known
+/// @param known null: the window has not been read yet
 /// @param cell_m cell size in m; 0 if unknown
 /// @throws InputError, Cancelled
 [[nodiscard]] UndeclaredNodata undeclared_values(DemSource& source, const Options& options,
                                                  const ValidityRules& rules, double cell_m,
-                                                 const BorderCells* border, bool all_valid,
-                                                 const Context& context);
+                                                 const FirstPass* known, const Context& context);
 
 }  // namespace d2b

@@ -70,10 +70,19 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const features::
         });
     };
     ElevationSurvey survey = survey_all();
-    const bool all_valid =
-        survey.statistics.moments.n == info.window.points() && survey.suspicious.outside.cells() == 0;
+    const std::int64_t valid = survey.statistics.moments.n;
+    const std::int64_t spikes = survey.suspicious.spikes.cells();
+    const std::int64_t outside = survey.suspicious.outside.cells();
+    FirstPass known{survey.border,
+                    outside == 0 && valid == info.window.points(),
+                    [&](const std::vector<double>& values) {
+                        return 100 * (most_cells_of(values, reader) + spikes) >= valid;
+                    },
+                    {}};
+    if (outside == 0 && spikes == 0)
+        known.read = [&](const Window& part, std::span<double> values) { reader.read_part(part, values); };
     const UndeclaredNodata undeclared =
-        undeclared_values(source, options, rules, setup.cell_m(), &survey.border, all_valid, context);
+        undeclared_values(source, options, rules, setup.cell_m(), &known, context);
     if (!undeclared.taken.empty() || undeclared.margin.cells > 0) {
         rules.undeclared = undeclared.values();
         source.set_margin(undeclared.margin);

@@ -115,7 +115,7 @@ TileRun::TileRun(const TileRunParameters& work, const Options& options, const So
         work_.undeclared =
             undeclared_values(sources.dem, setup_.plan.asked,
                               d2b::validity_rules(setup_.plan.asked.read, false, setup_.dem, metres()),
-                              setup_.cell_m(), nullptr, false, context_);
+                              setup_.cell_m(), nullptr, context_);
     dem_.set_margin(work_.undeclared->margin);
 }
 
