@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -117,18 +117,20 @@ void add_cells_taller_than_trees(const Scene& scene, std::span<const std::uint8_
 /// True if a cell is much higher than all cells of objects within some steps.
 bool stands_above(const Scene& scene, const Mask& objects, std::int32_t row, std::int32_t col,
                   std::int32_t steps) {
-    float highest = -std::numeric_limits<float>::infinity();
+    const float z = scene.surface.at(row, col);
+    const std::int32_t left = std::max(col - steps, 0);
+    const std::int32_t right = std::min(col + steps, objects.cols - 1);
     for (std::int32_t r = std::max(row - steps, 0); r <= std::min(row + steps, objects.rows - 1); ++r)
-        for (std::int32_t c = std::max(col - steps, 0); c <= std::min(col + steps, objects.cols - 1); ++c)
-            if (objects.at(r, c) != 0)
-                highest = std::max(highest, scene.surface.at(r, c));
-    return scene.surface.at(row, col) > highest + above_roof_m;
+        for (std::int32_t c = left; c <= right; ++c)
+            if (objects.at(r, c) != 0 && z <= scene.surface.at(r, c) + above_roof_m)
+                return false;
+    return true;
 }
 
 /// @param small receives the first cells of objects that are too small
-ObjectRegions find_objects(const Scene& scene, const SceneCells& known, const Mask& elevated,
-                           const SmoothSegments& segments, std::int64_t min_cells,
-                           std::vector<FirstCell>& small, Executor& threads) {
+ObjectRegions object_regions(const Scene& scene, const SceneCells& known, const Mask& elevated,
+                             const SmoothSegments& segments, std::int64_t min_cells,
+                             std::vector<FirstCell>& small, Executor& threads) {
     Mask seeds = mask_of(segments.regions, threads);
     add_cells_taller_than_trees(scene, known.tall_rows, elevated, seeds, threads);
     Mask cells = grow_by_majority(std::move(seeds), elevated, scene.cell, threads);
@@ -152,10 +154,15 @@ Mask grow_border(const Scene& scene, Mask objects, const Mask& elevated, Executo
     const Mask grown = dilate_within(objects, elevated, border_cells, threads);
     Mask roofs = grown;
     for_row_bands(threads, roofs.rows, roofs.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (std::int32_t c = 0; c < roofs.cols; ++c)
-                if (grown.at(r, c) > objects.at(r, c) && stands_above(scene, objects, r, c, border_cells))
-                    roofs.at(r, c) = 0;
+        std::vector<std::uint8_t> added(static_cast<std::size_t>(roofs.cols));
+        for (std::int32_t r = band.begin; r < band.end; ++r) {
+            std::ranges::transform(grown.row(r), objects.row(r), added.begin(), std::bit_xor<>());
+            for_mask_runs(added, 1, [&](std::int32_t begin, std::int32_t end) {
+                for (std::int32_t c = begin; c < end; ++c)
+                    if (stands_above(scene, objects, r, c, border_cells))
+                        roofs.at(r, c) = 0;
+            });
+        }
     });
     return dilate_within(std::move(objects), roofs, border_cells, threads);
 }
@@ -203,31 +210,43 @@ void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& c
     cells.limits = limits;
 }
 
-Candidates find_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
-                           const SurfaceQuality& quality, Executor& threads, CrownTreatment crowns) {
+ObjectsWithCrowns find_objects(const Scene& scene, SceneCells& cells, double min_area_m2,
+                               const SurfaceQuality& quality, Executor& threads) {
     flag_cells(scene, quality, cells, threads);
-    const Grid<std::uint8_t>& flags = cells.flags;
     std::optional<Mask> without_plants;
     if (scene.greenness != nullptr)
         without_plants = exclude_vegetation(scene, cells, threads);
     const Mask& elevated = without_plants ? *without_plants : cells.elevated;
-    const SmoothSegments segments = smooth_segments(scene, elevated, flags, threads);
-    const std::int64_t least = cells_covering(min_area_m2, scene.cell);
-    Candidates result;
+    ObjectsWithCrowns result;
+    result.segments = smooth_segments(scene, elevated, cells.flags, threads);
+    Candidates& objects = result.objects;
     ObjectRegions found =
-        find_objects(scene, cells, elevated, segments, least, result.rejected.small, threads);
-    result.features = compute_features(scene, found, segments, flags, threads);
-    for (ObjectFeatures& features : result.features) {
+        object_regions(scene, cells, elevated, result.segments, cells_covering(min_area_m2, scene.cell),
+                       objects.rejected.small, threads);
+    objects.features = compute_features(scene, found, result.segments, cells.flags, threads);
+    for (ObjectFeatures& features : objects.features) {
         if (quality.rounded_to > 0)
             features.low_slope_ratio -= low_slope_by_rounding * quality.rounded_to;
-        result.objects.push_back(classify(features, quality.uninformative_share()));
-        result.objects.back().cells = found.regions.cells[result.objects.size()];
+        objects.objects.push_back(classify(features, quality.uninformative_share()));
+        objects.objects.back().cells = found.regions.cells[objects.objects.size()];
     }
-    result.regions = std::move(found.regions);
-    if (crowns == CrownTreatment::cut_off)
-        result.rejected.crowns =
-            remove_attached_crowns(scene, segments, flags, least, std::move(found.cells), result, threads);
+    objects.regions = std::move(found.regions);
+    result.cells = std::move(found.cells);
     return result;
+}
+
+Candidates cut_crowns(const Scene& scene, const Grid<std::uint8_t>& flags, double min_area_m2,
+                      ObjectsWithCrowns found, Executor& threads) {
+    found.objects.rejected.crowns =
+        remove_attached_crowns(scene, found.segments, flags, cells_covering(min_area_m2, scene.cell),
+                               std::move(found.cells), found.objects, threads);
+    return std::move(found.objects);
+}
+
+Candidates find_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
+                           const SurfaceQuality& quality, Executor& threads) {
+    ObjectsWithCrowns found = find_objects(scene, cells, min_area_m2, quality, threads);
+    return cut_crowns(scene, cells.flags, min_area_m2, std::move(found), threads);
 }
 
 }  // namespace d2b::detect

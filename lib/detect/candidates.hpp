@@ -49,14 +49,26 @@ struct SceneCells {
 /// Computes the flags of smoothness for a quality unless they are up to date.
 void flag_cells(const Scene& scene, const SurfaceQuality& quality, SceneCells& cells, Executor& threads);
 
-/// Treatment of crowns that touch walls, see remove_attached_crowns().
-enum class CrownTreatment { cut_off, keep };
+/// Objects with crowns that touch their walls.
+struct ObjectsWithCrowns {
+    Candidates objects;
+    Mask cells;  ///< of the objects
+    SmoothSegments segments;
+};
 
 /// Finds elevated objects with smooth segments and classifies them.
 /// @param cells cells of the scene; their flags are updated for the quality
 /// @param min_area_m2 smaller objects are dropped
+[[nodiscard]] ObjectsWithCrowns find_objects(const Scene& scene, SceneCells& cells, double min_area_m2,
+                                             const SurfaceQuality& quality, Executor& threads);
+
+/// Cuts off crowns that touch walls, see remove_attached_crowns().
+/// @param flags with which the objects were found
+[[nodiscard]] Candidates cut_crowns(const Scene& scene, const Grid<std::uint8_t>& flags, double min_area_m2,
+                                    ObjectsWithCrowns found, Executor& threads);
+
+/// Finds elevated objects without the crowns that touch their walls.
 [[nodiscard]] Candidates find_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
-                                         const SurfaceQuality& quality, Executor& threads,
-                                         CrownTreatment crowns = CrownTreatment::cut_off);
+                                         const SurfaceQuality& quality, Executor& threads);
 
 }  // namespace d2b::detect

@@ -72,12 +72,8 @@ Candidates detect_candidates(const Scene& scene, const DetectOptions& options, d
                              SmoothnessThresholds& smooth, Executor& threads) {
     SceneCells cells = scene_cells(scene, options, threads);
     SurfaceQuality quality = surface_quality(scene, cells, threads);
-    Candidates first = find_candidates(scene, cells, min_area_m2, quality, threads);
-    quality.threshold_scale =
-        estimate_threshold_scale(scene, options, min_area_m2, quality, first, threads).value_or(1);
-    Candidates judged = quality.threshold_scale == 1
-                            ? std::move(first)
-                            : find_candidates(scene, cells, min_area_m2, quality, threads);
+    quality.threshold_scale = estimate_threshold_scale(scene, cells, options, min_area_m2, quality, threads);
+    Candidates judged = find_candidates(scene, cells, min_area_m2, quality, threads);
     smooth = smoothness_thresholds(scene.side(), quality);
     judged.rejected.low =
         low_roofs(scene, cells.flags, options.min_height, cells_covering(min_area_m2, scene.cell), threads);

@@ -3,31 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-
-#include "detect/surface_quality.hpp"
 
 namespace d2b::detect {
 namespace {
 
 constexpr double error_bin_m = 0.02;
-constexpr std::size_t error_bins = 60;
 constexpr std::int64_t fewest_windows = 200;
 constexpr double least_slope = 0.3;
 constexpr double greatest_slope = 0.9;
 /// Nine in ten windows of a plane with one point per cell have less than this: 1.33 times the root of 1 / 12.
 constexpr double planar_cells = 0.38;
-
-struct ErrorCounts {
-    Histogram<error_bins> errors;  ///< metres per unit of slope
-    std::int64_t planar = 0;
-
-    void merge(const ErrorCounts& other) {
-        errors.merge(other.errors);
-        planar += other.planar;
-    }
-};
 
 /// Fits a plane to the square of nine cells around a cell, by least squares.
 struct WindowPlane {
@@ -65,14 +50,14 @@ bool is_inside(const Mask& roofs, std::int32_t r, std::int32_t c) {
 }
 
 /// Returns the middle of the bin around which most errors lie, weighting neighbours of up to two bins less.
-double most_frequent(const Histogram<error_bins>& errors) {
+double most_frequent(const Histogram<SlopeErrors::bins>& errors) {
     constexpr std::array<std::int64_t, 5> weights{1, 2, 3, 2, 1};
     std::size_t best = 0;
     std::int64_t most = 0;
-    for (std::size_t bin = 0; bin < error_bins; ++bin) {
+    for (std::size_t bin = 0; bin < SlopeErrors::bins; ++bin) {
         std::int64_t near = 0;
         for (std::size_t i = 0; i < weights.size(); ++i)
-            if (bin + i >= 2 && bin + i - 2 < error_bins)
+            if (bin + i >= 2 && bin + i - 2 < SlopeErrors::bins)
                 near += weights[i] * errors.counts[bin + i - 2];
         if (near > most) {
             most = near;
@@ -84,8 +69,15 @@ double most_frequent(const Histogram<error_bins>& errors) {
 
 }  // namespace
 
-std::optional<SlopeSampling> slope_sampling(const Scene& scene, const Mask& roofs, Executor& threads) {
-    const auto add_row = [&](std::int32_t r, ErrorCounts& counts) {
+std::optional<SlopeSampling> SlopeErrors::sampling() const {
+    if (errors.all < fewest_windows)
+        return std::nullopt;
+    return SlopeSampling{most_frequent(errors),
+                         static_cast<double>(planar) / static_cast<double>(errors.all)};
+}
+
+SlopeErrors slope_errors(const Scene& scene, const Mask& roofs, Executor& threads) {
+    const auto add_row = [&](std::int32_t r, SlopeErrors& counts) {
         for (std::int32_t c = 1; c + 1 < roofs.cols; ++c) {
             if (!is_inside(roofs, r, c))
                 continue;
@@ -93,19 +85,15 @@ std::optional<SlopeSampling> slope_sampling(const Scene& scene, const Mask& roof
             if (!(plane.slope >= least_slope && plane.slope < greatest_slope))  // also if a height is NaN
                 continue;
             const double error = plane.deviation / plane.slope;
-            counts.errors.add(std::min(static_cast<std::size_t>(error / error_bin_m), error_bins));
+            counts.errors.add(std::min(static_cast<std::size_t>(error / error_bin_m), SlopeErrors::bins));
             counts.planar += error < planar_cells * scene.side() ? 1 : 0;
         }
     };
-    const ErrorCounts all = reduce_row_bands(
-        threads, roofs.rows, roofs.cols, ErrorCounts(), [&](RowBand band, ErrorCounts& counts) {
+    return reduce_row_bands(
+        threads, roofs.rows, roofs.cols, SlopeErrors(), [&](RowBand band, SlopeErrors& counts) {
             for (std::int32_t r = std::max(band.begin, 1); r < std::min(band.end, roofs.rows - 1); ++r)
                 add_row(r, counts);
         });
-    if (all.errors.all < fewest_windows)
-        return std::nullopt;
-    return SlopeSampling{most_frequent(all.errors),
-                         static_cast<double>(all.planar) / static_cast<double>(all.errors.all)};
 }
 
 }  // namespace d2b::detect

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "core/executor.hpp"
 #include "core/grid.hpp"
 #include "detect/scene.hpp"
+#include "detect/surface_quality.hpp"
 
 namespace d2b::detect {
 
@@ -16,10 +19,23 @@ struct SlopeSampling {
     double planar_share = 0;  ///< share of the windows that are no rougher than planes of one point per cell
 };
 
-/// Fits planes to windows of 3 by 3 cells within roofs, and counts those with slopes of 0.3 to 0.9. Integer
-/// counts, so the order does not matter. Returns nullopt if there are fewer than 200 such windows. Halo: one
+/// Deviations of sloping roofs from planes. Integer counts, so the order does not matter.
+struct SlopeErrors {
+    static constexpr std::size_t bins = 60;
+
+    Histogram<bins> errors;   ///< of windows, in steps of 0.02 m per unit of slope
+    std::int64_t planar = 0;  ///< windows that are no rougher than planes of one point per cell
+
+    void merge(const SlopeErrors& other) {
+        errors.merge(other.errors);
+        planar += other.planar;
+    }
+    /// Returns nullopt if there are fewer than 200 windows.
+    [[nodiscard]] std::optional<SlopeSampling> sampling() const;
+};
+
+/// Fits planes to windows of 3 by 3 cells within roofs, and counts those with slopes of 0.3 to 0.9. Halo: one
 /// cell.
-[[nodiscard]] std::optional<SlopeSampling> slope_sampling(const Scene& scene, const Mask& roofs,
-                                                          Executor& threads);
+[[nodiscard]] SlopeErrors slope_errors(const Scene& scene, const Mask& roofs, Executor& threads);
 
 }  // namespace d2b::detect

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 
 #include "core/grid.hpp"
 #include "detect/priors.hpp"
+#include "detect/slope_sampling.hpp"
 #include "raster/morphology.hpp"
 
 namespace d2b::detect {
@@ -15,17 +17,6 @@ namespace {
 
 constexpr std::int32_t near = 1;  // cells
 constexpr std::int32_t far = 3;
-
-/// Sums over all border cells in mm.
-struct Falls {
-    std::int64_t within_near = 0;
-    std::int64_t within_far = 0;
-
-    void merge(const Falls& other) {
-        within_near += other.within_near;
-        within_far += other.within_far;
-    }
-};
 
 bool has_free_side(const Mask& cells, std::int32_t r, std::int32_t c) {
     return cells.at(r - 1, c) == 0 || cells.at(r + 1, c) == 0 || cells.at(r, c - 1) == 0 ||
@@ -52,7 +43,7 @@ struct Square {
     std::int32_t col;
     std::int32_t rows;
     std::int32_t cols;
-    std::int64_t roofs;  ///< cells
+    std::int64_t cells;  ///< of a mask
 };
 
 template <typename T>
@@ -68,26 +59,37 @@ std::optional<Grid<T>> cut(const Grid<T>* grid, const Square& square, Executor& 
     return grid != nullptr ? std::optional(cut(*grid, square, threads)) : std::nullopt;
 }
 
-std::int64_t roofs_in(const Mask& roofs, const Square& square) {
+std::int64_t cells_in(const Mask& mask, const Square& square) {
     std::int64_t cells = 0;
     for (std::int32_t r = square.row; r < square.row + square.rows; ++r) {
-        const auto begin = roofs.row(r).begin() + square.col;
+        const auto begin = mask.row(r).begin() + square.col;
         cells = std::accumulate(begin, begin + square.cols, cells);
     }
     return cells;
 }
 
-std::vector<Square> squares_of(const Mask& roofs) {
+std::vector<Square> squares_of(const Mask& mask) {
     std::vector<Square> squares;
-    for (std::int32_t r = 0; r < roofs.rows; r += square_cells)
-        for (std::int32_t c = 0; c < roofs.cols; c += square_cells) {
-            Square square{r, c, std::min(square_cells, roofs.rows - r),
-                          std::min(square_cells, roofs.cols - c), 0};
-            square.roofs = roofs_in(roofs, square);
-            if (square.roofs > 0)
+    for (std::int32_t r = 0; r < mask.rows; r += square_cells)
+        for (std::int32_t c = 0; c < mask.cols; c += square_cells) {
+            Square square{r, c, std::min(square_cells, mask.rows - r), std::min(square_cells, mask.cols - c),
+                          0};
+            square.cells = cells_in(mask, square);
+            if (square.cells > 0)
                 squares.push_back(square);
         }
     return squares;
+}
+
+/// Returns the elevated cells that are smooth, which most cells of crowns are not.
+Mask smooth_cells(const SceneCells& cells, Executor& threads) {
+    Mask smooth = Mask::unset(cells.elevated.rows, cells.elevated.cols, threads);
+    for_cells(threads, smooth, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            smooth.values[i] =
+                cells.elevated.values[i] & ((cells.flags.values[i] & smooth_any_way) != 0 ? 1 : 0);
+    });
+    return smooth;
 }
 
 constexpr double surely_roof = 0.95;
@@ -122,13 +124,13 @@ std::int64_t common_cells(const Mask& a, const Mask& b) {
     return std::inner_product(a.values.begin(), a.values.end(), b.values.begin(), std::int64_t{0});
 }
 
-/// Sample with the candidates that the unchanged thresholds find in it. These are found anew, because objects
-/// cut by the border of a sample may not be found at all.
+/// Sample with the candidates that the unchanged thresholds find in it.
 struct Trial {
-    const RoofSample& sample;
+    const SceneSample& sample;
     SceneCells cells;
     Candidates usual;
-    std::int64_t roofs = 0;  ///< cells of certain roofs that these find
+    Mask roofs;               ///< cells of certain roofs
+    std::int64_t common = 0;  ///< of these: within likely buildings
 };
 
 /// Cells that likely buildings of a trial lose, less those of objects that are certain and mostly lost.
@@ -153,8 +155,12 @@ std::int64_t gained_cells(const Trial& trial, const Mask& left) {
 
 }  // namespace
 
-double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& threads) {
-    const auto add_band = [&](RowBand band, Falls& falls) {
+double StepFalls::sharpness() const {
+    return within_far > 0 ? static_cast<double>(within_near) / static_cast<double>(within_far) : 1;
+}
+
+StepFalls step_falls(const MetreGrid& surface, const Mask& objects, Executor& threads) {
+    const auto add_band = [&](RowBand band, StepFalls& falls) {
         for (std::int32_t r = std::max(band.begin, 1); r < std::min(band.end, objects.rows - 1); ++r)
             for (std::int32_t c = 1; c + 1 < objects.cols; ++c)
                 if (objects.at(r, c) != 0 && has_free_side(objects, r, c) && !std::isnan(surface.at(r, c))) {
@@ -162,68 +168,69 @@ double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& t
                     falls.within_far += fall(surface, r, c, far);
                 }
     };
-    const Falls all = reduce_row_bands(threads, objects.rows, objects.cols, Falls(), add_band);
-    return all.within_far > 0 ? static_cast<double>(all.within_near) / static_cast<double>(all.within_far)
-                              : 1;
+    return reduce_row_bands(threads, objects.rows, objects.cols, StepFalls(), add_band);
 }
 
-std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs, Executor& threads) {
-    std::vector<Square> squares = squares_of(roofs);
-    std::stable_sort(squares.begin(), squares.end(),
-                     [](const Square& a, const Square& b) { return a.roofs > b.roofs; });
+std::vector<SceneSample> scene_samples(const Scene& scene, const Mask& cells, Executor& threads) {
+    std::vector<Square> squares = squares_of(cells);
+    std::ranges::stable_sort(squares, std::ranges::greater{}, &Square::cells);
     squares.resize(std::min(squares.size(), most_samples));
-    std::vector<RoofSample> samples(squares.size());
+    std::vector<SceneSample> samples(squares.size());
     threads.for_each(squares.size(), [&](std::size_t i) {
         const Square& square = squares[i];
-        samples[i] = {cut(scene.surface, square, threads),
-                      cut(scene.terrain, square, threads),
-                      scene.cell,
-                      cut(scene.allowed, square, threads),
-                      cut(scene.greenness, square, threads),
-                      cut(roofs, square, threads)};
+        samples[i] = {cut(scene.surface, square, threads), cut(scene.terrain, square, threads), scene.cell,
+                      cut(scene.allowed, square, threads), cut(scene.greenness, square, threads)};
     });
     return samples;
 }
 
-std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectOptions& options,
-                                               double min_area_m2, const SurfaceQuality& quality,
-                                               const Candidates& first, Executor& threads) {
-    const Mask buildings = sure_roofs(first, quality.uninformative_share(), threads);
+double estimate_threshold_scale(const Scene& scene, const SceneCells& cells, const DetectOptions& options,
+                                double min_area_m2, const SurfaceQuality& quality, Executor& threads) {
     const std::vector<double> stricter = stricter_scales(scene.side(), quality.filled);
-    if (stricter.empty() || !has_usual_appearance(first.objects) ||
-        step_sharpness(scene.surface, buildings, threads) < least_sharp)
-        return std::nullopt;
-    const std::optional<SlopeSampling> slopes = slope_sampling(scene, likely_roofs(first, threads), threads);
-    if (slopes && has_sparse_slopes(*slopes))
-        return std::nullopt;
+    if (stricter.empty())
+        return 1;
+    // Crowns at walls are not cut off when scales are compared, because stricter thresholds show their
+    // worth by taking crowns away.
     const auto find_at = [&](double factor, Trial& trial) {
         SurfaceQuality other = quality;
         other.threshold_scale = factor;
-        return find_candidates(trial.sample.scene(), trial.cells, min_area_m2, other, threads,
-                               CrownTreatment::keep);
+        return find_objects(trial.sample.scene(), trial.cells, min_area_m2, other, threads);
     };
-    const std::vector<RoofSample> samples =
-        roof_samples(scene, erode(buildings, inside_m, scene.cell, threads), threads);
+    const std::vector<SceneSample> samples = scene_samples(scene, smooth_cells(cells, threads), threads);
     std::vector<Trial> trials;
+    trials.reserve(samples.size());
+    std::vector<DetectedObject> all;
+    StepFalls falls;
+    SlopeErrors slopes;
     std::int64_t objects = 0;
     std::int64_t roofs = 0;
-    for (const RoofSample& sample : samples) {
-        Trial& trial = trials.emplace_back(Trial{sample, scene_cells(sample.scene(), options, threads), {}});
-        trial.usual = find_at(1, trial);
-        const Mask found = likely_roofs(trial.usual, threads);
-        trial.roofs = common_cells(sample.roofs, found);
-        roofs += trial.roofs;
-        objects += common_cells(found, found);
+    for (const SceneSample& sample : samples) {
+        const Scene part = sample.scene();
+        Trial& trial = trials.emplace_back(Trial{sample, scene_cells(part, options, threads), {}, {}});
+        ObjectsWithCrowns found = find_at(1, trial);
+        trial.usual = found.objects;
+        const Mask likely = likely_roofs(trial.usual, threads);
+        const Candidates cut = cut_crowns(part, trial.cells.flags, min_area_m2, std::move(found), threads);
+        all.insert(all.end(), cut.objects.begin(), cut.objects.end());
+        const Mask buildings = sure_roofs(cut, quality.uninformative_share(), threads);
+        falls.merge(step_falls(sample.surface, buildings, threads));
+        slopes.merge(slope_errors(part, likely_roofs(cut, threads), threads));
+        trial.roofs = erode(buildings, inside_m, scene.cell, threads);
+        trial.common = common_cells(trial.roofs, likely);
+        roofs += trial.common;
+        objects += common_cells(likely, likely);
     }
-    if (roofs < fewest_roofs)
-        return std::nullopt;
+    const std::optional<SlopeSampling> sampling = slopes.sampling();
+    if (roofs < fewest_roofs || !has_usual_appearance(all) || falls.sharpness() < least_sharp ||
+        (sampling && has_sparse_slopes(*sampling)))
+        return 1;
     const auto gain_of = [&](double factor) {
         std::int64_t gained = 0;
         std::int64_t lost_roofs = 0;
         for (Trial& trial : trials) {
-            const Mask left = likely_roofs(find_at(factor, trial), threads);
+            const Mask left = likely_roofs(find_at(factor, trial).objects, threads);
             gained += gained_cells(trial, left);
-            lost_roofs += trial.roofs - common_cells(trial.sample.roofs, left);
+            lost_roofs += trial.common - common_cells(trial.roofs, left);
         }
         return static_cast<double>(gained) / static_cast<double>(objects) -
                price_of_lost_roofs(quality.filled) * static_cast<double>(lost_roofs) /

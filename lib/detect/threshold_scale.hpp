@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -8,50 +9,59 @@
 
 namespace d2b::detect {
 
-/// Sharpness of the steps at the borders of objects: the fall within one cell divided by the fall within
-/// three. It is 1 for vertical walls, and a half or less if the raster is blurred, as in elevations from
-/// satellite images or from a coarser raster. Returns 1 if nothing falls. Integer sums in mm, so the order
-/// does not matter. Halo: three cells.
-/// @param objects cells of objects
-[[nodiscard]] double step_sharpness(const MetreGrid& surface, const Mask& objects, Executor& threads);
+/// Falls at the borders of objects. Integer sums in mm over all border cells, so the order does not matter.
+struct StepFalls {
+    std::int64_t within_near = 0;  ///< within one cell
+    std::int64_t within_far = 0;   ///< within three cells
 
-/// Copy of a square of a scene, with its certain roof cells.
-struct RoofSample {
+    void merge(const StepFalls& other) {
+        within_near += other.within_near;
+        within_far += other.within_far;
+    }
+    /// Share of the fall that happens within one cell. It is 1 for vertical walls or if nothing falls, and a
+    /// half or less if the raster is blurred, as in elevations from satellite images or from a coarser
+    /// raster.
+    [[nodiscard]] double sharpness() const;
+};
+/// @param objects cells of objects. Halo: three cells
+[[nodiscard]] StepFalls step_falls(const MetreGrid& surface, const Mask& objects, Executor& threads);
+
+/// Copy of a square of a scene.
+struct SceneSample {
     MetreGrid surface;
     MetreGrid terrain;
     CellSize cell;
     std::optional<Mask> allowed;
     std::optional<MetreGrid> greenness;
-    Mask roofs;
 
     [[nodiscard]] Scene scene() const {
         return {surface, terrain, cell, allowed ? &*allowed : nullptr, greenness ? &*greenness : nullptr};
     }
 };
 
-/// Copies the up to four squares of 1024 by 1024 cells with most roof cells; the first ones win ties. The
-/// squares are tiles from the scene's first row and column.
-[[nodiscard]] std::vector<RoofSample> roof_samples(const Scene& scene, const Mask& roofs, Executor& threads);
+/// Copies the up to four squares of 1024 by 1024 cells with most cells of a mask; the first ones win ties.
+/// The squares are tiles from the scene's first row and column.
+[[nodiscard]] std::vector<SceneSample> scene_samples(const Scene& scene, const Mask& cells,
+                                                     Executor& threads);
 
 /// Estimates a scale of the smoothness thresholds below 1 for scenes with roofs smoother than usual, so that
 /// crowns are excluded that the usual thresholds include.
 ///
-/// Cells more than 1 m inside objects that are certainly buildings (confidence above 0.95) are roofs.
-/// Stricter thresholds take cells away from all likely buildings: crowns at their walls and false objects,
-/// but roofs as well. The gain of a scale is the share of cells that it takes away, less
+/// Objects are found in samples of the scene, those with most smooth elevated cells, so that the time hardly
+/// grows with the scene. Cells more than 1 m inside objects that are certainly buildings (confidence above
+/// 0.95) are roofs. Stricter thresholds take cells away from all likely buildings: crowns at their walls and
+/// false objects, but roofs as well. The gain of a scale is the share of cells that it takes away, less
 /// price_of_lost_roofs() times the share of roofs that it loses; objects that are certainly buildings and are
-/// mostly lost count against it. The scale is the strictest of those with nearly the largest gain. Only the
-/// (up to) four squares of 1024 by 1024 cells with most roof cells are processed, so that the time does not
-/// grow with the scene. Integer counts, so the order does not matter.
+/// mostly lost count against it. The scale is the strictest of those with nearly the largest gain. Integer
+/// counts, so the order does not matter.
 ///
-/// @param first candidates found with `quality`
-/// @return 1 or one of stricter_scales(); nullopt if there are fewer than 500
-/// such cells, without has_usual_appearance(), since certain roofs then do not speak for the others, with
-/// has_sparse_slopes(), or if walls are blurred (step_sharpness() below 0.6), because blur smooths roofs and
-/// crowns alike, and bends small houses
-[[nodiscard]] std::optional<double> estimate_threshold_scale(const Scene& scene, const DetectOptions& options,
-                                                             double min_area_m2,
-                                                             const SurfaceQuality& quality,
-                                                             const Candidates& first, Executor& threads);
+/// @param cells cells of the scene, with flags of the usual thresholds
+/// @return one of stricter_scales(), or 1. Also 1 if there are fewer than 500 cells of roofs, without
+/// has_usual_appearance(), since certain roofs then do not speak for the others, with has_sparse_slopes(), or
+/// if walls are blurred (a sharpness below 0.6), because blur smooths roofs and crowns alike, and bends small
+/// houses
+[[nodiscard]] double estimate_threshold_scale(const Scene& scene, const SceneCells& cells,
+                                              const DetectOptions& options, double min_area_m2,
+                                              const SurfaceQuality& quality, Executor& threads);
 
 }  // namespace d2b::detect

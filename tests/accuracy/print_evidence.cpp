@@ -52,10 +52,8 @@ Surface read_surface(const char* path) {
 detect::Candidates objects_of(const detect::Scene& scene, detect::SceneCells& cells, const Options& options,
                               detect::SurfaceQuality quality, Executor& threads) {
     constexpr double min_area_m2 = 30;
-    const detect::Candidates first = detect::find_candidates(scene, cells, min_area_m2, quality, threads);
     quality.threshold_scale =
-        detect::estimate_threshold_scale(scene, options.detect, min_area_m2, quality, first, threads)
-            .value_or(1);
+        detect::estimate_threshold_scale(scene, cells, options.detect, min_area_m2, quality, threads);
     return detect::find_candidates(scene, cells, min_area_m2, quality, threads);
 }
 

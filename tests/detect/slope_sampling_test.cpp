@@ -33,7 +33,8 @@ MetreGrid slope_of(int points, double cell, double rise = 0.5) {
 
 std::optional<SlopeSampling> sampling_of(const MetreGrid& surface, double cell) {
     const MetreGrid terrain(grid_cells, grid_cells, 0.0F);
-    return slope_sampling({surface, terrain, {cell, cell}}, Mask(grid_cells, grid_cells, 1), threads());
+    return slope_errors({surface, terrain, {cell, cell}}, Mask(grid_cells, grid_cells, 1), threads())
+        .sampling();
 }
 
 TEST(SlopeSampling, ErrorIsThatOfTheHighestPoint) {
@@ -77,11 +78,14 @@ TEST(SlopeSampling, WindowsLieWithinRoofs) {
             std::fill_n(roofs.row(r).begin() + 10, 52, std::uint8_t{1});
     };
     fill(2);
-    EXPECT_FALSE(slope_sampling({surface, terrain, {}}, roofs, threads()).has_value()) << "too narrow";
+    EXPECT_FALSE(slope_errors({surface, terrain, {}}, roofs, threads()).sampling().has_value())
+        << "too narrow";
     fill(5);
-    EXPECT_FALSE(slope_sampling({surface, terrain, {}}, roofs, threads()).has_value()) << "3 x 50 windows";
+    EXPECT_FALSE(slope_errors({surface, terrain, {}}, roofs, threads()).sampling().has_value())
+        << "3 x 50 windows";
     fill(7);
-    EXPECT_TRUE(slope_sampling({surface, terrain, {}}, roofs, threads()).has_value()) << "5 x 50 windows";
+    EXPECT_TRUE(slope_errors({surface, terrain, {}}, roofs, threads()).sampling().has_value())
+        << "5 x 50 windows";
 }
 
 TEST(SlopeSampling, ThinSlopesArePlanesFarFromTheirPoints) {
