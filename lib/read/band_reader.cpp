@@ -40,23 +40,6 @@ void RowCoverage::add(std::int32_t row, std::int32_t begin, std::int32_t end,
 
 namespace {
 
-/// Disables GDAL's single read of uncompressed files, because it fills unreadable parts with zeros.
-class DisableBigReads {
-  public:
-    DisableBigReads() {
-        if (const char* before = CPLGetThreadLocalConfigOption(name, nullptr))
-            before_ = before;
-        CPLSetThreadLocalConfigOption(name, "NO");
-    }
-    DisableBigReads(const DisableBigReads&) = delete;
-    DisableBigReads& operator=(const DisableBigReads&) = delete;
-    ~DisableBigReads() { CPLSetThreadLocalConfigOption(name, before_ ? before_->c_str() : nullptr); }
-
-  private:
-    static constexpr const char* name = "GDAL_ONE_BIG_READ";
-    std::optional<std::string> before_;
-};
-
 /// Name of the opened dataset. Standard input has a temporary file that users do not know.
 std::string path_of(GDALRasterBandH band) {
     const GDALDatasetH dataset = GDALGetBandDataset(band);
@@ -280,7 +263,8 @@ void BandReader::load(GDALRasterBandH band, GDALDataType type, const Window& par
     const std::string path = path_of(band_);
     const GdalMessages messages(path, info_.name);
     const NetworkGuard gate(GDALGetBandDataset(band_));
-    const DisableBigReads no_big_reads;
+    // Disables GDAL's single read of uncompressed files, because it fills unreadable parts with zeros.
+    const CPLConfigOptionSetter no_big_reads("GDAL_ONE_BIG_READ", "NO", false);
     const CPLErr status = GDALRasterIOEx(band, GF_Read, part.col, part.row, part.cols, part.rows, values,
                                          part.cols, part.rows, type, 0, 0, nullptr);
     if (status != CE_None || messages.failed())

@@ -10,8 +10,6 @@
 #include <cpl_string.h>
 #include <cpl_vsi.h>
 
-#include "read/config_option.hpp"
-
 namespace d2b::reading {
 namespace {
 
@@ -25,8 +23,6 @@ constexpr std::array services{
     "WMS:", "WMTS:",    "WCS:",     "WFS:",      "OAPIF:",    "OGCAPI:", "STACTA:",     "STACIT:",
     "CSW:", "EEDA:",    "EEDAI:",   "PLMOSAIC:", "PLSCENES:", "CARTO:",  "AMIGOCLOUD:", "NGW:",
     "ES:",  "ELASTIC:", "COUCHDB:", "CLOUDANT:", "GNM:",      "DAAS:"};
-
-constexpr const char* allowed_file = "CPL_VSIL_CURL_ALLOWED_FILENAME";
 
 bool begins_with(const std::string& name, const char* beginning) {
     return EQUALN(name.c_str(), beginning, std::string_view(beginning).size());
@@ -121,16 +117,12 @@ NetworkGuard::NetworkGuard(GDALDatasetH dataset)
 
 void NetworkGuard::close() {
     CPLHTTPPushFetchCallback(allow_or_refuse, this);
-    if (const char* before = CPLGetThreadLocalConfigOption(allowed_file, nullptr))
-        file_before_ = before;
     // "none" matches no remote file that GDAL reads in ranges.
     if (fetching_ == Fetching::none)
-        CPLSetThreadLocalConfigOption(allowed_file, "none");
+        no_files_.emplace("CPL_VSIL_CURL_ALLOWED_FILENAME", "none", false);
 }
 
 NetworkGuard::~NetworkGuard() {
-    if (fetching_ == Fetching::none)
-        CPLSetThreadLocalConfigOption(allowed_file, file_before_ ? file_before_->c_str() : nullptr);
     CPLHTTPPopFetchCallback();
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include <cpl_conv.h>
 #include <gdal.h>
 
 #include "read/gdal_handles.hpp"
@@ -41,7 +42,7 @@ class NetworkGuard {
 
     std::string name_;
     Fetching fetching_;
-    std::optional<std::string> file_before_;  ///< previous value of the option set by close()
+    std::optional<CPLConfigOptionSetter> no_files_;  ///< set by close() if nothing is fetched
 };
 
 /// Prefixes of remote file systems. They may be nested: /vsizip//vsicurl/...

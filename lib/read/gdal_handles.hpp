@@ -10,8 +10,6 @@
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
 
-#include "read/config_option.hpp"
-
 namespace d2b::reading {
 
 /// Owners of GDAL's C handles.
@@ -21,6 +19,12 @@ struct GdalRelease {
 };
 template <typename Handle, auto release>
 using GdalOwner = std::unique_ptr<std::remove_pointer_t<Handle>, GdalRelease<Handle, release>>;
+
+/// Keeps GDAL from writing an .aux.xml next to datasets that are opened, written or closed during its
+/// lifetime, unless the user has set the option.
+class NoSidecar {
+    CPLConfigOptionSetter option_{"GDAL_PAM_ENABLED", "NO", true};
+};
 
 inline void close_dataset(GDALDatasetH dataset) {
     // GDAL 3.10 writes the metadata of a GeoPackage to an .aux.xml when it is closed after being read.

@@ -16,7 +16,6 @@
 #include "core/crs.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "read/config_option.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/gdal_setup.hpp"

@@ -90,7 +90,7 @@ DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, con
     : target_(std::move(target)), format_(format), options_(options) {
     // GDAL 3.10 and later write placemark names into our field "id", which holds integers.
     if (format_.name == "LIBKML")
-        no_id_field_.emplace("LIBKML_ID_FIELD", "placemark_id");
+        no_id_field_.emplace("LIBKML_ID_FIELD", "placemark_id", true);
 }
 
 DatasetWriter::~DatasetWriter() {

@@ -9,7 +9,7 @@
 
 #include "dem2buildings/options.hpp"
 #include "dem2buildings/sinks.hpp"
-#include "read/config_option.hpp"
+#include "read/gdal_handles.hpp"
 #include "write/geopackage/dependent_objects.hpp"
 #include "write/sql.hpp"
 #include "write/vector/layer_writer.hpp"
@@ -80,7 +80,7 @@ class DatasetWriter {
     WriteTarget target_;
     const VectorFormat& format_;
     const WriteOptions& options_;
-    std::optional<reading::ScopedConfigOption> no_id_field_;
+    std::optional<CPLConfigOptionSetter> no_id_field_;
     Mode mode_ = Mode::create;
     std::string path_;
     CommitGuard guard_;  ///< declared before the dataset, because it must outlive it

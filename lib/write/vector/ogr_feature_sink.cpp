@@ -7,7 +7,6 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
-#include "read/config_option.hpp"
 #include "read/footprint_reader.hpp"
 #include "read/gdal_setup.hpp"
 #include "write/destination.hpp"
@@ -180,9 +179,9 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
     // Prevent .aux.xml files of formats without metadata, because they would outlive a rollback.
     const reading::NoSidecar no_sidecar;
     // Staged files are synced once before the rename, so SQLite need not sync earlier.
-    std::optional<reading::ScopedConfigOption> no_waiting;
+    std::optional<CPLConfigOptionSetter> no_waiting;
     if (files_)
-        no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF");
+        no_waiting.emplace("OGR_SQLITE_SYNCHRONOUS", "OFF", true);
     writer_.emplace(target_, format_, options_);
     writer_->begin(path, mode(), layers, provenance);
 }

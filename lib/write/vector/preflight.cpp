@@ -17,7 +17,6 @@
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/options.hpp"
 #include "features/rounded_polygons.hpp"
-#include "read/config_option.hpp"
 #include "read/gdal_messages.hpp"
 #include "read/vector_layer.hpp"
 #include "write/geopackage/dependent_objects.hpp"
@@ -284,7 +283,7 @@ void write_trial(const std::string& file, const std::string& folder, const Plann
 TrialDataset preflight_create(const PlannedOutput& draft) {
     reject_reserved_names(draft.format, draft.options, draft.layers);
     const reading::NoSidecar no_sidecar;
-    const reading::ScopedConfigOption no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF");
+    const CPLConfigOptionSetter no_waiting("OGR_SQLITE_SYNCHRONOUS", "OFF", true);
     try {
         try {
             const VsimemFolder memory;
