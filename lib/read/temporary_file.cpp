@@ -9,7 +9,6 @@
 #include <cpl_conv.h>
 #include <cpl_vsi.h>
 
-#include "core/system/paths.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_handles.hpp"
 #include "read/gdal_messages.hpp"
@@ -39,8 +38,9 @@ TemporaryFile::TemporaryFile(const std::string& folder, std::string what, FileNa
 
 TemporaryFile::~TemporaryFile() {
     file_.reset();
+    std::error_code ignored;
     if (!path_.empty())
-        system::remove_file(path_);
+        std::filesystem::remove(path_, ignored);
 }
 
 void TemporaryFile::fail(int error) const {

@@ -23,9 +23,6 @@ namespace d2b::system {
 /// Replaces a file in one step. @return 0, or the error number
 [[nodiscard]] int replace(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Removes a file, if it is there.
-void remove_file(const std::filesystem::path& path) noexcept;
-
 /// Forces a file, or the names in a folder, to disk. @return 0, or the error number
 [[nodiscard]] int sync(const std::filesystem::path& path);
 

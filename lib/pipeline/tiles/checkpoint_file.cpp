@@ -111,7 +111,8 @@ void write_file(const std::filesystem::path& path, const CheckpointId& id, std::
     // Another process may have finished first and removed this file as a leftover.
     if (error == 0 || (error == ENOENT && checkpoint_exists(path, id)))
         return;
-    system::remove_file(temporary);
+    std::error_code ignored;
+    std::filesystem::remove(temporary, ignored);
     fail(path, error);
 }
 

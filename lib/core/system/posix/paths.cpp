@@ -43,10 +43,6 @@ int replace(const std::filesystem::path& from, const std::filesystem::path& to) 
     return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-void remove_file(const std::filesystem::path& path) noexcept {
-    ::unlink(path.c_str());
-}
-
 int sync(const std::filesystem::path& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0)

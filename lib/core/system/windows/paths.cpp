@@ -41,10 +41,6 @@ int replace(const std::filesystem::path& from, const std::filesystem::path& to) 
     return rename(from, to, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH);
 }
 
-void remove_file(const std::filesystem::path& path) noexcept {
-    DeleteFileW(path.c_str());
-}
-
 int sync(const std::filesystem::path& path) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error))
