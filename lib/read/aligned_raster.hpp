@@ -73,8 +73,8 @@ class AlignedRaster {
     Warnings& warnings_;
     std::string name_;
     bool is_array_;
-    std::string dem_;                                    ///< name of the DEM, for messages
-    std::unique_ptr<StandardInputCopy> standard_input_;  // first, as the dataset must be closed before it
+    std::string dem_;                                ///< name of the DEM, for messages
+    std::unique_ptr<TemporaryFile> standard_input_;  // first, as the dataset must be closed before it
     OpenRaster file_;
     DemInfo raster_;
     DemInfo info_;

@@ -19,8 +19,8 @@ namespace d2b::reading {
 /// in memory of several sources or of the rasters in a folder. The destructor removes a copy or mosaic.
 class SourcePlace {
   public:
-    /// @throws InputError as build_mosaic(), rasters_of() and StandardInputCopy; OptionError for options of a
-    /// single raster with a mosaic
+    /// @throws InputError as build_mosaic(), rasters_of() and copy_standard_input(); OptionError for options
+    /// of a single raster with a mosaic
     explicit SourcePlace(const ReadOptions& options);
     SourcePlace(const SourcePlace&) = delete;
     SourcePlace& operator=(const SourcePlace&) = delete;
@@ -33,7 +33,7 @@ class SourcePlace {
     [[nodiscard]] const std::string& name() const { return name_; }
 
   private:
-    std::unique_ptr<StandardInputCopy> standard_input_;
+    std::unique_ptr<TemporaryFile> standard_input_;
     std::vector<std::string> rasters_;
     std::string path_;
     std::string name_;

@@ -67,22 +67,21 @@ bool is_standard_input(std::string_view source) {
     return source.starts_with("/vsistdin/") || source.starts_with("/vsistdin?");
 }
 
-StandardInputCopy::StandardInputCopy(const std::string& source)
-    : file_("", "The standard input", FileName::kept) {
+std::unique_ptr<TemporaryFile> copy_standard_input(const std::string& source) {
+    if (!is_standard_input(source))
+        return nullptr;
     constexpr std::size_t chunk = std::size_t{1} << 20;
+    auto copy = std::make_unique<TemporaryFile>("", "The standard input", FileName::kept);
     const GdalMessages messages;
     const GdalOwner<VSILFILE*, VSIFCloseL> from(VSIFOpenL(source.c_str(), "rb"));
     if (!from)
         throw InputError("The standard input cannot be read: " + messages.reason() + ".");
     std::vector<std::byte> buffer(chunk);
     while (const std::size_t got = VSIFReadL(buffer.data(), 1, chunk, from.get()))
-        file_.append(std::span(buffer).first(got));
-    if (file_.size() == 0)
+        copy->append(std::span(buffer).first(got));
+    if (copy->size() == 0)
         throw InputError("The standard input is empty; pipe a raster into it or give a file.");
-}
-
-std::unique_ptr<StandardInputCopy> copy_standard_input(const std::string& source) {
-    return is_standard_input(source) ? std::make_unique<StandardInputCopy>(source) : nullptr;
+    return copy;
 }
 
 }  // namespace d2b::reading

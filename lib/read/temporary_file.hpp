@@ -47,20 +47,8 @@ class TemporaryFile {
 /// Returns true if a source is standard input, which can be read only once and only forwards.
 [[nodiscard]] bool is_standard_input(std::string_view source);
 
-/// Temporary copy of standard input; the destructor removes it.
-class StandardInputCopy {
-  public:
-    /// @param source name that satisfies is_standard_input()
-    /// @throws InputError nothing came in. @throws OutputError the temporary file cannot be written
-    explicit StandardInputCopy(const std::string& source);
-
-    [[nodiscard]] const std::string& path() const { return file_.path(); }
-
-  private:
-    TemporaryFile file_;
-};
-
-/// Copies the source if it is standard input; returns null otherwise. @throws as above
-[[nodiscard]] std::unique_ptr<StandardInputCopy> copy_standard_input(const std::string& source);
+/// Copies the source to a temporary file if it is standard input; returns null otherwise.
+/// @throws InputError nothing came in. @throws OutputError the temporary file cannot be written
+[[nodiscard]] std::unique_ptr<TemporaryFile> copy_standard_input(const std::string& source);
 
 }  // namespace d2b::reading
