@@ -17,75 +17,6 @@
 
 namespace d2b::reading {
 
-/// Mosaic that several threads read concurrently. It is opened once per column of rasters, and only one
-/// thread at a time reads a column; a thread that finds a column locked takes another one first. No block is
-/// therefore decoded twice.
-class ColumnReaders final : public ConcurrentRaster {
-  public:
-    /// @param ends right ends of the columns. They cut no raster: see ends_of_columns()
-    ColumnReaders(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
-                  Warnings& warnings, const std::vector<std::int32_t>& ends);
-
-    void read(const Window& part, std::span<double> elevations) override;
-
-  private:
-    /// Range of cell columns.
-    struct Column {
-        std::int32_t begin = 0;
-        std::int32_t end = 0;
-        std::mutex mutex{};
-        /// Null until it is read, or if it cannot be opened again.
-        std::unique_ptr<RasterReader> reader{};
-        std::vector<double> values{};
-    };
-    void read(Column& column, const Window& part, std::span<double> elevations);
-    void read(Column& column, RasterReader& reader, const Window& part, std::span<double> elevations);
-    /// Returns null if the mosaic cannot be opened again.
-    [[nodiscard]] std::unique_ptr<RasterReader> reopen() const;
-
-    ReadOptions options_;
-    std::string path_;
-    DemInfo info_;
-    Warnings& warnings_;
-    std::deque<Column> columns_;
-};
-
-/// Raster that several threads read concurrently. A GDAL dataset serves one thread at a time, so it is opened
-/// again for threads that would have to wait, if that is cheap and safe; otherwise they wait. Threads that
-/// need rows of the same blocks use the same reader in turn, so that no block is decoded twice.
-class ReaderPool final : public ConcurrentRaster {
-  public:
-    /// @param path for opening it again @param warnings outlives the pool
-    ReaderPool(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
-               Warnings& warnings);
-
-    void read(const Window& part, std::span<double> elevations) override;
-
-  private:
-    struct Reader : RasterReader {
-        using RasterReader::RasterReader;
-        std::int32_t block_row = -1;  ///< row of blocks that it decoded last and holds in its cache
-    };
-    using ReaderPtr = std::unique_ptr<Reader>;
-
-    class BlockRowLock;
-
-    [[nodiscard]] ReaderPtr take(std::int32_t block_row);
-    [[nodiscard]] ReaderPtr take_idle(std::int32_t block_row);
-    [[nodiscard]] ReaderPtr reopen() const;
-
-    ReadOptions options_;
-    std::string path_;
-    DemInfo info_;
-    Warnings& warnings_;
-    std::mutex mutex_;
-    std::condition_variable returned_;
-    bool may_reopen_;
-    std::size_t readers_ = 1;
-    std::vector<ReaderPtr> idle_;          ///< capacity for all readers
-    std::vector<std::int32_t> busy_rows_;  ///< rows of blocks being decoded
-};
-
 namespace {
 
 using XmlOwner = GdalOwner<CPLXMLNode*, CPLDestroyXMLNode>;
@@ -165,30 +96,105 @@ std::vector<std::int32_t> ends_of_columns(GDALDatasetH dataset, int band) {
     return divide_columns(rasters_of(described, cols), cols);
 }
 
-ColumnReaders::ColumnReaders(OpenRaster raster, const ReadOptions& options, std::string path,
-                             const DemInfo& info, Warnings& warnings, const std::vector<std::int32_t>& ends)
-    : options_(options), path_(std::move(path)), info_(info), warnings_(warnings) {
+namespace {
+
+/// Open raster for one thread at a time, because a GDAL dataset is not thread-safe.
+struct RasterReader {
+    RasterReader(OpenRaster raster, const ReadOptions& options, const DemInfo& info, Warnings& warnings)
+        : source(std::move(raster)), bands(source.band, options, info, warnings) {}
+
+    OpenRaster source;
+    BandReader bands;
+    std::int32_t block_row = -1;  ///< row of blocks that it decoded last and holds in its cache
+};
+using ReaderPtr = std::unique_ptr<RasterReader>;
+
+/// Opens a raster again, for another thread.
+struct RasterPlace {
+    ReadOptions options;
+    std::string path;
+    DemInfo info;
+
+    /// Returns null if the raster cannot be opened again.
+    [[nodiscard]] ReaderPtr open() const {
+        try {
+            Warnings ignored;  // repeats warnings of the first opening
+            return std::make_unique<RasterReader>(open_raster(options, path, ignored), options, info,
+                                                  ignored);
+        } catch (const Error&) {
+            return nullptr;
+        }
+    }
+};
+
+/// Mosaic that several threads read concurrently. It is opened once per column of rasters, and only one
+/// thread at a time reads a column; a thread that finds a column locked takes another one first. No block is
+/// therefore decoded twice.
+class ColumnReaders final : public ConcurrentRaster {
+  public:
+    /// @param ends right ends of the columns. They cut no raster: see ends_of_columns()
+    ColumnReaders(ReaderPtr first, RasterPlace place, Warnings& warnings,
+                  const std::vector<std::int32_t>& ends);
+
+    void read(const Window& part, std::span<double> elevations) override;
+
+  private:
+    /// Range of cell columns.
+    struct Column {
+        std::int32_t begin = 0;
+        std::int32_t end = 0;
+        std::mutex mutex{};
+        /// Null until it is read, or if it cannot be opened again.
+        ReaderPtr reader{};
+        std::vector<double> values{};
+    };
+    void read(Column& column, const Window& part, std::span<double> elevations);
+    void read(Column& column, RasterReader& reader, const Window& part, std::span<double> elevations);
+
+    RasterPlace place_;
+    Warnings& warnings_;
+    std::deque<Column> columns_;
+};
+
+/// Raster that several threads read concurrently. A GDAL dataset serves one thread at a time, so it is opened
+/// again for threads that would have to wait, if that is cheap and safe; otherwise they wait. Threads that
+/// need rows of the same blocks use the same reader in turn, so that no block is decoded twice.
+class ReaderPool final : public ConcurrentRaster {
+  public:
+    ReaderPool(ReaderPtr first, RasterPlace place, Warnings& warnings);
+
+    void read(const Window& part, std::span<double> elevations) override;
+
+  private:
+    class BlockRowLock;
+
+    [[nodiscard]] ReaderPtr take(std::int32_t block_row);
+    [[nodiscard]] ReaderPtr take_idle(std::int32_t block_row);
+
+    RasterPlace place_;
+    Warnings& warnings_;
+    std::mutex mutex_;
+    std::condition_variable returned_;
+    bool may_reopen_;
+    std::size_t readers_ = 1;
+    std::vector<ReaderPtr> idle_;          ///< capacity for all readers
+    std::vector<std::int32_t> busy_rows_;  ///< rows of blocks being decoded
+};
+
+ColumnReaders::ColumnReaders(ReaderPtr first, RasterPlace place, Warnings& warnings,
+                             const std::vector<std::int32_t>& ends)
+    : place_(std::move(place)), warnings_(warnings) {
     std::int32_t begin = 0;
     for (const std::int32_t end : ends) {
         Column& column = columns_.emplace_back();
         column.begin = std::exchange(begin, end);
         column.end = end;
     }
-    columns_.front().reader = std::make_unique<RasterReader>(std::move(raster), options, info, warnings);
-}
-
-std::unique_ptr<RasterReader> ColumnReaders::reopen() const {
-    try {
-        Warnings ignored;  // repeats warnings of the first opening
-        return std::make_unique<RasterReader>(open_raster(options_, path_, ignored), options_, info_,
-                                              ignored);
-    } catch (const Error&) {
-        return nullptr;
-    }
+    columns_.front().reader = std::move(first);
 }
 
 void ColumnReaders::read(const Window& part, std::span<double> elevations) {
-    require_part(info_, part, elevations.size());
+    require_part(place_.info, part, elevations.size());
     std::vector<Column*> left;
     for (Column& column : columns_)
         if (column.begin < part.end_col() && part.col < column.end)
@@ -208,7 +214,7 @@ void ColumnReaders::read(const Window& part, std::span<double> elevations) {
 /// Reads the part that lies in a column. The caller holds the lock of the column.
 void ColumnReaders::read(Column& column, const Window& part, std::span<double> elevations) {
     if (!column.reader)
-        column.reader = reopen();
+        column.reader = place_.open();
     if (column.reader)
         return read(column, *column.reader, part, elevations);
     // Falls back on the first reader. A deadlock is impossible because a thread that holds the first column
@@ -230,27 +236,15 @@ void ColumnReaders::read(Column& column, RasterReader& reader, const Window& par
                     elevations.begin() + (std::ptrdiff_t{row} * part.cols + (col - part.col)));
 }
 
-ReaderPool::ReaderPool(OpenRaster raster, const ReadOptions& options, std::string path, const DemInfo& info,
-                       Warnings& warnings)
-    : options_(options),
-      path_(std::move(path)),
-      info_(info),
+ReaderPool::ReaderPool(ReaderPtr first, RasterPlace place, Warnings& warnings)
+    : place_(std::move(place)),
       warnings_(warnings),
       // Only GeoTIFF, because other drivers lock a library, unpack a file, or contact a server again.
-      may_reopen_(info.driver == "GTiff") {
-    idle_.push_back(std::make_unique<Reader>(std::move(raster), options, info, warnings));
+      may_reopen_(place_.info.driver == "GTiff") {
+    idle_.push_back(std::move(first));
 }
 
-ReaderPool::ReaderPtr ReaderPool::reopen() const {
-    try {
-        Warnings ignored;  // repeats warnings of the first opening
-        return std::make_unique<Reader>(open_raster(options_, path_, ignored), options_, info_, ignored);
-    } catch (const Error&) {
-        return nullptr;
-    }
-}
-
-ReaderPool::ReaderPtr ReaderPool::take_idle(std::int32_t block_row) {
+ReaderPtr ReaderPool::take_idle(std::int32_t block_row) {
     const auto found =
         std::ranges::find_if(idle_, [&](const ReaderPtr& reader) { return reader->block_row == block_row; });
     if (found == idle_.end())
@@ -291,13 +285,13 @@ class ReaderPool::BlockRowLock {
     std::int32_t block_row_;
 };
 
-ReaderPool::ReaderPtr ReaderPool::take(std::int32_t block_row) {
+ReaderPtr ReaderPool::take(std::int32_t block_row) {
     std::unique_lock lock(mutex_);
     ReaderPtr reader = take_idle(block_row);
     if (!reader && idle_.empty() && may_reopen_) {
         idle_.reserve(++readers_);
         lock.unlock();
-        reader = reopen();
+        reader = place_.open();
         lock.lock();
         may_reopen_ = may_reopen_ && reader != nullptr;
     }
@@ -315,19 +309,22 @@ ReaderPool::ReaderPtr ReaderPool::take(std::int32_t block_row) {
 }
 
 void ReaderPool::read(const Window& part, std::span<double> elevations) {
-    const std::int32_t block_row = (part.end_row() - 1) / info_.block_rows;
+    const std::int32_t block_row = (part.end_row() - 1) / place_.info.block_rows;
     BlockRowLock row_lock(*this, block_row);
     row_lock.reader = take(block_row);
     row_lock.reader->bands.read(part, elevations, warnings_);
 }
 
+}  // namespace
+
 std::unique_ptr<ConcurrentRaster> make_concurrent(OpenRaster raster, const ReadOptions& options,
                                                   std::string path, const DemInfo& info, Warnings& warnings) {
-    std::vector<std::int32_t> ends = ends_of_columns(raster.dataset.get(), options.band);
+    const std::vector<std::int32_t> ends = ends_of_columns(raster.dataset.get(), options.band);
+    auto first = std::make_unique<RasterReader>(std::move(raster), options, info, warnings);
+    RasterPlace place{options, std::move(path), info};
     if (ends.size() > 1)
-        return std::make_unique<ColumnReaders>(std::move(raster), options, std::move(path), info, warnings,
-                                               std::move(ends));
-    return std::make_unique<ReaderPool>(std::move(raster), options, std::move(path), info, warnings);
+        return std::make_unique<ColumnReaders>(std::move(first), std::move(place), warnings, ends);
+    return std::make_unique<ReaderPool>(std::move(first), std::move(place), warnings);
 }
 
 }  // namespace d2b::reading

@@ -6,7 +6,6 @@
 #include <memory>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gdal.h>
@@ -34,14 +33,6 @@ struct ColumnLimits {
 
 /// Same for a VRT mosaic; returns only the number of columns for any other dataset.
 [[nodiscard]] std::vector<std::int32_t> ends_of_columns(GDALDatasetH dataset, int band);
-
-/// Open raster for one thread at a time, because a GDAL dataset is not thread-safe.
-struct RasterReader {
-    RasterReader(OpenRaster raster, const ReadOptions& options, const DemInfo& info, Warnings& warnings)
-        : source(std::move(raster)), bands(source.band, options, info, warnings) {}
-    OpenRaster source;
-    BandReader bands;
-};
 
 /// Raster that several threads read concurrently.
 class ConcurrentRaster {
