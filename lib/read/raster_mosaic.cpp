@@ -171,18 +171,29 @@ double fallback_nodata(GDALDataType type) {
     }
 }
 
+/// Returns the cells of the rasters on the grid of the first one.
+std::vector<RasterBox> boxes_of(const std::vector<MosaicRaster>& rasters) {
+    std::vector<RasterBox> boxes(rasters.size());
+    for (std::size_t k = 0; k < rasters.size(); ++k)
+        for (std::size_t i = 0; i < boxes[k].size(); ++i) {
+            const RasterAxis& axis = rasters[k].axes[i];
+            const RasterAxis& origin = rasters.front().axes[i];
+            const double first = std::round((axis.first - origin.first) / origin.step);
+            boxes[k][i] = {first, first + axis.cells};
+        }
+    return boxes;
+}
+
 /// Returns true if the rasters have at least as many cells as the mosaic.
-bool may_cover_extent(const std::vector<MosaicRaster>& rasters) {
+bool may_cover_extent(const std::vector<RasterBox>& boxes) {
     std::array<double, 2> least{};
     std::array<double, 2> most{};
     double cells = 0;
-    for (const MosaicRaster& raster : rasters) {
-        cells += raster.axes[0].cells * raster.axes[1].cells;
-        for (std::size_t i = 0; i < least.size(); ++i) {
-            const RasterAxis& origin = rasters.front().axes[i];
-            const double offset = std::round((raster.axes[i].first - origin.first) / origin.step);
-            least[i] = std::min(least[i], offset);
-            most[i] = std::max(most[i], offset + raster.axes[i].cells);
+    for (const RasterBox& box : boxes) {
+        cells += (box[0][1] - box[0][0]) * (box[1][1] - box[1][0]);
+        for (std::size_t i = 0; i < box.size(); ++i) {
+            least[i] = std::min(least[i], box[i][0]);
+            most[i] = std::max(most[i], box[i][1]);
         }
     }
     return cells >= (most[0] - least[0]) * (most[1] - least[1]);
@@ -193,7 +204,7 @@ std::optional<double> nodata_of(const std::vector<MosaicRaster>& rasters) {
     for (const MosaicRaster& raster : rasters)
         if (raster.nodata)
             return raster.nodata;
-    if (may_cover_extent(rasters))
+    if (may_cover_extent(boxes_of(rasters)))
         return {};
     return fallback_nodata(rasters.front().type);
 }
@@ -205,18 +216,7 @@ bool can_copy_rows(const std::vector<MosaicRaster>& rasters, double nodata) {
         return !raster.nodata || *raster.nodata == nodata ||
                (std::isnan(*raster.nodata) && std::isnan(nodata));
     };
-    if (!std::ranges::all_of(rasters, fits))
-        return false;
-    std::vector<RasterBox> boxes;
-    for (const MosaicRaster& raster : rasters) {
-        RasterBox& box = boxes.emplace_back();
-        for (std::size_t i = 0; i < box.size(); ++i) {
-            const RasterAxis& origin = rasters.front().axes[i];
-            const double first = std::round((raster.axes[i].first - origin.first) / origin.step);
-            box[i] = {first, first + raster.axes[i].cells};
-        }
-    }
-    return are_disjoint(std::move(boxes));
+    return std::ranges::all_of(rasters, fits) && are_disjoint(boxes_of(rasters));
 }
 
 }  // namespace
