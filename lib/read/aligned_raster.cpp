@@ -42,15 +42,7 @@ DemInfo on_grid(DemInfo grid, const DemInfo& raster) {
 /// Returns the cells of the raster that cover a window of the DEM, estimated from points along its edge.
 Window covering_cells(const GridTransform& transform, const Window& window, const DemInfo& raster) {
     constexpr int steps = 64;
-    std::vector<Position> edge;
-    for (int i = 0; i <= steps; ++i) {
-        const double col = window.col + static_cast<double>(i) / steps * window.cols;
-        const double row = window.row + static_cast<double>(i) / steps * window.rows;
-        edge.insert(edge.end(), {{col, static_cast<double>(window.row)},
-                                 {col, static_cast<double>(window.end_row())},
-                                 {static_cast<double>(window.col), row},
-                                 {static_cast<double>(window.end_col()), row}});
-    }
+    std::vector<Position> edge = edge_of(window, steps);
     transform.to_raster(edge);
     double left = raster.cols;
     double right = 0;

@@ -198,6 +198,21 @@ std::int32_t rows_for(const std::array<double, 2>& cell) {
 
 }  // namespace
 
+std::vector<Position> edge_of(const Window& part, int steps) {
+    const double left = part.col;
+    const double top = part.row;
+    const double right = left + part.cols;
+    const double bottom = top + part.rows;
+    std::vector<Position> edge;
+    for (int i = 0; i <= steps; ++i) {
+        const double share = static_cast<double>(i) / steps;
+        const double col = left + share * part.cols;
+        const double row = top + share * part.rows;
+        edge.insert(edge.end(), {{col, top}, {col, bottom}, {left, row}, {right, row}});
+    }
+    return edge;
+}
+
 std::optional<CellOffset> whole_cell_offset(const GridTransform& transform, const DemInfo& grid) {
     if (!transform.same_crs())
         return std::nullopt;
@@ -289,16 +304,7 @@ void ValueWarper::read(const Window& wanted, std::span<double> values) {
 
 bool ValueWarper::is_outside(const Window& part) const {
     constexpr int steps = 8;
-    std::vector<Position> edge;
-    for (int i = 0; i <= steps; ++i) {
-        const double share = static_cast<double>(i) / steps;
-        const double col = part.col + share * part.cols;
-        const double row = part.row + share * part.rows;
-        edge.insert(edge.end(), {{col, static_cast<double>(part.row)},
-                                 {col, static_cast<double>(part.row) + part.rows},
-                                 {static_cast<double>(part.col), row},
-                                 {static_cast<double>(part.col) + part.cols, row}});
-    }
+    std::vector<Position> edge = edge_of(part, steps);
     transform_.to_raster(edge);
     return std::all_of(edge.begin(), edge.end(), [](const Position& p) { return std::isnan(p.x); });
 }

@@ -46,6 +46,9 @@ class GridTransform {
     bool same_crs_ = true;
 };
 
+/// Returns positions along the edge of a part of a grid, at equal distances. @param steps per side
+[[nodiscard]] std::vector<Position> edge_of(const Window& part, int steps);
+
 /// Offset between two grids in cells: row and column of a cell in the other grid minus those in this one.
 struct CellOffset {
     std::int32_t rows = 0;
