@@ -60,12 +60,7 @@ const std::vector<reading::WantedField>& wanted_fields() {
 
 double number_of(const reading::FieldFeature& feature, Field field) {
     const std::optional<std::string>& text = feature.values[field];
-    double value = RoofHeights::nan;
-    if (!text)
-        return value;
-    const char* const end = text->data() + text->size();
-    const auto [stop, error] = number_from_chars(text->data(), end, value);
-    return error == std::errc() && stop == end ? value : RoofHeights::nan;
+    return parse_number<double>(text.value_or("")).value_or(RoofHeights::nan);
 }
 
 /// Collects a survey's buildings with the values that a comparison needs.

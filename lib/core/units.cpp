@@ -69,11 +69,10 @@ std::optional<LengthUnit> parse_length_unit(std::string_view text) {
     });
     if (!name.empty() && known != known_units.end())
         return LengthUnit{std::string(known->name), known->metres};
-    double metres = 0;
-    const auto [end, error] = number_from_chars(name.data(), name.data() + name.size(), metres);
-    if (error != std::errc{} || end != name.data() + name.size() || !std::isfinite(metres) || metres <= 0)
+    const std::optional<double> metres = parse_number<double>(name);
+    if (!metres || !std::isfinite(*metres) || *metres <= 0)
         return {};
-    return LengthUnit{std::string(text) + " m", metres};
+    return LengthUnit{std::string(text) + " m", *metres};
 }
 
 std::optional<LengthUnit> stated_unit(const std::string& band_unit, const std::string& raster,

@@ -25,13 +25,7 @@ std::string_view without_plus(std::string_view text) {
 
 template <class Number>
 std::optional<Number> parse_all(std::string_view text) {
-    text = without_plus(text);
-    Number value{};
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = number_from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end)
-        return std::nullopt;
-    return value;
+    return parse_number<Number>(without_plus(text));
 }
 
 constexpr int max_default_values = 6;

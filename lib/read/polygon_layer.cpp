@@ -42,18 +42,12 @@ int pick_height(OGRLayerH layer, const LayerChoice& choice) {
 std::optional<double> height_of(OGRFeatureH feature, int field) {
     if (field < 0 || OGR_F_IsFieldSetAndNotNull(feature, field) == FALSE)
         return std::nullopt;
-    double value = 0;
     const OGRFieldType type = OGR_Fld_GetType(OGR_F_GetFieldDefnRef(feature, field));
-    if (type == OFTInteger || type == OFTInteger64 || type == OFTReal) {
-        value = OGR_F_GetFieldAsDouble(feature, field);
-    } else {
-        const std::string text = OGR_F_GetFieldAsString(feature, field);
-        const char* const end = text.data() + text.size();
-        const auto [stop, error] = number_from_chars(text.data(), end, value);
-        if (error != std::errc() || stop != end)
-            return std::nullopt;
-    }
-    return std::isfinite(value) ? std::optional(value) : std::nullopt;
+    const bool is_number = type == OFTInteger || type == OFTInteger64 || type == OFTReal;
+    const std::optional<double> value = is_number
+                                            ? OGR_F_GetFieldAsDouble(feature, field)
+                                            : parse_number<double>(OGR_F_GetFieldAsString(feature, field));
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 struct CellMask {

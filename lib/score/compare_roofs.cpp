@@ -36,12 +36,8 @@ enum RoofField : std::size_t { slope_field, azimuth_field, building_field, type_
 enum BuildingField : std::size_t { building_type_field, building_id_field };
 
 std::optional<double> number_of(const std::optional<std::string>& text) {
-    double value = 0;
-    if (!text)
-        return std::nullopt;
-    const char* const end = text->data() + text->size();
-    const auto [stop, error] = number_from_chars(text->data(), end, value);
-    return error == std::errc() && stop == end && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    const std::optional<double> value = parse_number<double>(text.value_or(""));
+    return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 FieldLayer read_roofs(const std::string& dataset, const std::string& layer, Warnings& warnings) {
