@@ -17,15 +17,7 @@ namespace {
 
 DemInfo describe(const OpenRaster& file, const std::string& path, Warnings& warnings) {
     const GdalMessages messages;
-    DemInfo info;
-    info.name = path;
-    info.rows = GDALGetRasterYSize(file.dataset.get());
-    info.cols = GDALGetRasterXSize(file.dataset.get());
-    info.window = {0, 0, info.rows, info.cols};
-    if (const GDALDriverH driver = GDALGetDatasetDriver(file.dataset.get()))
-        info.driver = GDALGetDriverShortName(driver);
-    if (const char* unit = GDALGetRasterUnitType(file.band))
-        info.band_unit = unit;
+    DemInfo info = describe_raster(file, path);
     Warnings ignored;  // warnings about a missing CRS or georeference concern the DEM alone
     read_transform(file.dataset.get(), info, ignored);
     read_crs(file.dataset.get(), "", info, ignored);
@@ -132,7 +124,7 @@ BlendedMargin AlignedRaster::find_blended(const std::vector<double>& undeclared,
                                           const ElevationLimits& limits) {
     if (used_.points() == 0)
         return {};
-    return find_blended_margin(used_, {reader_.declared_nodata(), undeclared, limits}, step,
+    return find_blended_margin(used_, {raster_.nodata, undeclared, limits}, step,
                                [&](const Window& part, std::span<double> values) {
                                    reader_.read_unchecked(part, values, warnings_);
                                });
@@ -140,8 +132,8 @@ BlendedMargin AlignedRaster::find_blended(const std::vector<double>& undeclared,
 
 void AlignedRaster::warn_about_blended(const BlendedMargin& margin) const {
     if (const std::int64_t cells = counts().blended; cells > 0)
-        warnings_.add(blended_text(cells, margin, "the " + name_,
-                                   margin.with ? value_text(reader_.stored(*margin.with)) : ""));
+        warnings_.add(
+            blended_text(cells, margin, "the " + name_, margin.with ? value_text(stored(*margin.with)) : ""));
 }
 
 std::string AlignedRaster::declaration_advice(double value) const {
@@ -149,10 +141,10 @@ std::string AlignedRaster::declaration_advice(double value) const {
         return "set these cells to NaN";
     int known = FALSE;
     const double nodata = GDALGetRasterNoDataValue(file_.band, &known);
-    const double stored = reader_.stored(value);
-    return known != FALSE && std::isfinite(nodata) && nodata != stored
-               ? second_nodata_advice(stored, nodata)
-               : "declare that with gdal_edit.py -a_nodata " + value_text(stored);
+    const double as_stored = stored(value);
+    return known != FALSE && std::isfinite(nodata) && nodata != as_stored
+               ? second_nodata_advice(as_stored, nodata)
+               : "declare that with gdal_edit.py -a_nodata " + value_text(as_stored);
 }
 
 void AlignedRaster::throw_no_overlap() const {

@@ -69,6 +69,10 @@ class AlignedRaster {
     void place(const DemInfo& grid, Resampling resampling);
     [[noreturn]] void throw_no_overlap() const;
     void copy(const Window& part, std::span<double> values);
+    /// Value before scale and offset were applied.
+    [[nodiscard]] double stored(double value) const {
+        return stored_value(value, raster_.scale, raster_.offset);
+    }
 
     Warnings& warnings_;
     std::string name_;

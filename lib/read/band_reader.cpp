@@ -101,15 +101,10 @@ BandReader::BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo
     const NetworkGuard gate(GDALGetBandDataset(band_));
     if (options.nodata && options.ignore_nodata)
         throw OptionError("-snodata and -inodata exclude each other; give only one of them.");
-    int known = FALSE;
-    if (const double scale = GDALGetRasterScale(band_, &known); known != FALSE)
-        scale_ = scale;
-    if (const double offset = GDALGetRasterOffset(band_, &known); known != FALSE)
-        offset_ = offset;
-    if (!std::isfinite(scale_) || !std::isfinite(offset_) || scale_ == 0)
+    if (!std::isfinite(info_.scale) || !std::isfinite(info_.offset) || info_.scale == 0)
         throw InputError(
-            "'" + info_.name + "' has the scale " + number_text(scale_) + " and the offset " +
-            number_text(offset_) +
+            "'" + info_.name + "' has the scale " + number_text(info_.scale) + " and the offset " +
+            number_text(info_.offset) +
             ", which give no elevations; correct them, for example with gdal_edit.py -scale -offset.");
     const int flags = GDALGetMaskFlags(band_);
     const bool replaced = options.nodata && (flags & GMF_NODATA) != 0;
@@ -162,12 +157,6 @@ void BandReader::read_part(const Window& part, std::span<double> elevations, War
         exclude(part, elevations);
 }
 
-std::optional<double> BandReader::declared_nodata() const {
-    int known = FALSE;
-    const double nodata = GDALGetRasterNoDataValue(band_, &known);
-    return known != FALSE && std::isfinite(nodata) ? std::optional(nodata * scale_ + offset_) : std::nullopt;
-}
-
 void BandReader::read_unchecked(const Window& part, std::span<double> elevations, Warnings& warnings) {
     load(band_, GDT_Float64, part, elevations.data(), warnings);
     // Values equal to NoData are masked and values far from it are not. Only if there are values in between
@@ -199,7 +188,7 @@ void BandReader::to_elevations(std::span<double> values, bool masked) const {
         if ((masked && mask_[i] == 0) || (nodata_ && value == *nodata_))
             value = invalid;
         else if (scaled)
-            value = value * scale_ + offset_;
+            value = value * info_.scale + info_.offset;
         if (!std::isfinite(value))
             value = invalid;
     }

@@ -51,7 +51,7 @@ struct LimitCounts {
 /// NoData value of the file and is compared with stored values; options.ignore_nodata disables all masks.
 class BandReader {
   public:
-    /// @param band its dataset must outlive the reader
+    /// @param band its dataset must outlive the reader @param info its description, see describe_raster()
     /// @throws OptionError if both nodata and ignore_nodata are given. @throws InputError if the scale is
     /// zero or not finite
     BandReader(GDALRasterBandH band, const ReadOptions& options, DemInfo info, Warnings& warnings);
@@ -63,8 +63,6 @@ class BandReader {
     void exclude(std::vector<double> undeclared, BlendedMargin margin);
     /// Counts of all cells read so far. Each cell is counted once.
     [[nodiscard]] const LimitCounts& counts() const { return counts_; }
-    /// Value before scale and offset were applied.
-    [[nodiscard]] double stored(double value) const { return stored_value(value, scale_, offset_); }
 
     /// Reads part of the window, a few rows at a time. @param elevations part.rows * part.cols values
     /// @throws InputError with GDAL's reason
@@ -74,8 +72,6 @@ class BandReader {
     void read_part(const Window& part, std::span<double> elevations, Warnings& warnings);
     /// Same, but neither rejects nor counts values. @throws InputError with GDAL's reason
     void read_unchecked(const Window& part, std::span<double> elevations, Warnings& warnings);
-    /// NoData value of the band as an elevation.
-    [[nodiscard]] std::optional<double> declared_nodata() const;
     /// Releases the decoded blocks in GDAL's cache.
     void drop_cached_blocks() const;
 
@@ -83,7 +79,7 @@ class BandReader {
     void restart_counts();
     void exclude(const Window& part, std::span<double> elevations);
     void count(double value);
-    [[nodiscard]] bool is_scaled() const { return scale_ != 1 || offset_ != 0; }
+    [[nodiscard]] bool is_scaled() const { return info_.scale != 1 || info_.offset != 0; }
     void to_elevations(std::span<double> values, bool masked) const;
     /// Sets cells with alpha 0 to NaN.
     void mask_transparent(const Window& part, std::span<double> values, Warnings& warnings);
@@ -94,8 +90,6 @@ class BandReader {
     GDALRasterBandH band_;
     GDALRasterBandH alpha_ = nullptr;  ///< alpha band of the dataset; null if there is none or it is ignored
     DemInfo info_;
-    double scale_ = 1;
-    double offset_ = 0;
     bool masked_ = false;
     std::optional<double> mask_nodata_;  ///< value of masked cells; nothing if they may have any value
     bool single_precision_ = false;

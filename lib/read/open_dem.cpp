@@ -22,20 +22,17 @@
 namespace d2b::reading {
 namespace {
 
-void describe_values(GDALRasterBandH band, const ReadOptions& options, DemInfo& info) {
-    int known = FALSE;
-    if (const double scale = GDALGetRasterScale(band, &known); known != FALSE)
-        info.scale = scale;
-    if (const double offset = GDALGetRasterOffset(band, &known); known != FALSE)
-        info.offset = offset;
+/// Applies the options to the NoData value of a band.
+void override_nodata(GDALRasterBandH band, const ReadOptions& options, DemInfo& info) {
     const auto elevation_of = [&](double stored) { return stored * info.scale + info.offset; };
+    int known = FALSE;
     const double declared = GDALGetRasterNoDataValue(band, &known);
     if (known != FALSE && (options.nodata || options.ignore_nodata) && declared != options.nodata)
         info.overridden_nodata = elevation_of(declared);
     if (options.nodata)
         info.nodata = elevation_of(*options.nodata);
-    else if (known != FALSE && !options.ignore_nodata && std::isfinite(declared))
-        info.nodata = elevation_of(declared);
+    else if (options.ignore_nodata)
+        info.nodata.reset();
 }
 
 bool holds_bytes(GDALRasterBandH band) {
@@ -64,16 +61,9 @@ std::string date_of(GDALDatasetH dataset) {
 DemInfo describe(const OpenRaster& raster, const SourcePlace& place, const ReadOptions& options,
                  Warnings& warnings) {
     const GdalMessages messages(GDALGetDescription(raster.dataset.get()), place.name());
-    DemInfo info;
-    info.name = place.name();
-    info.rows = GDALGetRasterYSize(raster.dataset.get());
-    info.cols = GDALGetRasterXSize(raster.dataset.get());
-    if (const GDALDriverH driver = GDALGetDatasetDriver(raster.dataset.get()))
-        info.driver = GDALGetDriverShortName(driver);
+    DemInfo info = describe_raster(raster, place.name());
     info.date = date_of(raster.dataset.get());
-    if (const char* unit = GDALGetRasterUnitType(raster.band))
-        info.band_unit = unit;
-    describe_values(raster.band, options, info);
+    override_nodata(raster.band, options, info);
     info.bands = GDALGetRasterCount(raster.dataset.get());
     info.bytes = holds_bytes(raster.band);
     read_transform(raster.dataset.get(), info, warnings);

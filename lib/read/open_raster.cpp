@@ -1,5 +1,6 @@
 #include "read/open_raster.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -14,13 +15,6 @@
 #include "read/source_files.hpp"
 
 namespace d2b::reading {
-
-/// Rejects a raster with an impossible or unsupported header before anything is allocated or read: a side of
-/// more than 2^30 cells, an ENVI file or text grid shorter than its cells need, a TIFF with a block larger
-/// than its bytes can fill. GDAL itself would read missing cells as zeros, search for them for hours, or
-/// allocate the claimed block.
-/// @param name for messages @throws InputError
-void validate_header(const OpenRaster& raster, const std::string& name);
 
 namespace {
 
@@ -90,12 +84,12 @@ void check_envi(const OpenRaster& raster, const Header& header, std::uint64_t by
 
 /// Counts the words of a text file, including its header, up to `enough`.
 std::uint64_t count_words(GDALDatasetH dataset, std::uint64_t enough) {
-    VSILFILE* const file = VSIFOpenL(GDALGetDescription(dataset), "rb");
+    const GdalOwner<VSILFILE*, VSIFCloseL> file(VSIFOpenL(GDALGetDescription(dataset), "rb"));
     std::uint64_t words = 0;
     bool inside = false;
     std::vector<char> text(std::size_t{1} << 20);
-    while (file != nullptr && words < enough) {
-        const std::size_t got = VSIFReadL(text.data(), 1, text.size(), file);
+    while (file && words < enough) {
+        const std::size_t got = VSIFReadL(text.data(), 1, text.size(), file.get());
         if (got == 0)
             break;
         for (std::size_t i = 0; i < got; ++i) {
@@ -104,8 +98,6 @@ std::uint64_t count_words(GDALDatasetH dataset, std::uint64_t enough) {
             inside = word;
         }
     }
-    if (file != nullptr)
-        VSIFCloseL(file);
     return words;
 }
 
@@ -143,6 +135,29 @@ void check_block(const OpenRaster& raster, const Header& header, std::uint64_t b
                          std::to_string(rows) + " cells" +
                          (together ? " in " + std::to_string(header.bands) + " bands" : "") +
                          "; it is damaged or truncated, so copy it again.");
+}
+
+/// Rejects a raster with an impossible or unsupported header before anything is allocated or read: a side of
+/// more than 2^30 cells, an ENVI file or text grid shorter than its cells need, a TIFF with a block larger
+/// than its bytes can fill. GDAL itself would read missing cells as zeros, search for them for hours, or
+/// allocate the claimed block.
+/// @param name for messages @throws InputError
+void validate_header(const OpenRaster& raster, const std::string& name) {
+    const Header header = header_of(raster);
+    if (header.cols > longest_side || header.rows > longest_side)
+        throw InputError(
+            "'" + name + "' has " + std::to_string(header.cols) + " columns and " +
+            std::to_string(header.rows) + " rows; more than " + std::to_string(longest_side) +
+            " of either are not supported, so cut it into parts, for example with gdal_translate -srcwin.");
+    const std::optional<std::uint64_t> bytes = length_of_file(raster.dataset.get());
+    if (!bytes)
+        return;
+    if (header.driver == "ENVI")
+        check_envi(raster, header, *bytes, name);
+    else if (header.driver == "AAIGrid")
+        check_text(raster, header, *bytes, name);
+    else if (header.driver == "GTiff")
+        check_block(raster, header, *bytes, name);
 }
 
 constexpr int listed_subdatasets = 3;
@@ -211,24 +226,6 @@ void check_kind(GDALRasterBandH band, const ReadOptions& options, Warnings& warn
 
 }  // namespace
 
-void validate_header(const OpenRaster& raster, const std::string& name) {
-    const Header header = header_of(raster);
-    if (header.cols > longest_side || header.rows > longest_side)
-        throw InputError(
-            "'" + name + "' has " + std::to_string(header.cols) + " columns and " +
-            std::to_string(header.rows) + " rows; more than " + std::to_string(longest_side) +
-            " of either are not supported, so cut it into parts, for example with gdal_translate -srcwin.");
-    const std::optional<std::uint64_t> bytes = length_of_file(raster.dataset.get());
-    if (!bytes)
-        return;
-    if (header.driver == "ENVI")
-        check_envi(raster, header, *bytes, name);
-    else if (header.driver == "AAIGrid")
-        check_text(raster, header, *bytes, name);
-    else if (header.driver == "GTiff")
-        check_block(raster, header, *bytes, name);
-}
-
 OpenRaster open_raster(const ReadOptions& options, const std::string& path, Warnings& warnings) {
     check_options(options);
     OpenRaster raster{open_dataset(options, path, warnings), nullptr};
@@ -236,6 +233,27 @@ OpenRaster open_raster(const ReadOptions& options, const std::string& path, Warn
     check_kind(raster.band, options, warnings);
     validate_header(raster, options.source);
     return raster;
+}
+
+DemInfo describe_raster(const OpenRaster& raster, const std::string& name) {
+    DemInfo info;
+    info.name = name;
+    info.rows = GDALGetRasterYSize(raster.dataset.get());
+    info.cols = GDALGetRasterXSize(raster.dataset.get());
+    info.window = {0, 0, info.rows, info.cols};
+    if (const GDALDriverH driver = GDALGetDatasetDriver(raster.dataset.get()))
+        info.driver = GDALGetDriverShortName(driver);
+    if (const char* unit = GDALGetRasterUnitType(raster.band))
+        info.band_unit = unit;
+    int known = FALSE;
+    if (const double scale = GDALGetRasterScale(raster.band, &known); known != FALSE)
+        info.scale = scale;
+    if (const double offset = GDALGetRasterOffset(raster.band, &known); known != FALSE)
+        info.offset = offset;
+    const double nodata = GDALGetRasterNoDataValue(raster.band, &known);
+    if (known != FALSE && std::isfinite(nodata))
+        info.nodata = nodata * info.scale + info.offset;
+    return info;
 }
 
 OpenRaster open_first_band(const std::string& name, const std::string& path, Warnings& warnings) {
