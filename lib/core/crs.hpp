@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/stop_token.hpp"
 #include "dem2buildings/sinks.hpp"
@@ -67,6 +68,11 @@ void require_plane(const Crs& crs, const std::string& option, const std::string&
 /// Guesses the intended code if the authority is missing: "EPSG:4326" for "4326", "4326+5773" or "epsg4326";
 /// otherwise "".
 [[nodiscard]] std::string guess_epsg_code(std::string_view text);
+
+/// Returns the smallest range that holds all longitudes: the circle without its widest gap. If the first is
+/// east of the second, the range crosses the antimeridian. @param places x is a longitude; not empty
+/// @param turn full circle in their unit
+[[nodiscard]] std::pair<double, double> longitude_range(std::span<const Position> places, double turn);
 
 /// Transforms positions between CRSs with PROJ, axes in GIS order on both sides. The vertical parts of
 /// compound CRSs are ignored: heights are not transformed.

@@ -77,8 +77,7 @@ CorrectionReader::CorrectionReader(const CorrectionChoice& choice, const DemInfo
                                    const Callbacks& callbacks)
     : source_(source_of(choice)), warnings_(callbacks.on_warning), window_(grid.window) {
     const NetworkGuard gate(source_.path);
-    const DatasetOwner dataset =
-        open_vector_dataset(source_.path, "The " + source_.name() + " cannot be opened", warnings_);
+    const DatasetOwner dataset = open_source(source_, warnings_);
     const std::vector<OGRLayerH> all = layers(dataset.get());
     for (OGRLayerH const layer : all)
         read(layer, grid, all.size() > 1);
@@ -179,11 +178,9 @@ void CorrectionReader::add(Correction&& correction, OGRGeometryH geometry, RingP
 
 void CorrectionReader::add_polygon(OGRGeometryH polygon, RingProjector& projector,
                                    Correction& correction) const {
-    const int count = OGR_G_GetGeometryCount(polygon);
-    std::vector<WorldRing> rings;
-    rings.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-        rings.push_back(projector.project(points_of(OGR_G_GetGeometryRef(polygon, i))));
+    std::vector<WorldRing> rings = rings_of(polygon);
+    for (WorldRing& ring : rings)
+        ring = projector.project(ring);
     for (const RowSpan& span : row_spans(rings, window_))
         correction.cells.push_back({span.row, span.begin, span.end});
 }

@@ -22,15 +22,9 @@ namespace d2b::reading {
 
 namespace {
 
-std::vector<WorldRing> rings_of(OGRGeometryH polygon) {
-    std::vector<WorldRing> rings;
-    for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i) {
-        const OGRGeometryH line = OGR_G_GetGeometryRef(polygon, i);
-        WorldRing& ring = rings.emplace_back();
-        for (int k = 0; k < OGR_G_GetPointCount(line); ++k)
-            ring.push_back({OGR_G_GetX(line, k), OGR_G_GetY(line, k)});
-    }
-    return rings;
+bool meets(const ClipBox& box, const Window& w) {
+    return box.right > w.col && box.left < static_cast<double>(w.col) + w.cols && box.top > w.row &&
+           box.bottom < static_cast<double>(w.row) + w.rows;
 }
 
 /// Clips rings to a box and drops empty ones.
@@ -139,26 +133,10 @@ GeometryOwner to_geometry(const PixelPolygon& polygon, const Window& window) {
 
 }  // namespace
 
-ClipBox box_of(const PixelPolygon& polygon) {
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    ClipBox box{inf, inf, -inf, -inf};
-    for (const WorldRing& ring : polygon)
-        for (const Position& p : ring)
-            box = {std::min(box.left, p.x), std::min(box.bottom, p.y), std::max(box.right, p.x),
-                   std::max(box.top, p.y)};
-    return box;
-}
-
-bool meets(const ClipBox& box, const Window& w) {
-    return box.right > w.col && box.left < static_cast<double>(w.col) + w.cols && box.top > w.row &&
-           box.bottom < static_cast<double>(w.row) + w.rows;
-}
-
 std::vector<PixelPolygon> read_cutline(const PolygonSource& source, const DemInfo& info, Warnings& warnings) {
     const std::string name = source.name();
     const NetworkGuard gate(source.path);
-    const DatasetOwner dataset =
-        open_vector_dataset(source.path, "The " + name + " cannot be opened", warnings);
+    const DatasetOwner dataset = open_source(source, warnings);
     const OGRLayerH layer = layer_of(dataset.get(), source, warnings);
     const TransformOwner transform = transform_to_dem(OGR_L_GetSpatialRef(layer), source, info, warnings);
     RingProjector projector(transform.get(), info.transform, name);

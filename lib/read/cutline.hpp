@@ -37,10 +37,6 @@ using PixelPolygon = std::vector<WorldRing>;
 [[nodiscard]] std::vector<PixelPolygon> buffered(const std::vector<PixelPolygon>& polygons, double metres,
                                                  const DemInfo& info, const std::string& name);
 
-/// Envelope of all rings in pixel coordinates.
-[[nodiscard]] ClipBox box_of(const PixelPolygon& polygon);
-[[nodiscard]] bool meets(const ClipBox& box, const Window& window);
-
 /// Mask of the cells of a window whose centres lie inside any of the polygons.
 class CutlineMask {
   public:

@@ -41,21 +41,18 @@ FieldLayer read_field_layer(const LayerChoice& choice, std::span<const WantedFie
         fields.push_back(index_of(layer, choice.dataset, field));
         result.has.push_back(fields.back() >= 0);
     }
-    std::size_t others = 0;
-    for_each_geometry(layer, "The layer '" + result.name + "' of '" + choice.dataset + "'", warnings,
-                      [&](OGRFeatureH feature, OGRGeometryH geometry) {
-                          FieldFeature found;
-                          found.shape = polygon_feature_of(geometry, &found.elevations);
-                          if (found.shape.polygons.empty()) {
-                              ++others;
-                              return;
-                          }
-                          result.elevations = result.elevations && OGR_G_Is3D(geometry) != FALSE;
-                          for (const int field : fields)
-                              found.values.push_back(value_of(feature, field));
-                          result.features.push_back(std::move(found));
-                      });
-    warn_of_others(others, result.dataset, result.name, warnings);
+    for_each_polygon_feature(layer, choice.dataset, warnings,
+                             [&](OGRFeatureH feature, OGRGeometryH geometry) {
+                                 FieldFeature found;
+                                 found.shape = polygon_feature_of(geometry, &found.elevations);
+                                 if (found.shape.polygons.empty())
+                                     return false;
+                                 result.elevations = result.elevations && OGR_G_Is3D(geometry) != FALSE;
+                                 for (const int field : fields)
+                                     found.values.push_back(value_of(feature, field));
+                                 result.features.push_back(std::move(found));
+                                 return true;
+                             });
     return result;
 }
 

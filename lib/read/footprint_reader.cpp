@@ -62,7 +62,7 @@ FootprintReader::FootprintReader(const FootprintChoice& choice, const DemInfo& d
     : source_(footprints_of(choice)),
       warnings_(callbacks.on_warning),
       gate_(std::in_place, source_.path),
-      dataset_(open_vector_dataset(source_.path, "The " + source_.name() + " cannot be opened", warnings_)),
+      dataset_(open_source(source_, warnings_)),
       layer_(layer_of(dataset_.get(), source_, warnings_)),
       original_(std::make_shared<const OgrOriginalLayer>(layer_)),
       crs_wkt_(wkt_of(OGR_L_GetSpatialRef(layer_))) {
@@ -134,8 +134,7 @@ std::string footprint_layer_name(const std::string& dataset, const std::string& 
     const PolygonSource source = footprints_of({dataset, layer, {}});
     const NetworkGuard gate(dataset);
     Warnings unheard;  // they are reported when the footprints are read
-    const DatasetOwner opened =
-        open_vector_dataset(dataset, "The " + source.name() + " cannot be opened", unheard);
+    const DatasetOwner opened = open_source(source, unheard);
     return OGR_L_GetName(layer_of(opened.get(), source, unheard));
 }
 

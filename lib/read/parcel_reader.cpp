@@ -1,7 +1,6 @@
 #include "read/parcel_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -78,44 +77,17 @@ int field_of(OGRLayerH layer, const ParcelChoice& choice) {
                       field_list(layer));
 }
 
-/// Box in the coordinates of a layer.
-struct LayerBox {
-    double left = HUGE_VAL;
-    double low = HUGE_VAL;
-    double right = -HUGE_VAL;
-    double high = -HUGE_VAL;
-
-    void add(Position p) {
-        left = std::min(left, p.x);
-        right = std::max(right, p.x);
-        low = std::min(low, p.y);
-        high = std::max(high, p.y);
-    }
-};
-
 /// Returns the envelope of a part of a DEM in the CRS of the layer. @param back transformation to that CRS,
 /// or null @return nothing if a point cannot be transformed
-std::optional<LayerBox> box_around(const Window& part, const AffineTransform& g,
-                                   OGRCoordinateTransformationH back) {
-    constexpr int n = 16;
-    const GdalMessages quiet;
-    LayerBox box;
-    const double rows = part.rows + 2 * margin_cells;
-    const double cols = part.cols + 2 * margin_cells;
-    for (int i = 0; i <= n; ++i)
-        for (int k = 0; k <= n; ++k) {
-            const double row = part.row - margin_cells + rows * i / n;
-            const double col = part.col - margin_cells + cols * k / n;
-            Position p{g[0] + col * g[1] + row * g[2], g[3] + col * g[4] + row * g[5]};
-            if (back != nullptr && OCTTransform(back, 1, &p.x, &p.y, nullptr) == FALSE)
-                return std::nullopt;
-            if (!std::isfinite(p.x + p.y))
-                return std::nullopt;
-            box.add(p);
-        }
+std::optional<ClipBox> box_around(const Window& part, const AffineTransform& grid,
+                                  OGRCoordinateTransformationH back) {
+    const std::optional<WorldRing> places = lattice_over(part, margin_cells, grid, back);
+    if (!places)
+        return std::nullopt;
+    const ClipBox box = box_of({&*places, 1});
     const double x = back != nullptr ? margin_share * (box.right - box.left) : 0;
-    const double y = back != nullptr ? margin_share * (box.high - box.low) : 0;
-    return LayerBox{box.left - x, box.low - y, box.right + x, box.high + y};
+    const double y = back != nullptr ? margin_share * (box.top - box.bottom) : 0;
+    return ClipBox{box.left - x, box.bottom - y, box.right + x, box.top + y};
 }
 
 class ParcelReader final : public ParcelSource {
@@ -150,7 +122,7 @@ ParcelReader::ParcelReader(const ParcelChoice& choice, const DemInfo& grid, cons
       warnings_(callbacks.on_warning),
       grid_(grid.transform),
       gate_(std::in_place, source_.path),
-      dataset_(open_vector_dataset(source_.path, "The " + source_.name() + " cannot be opened", warnings_)),
+      dataset_(open_source(source_, warnings_)),
       layer_(layer_of(dataset_.get(), source_, warnings_)),
       field_(field_of(layer_, choice)) {
     const OGRSpatialReferenceH own = OGR_L_GetSpatialRef(layer_);
@@ -166,10 +138,10 @@ ParcelReader::ParcelReader(const ParcelChoice& choice, const DemInfo& grid, cons
 }
 
 void ParcelReader::filter_by(const Window& part) {
-    const std::optional<LayerBox> box =
+    const std::optional<ClipBox> box =
         to_dem_ && !back_ ? std::nullopt : box_around(part, grid_, back_.get());
     if (box)
-        OGR_L_SetSpatialFilterRect(layer_, box->left, box->low, box->right, box->high);
+        OGR_L_SetSpatialFilterRect(layer_, box->left, box->bottom, box->right, box->top);
     else
         OGR_L_SetSpatialFilter(layer_, nullptr);
 }
@@ -209,11 +181,9 @@ PixelParcel ParcelReader::parcel_of(OGRFeatureH feature, OGRGeometryH geometry) 
     const GeometryOwner straight(OGR_G_GetLinearGeometry(geometry, 0, nullptr));  // arcs become lines
     if (!straight)
         return parcel;
-    for (OGRGeometryH const polygon : polygons_within(straight.get())) {
-        std::vector<WorldRing>& rings = parcel.polygons.emplace_back();
-        for (int i = 0; i < OGR_G_GetGeometryCount(polygon); ++i)
-            rings.push_back(projector_->project(points_of(OGR_G_GetGeometryRef(polygon, i))));
-    }
+    for (OGRGeometryH const polygon : polygons_within(straight.get()))
+        for (WorldRing& ring : parcel.polygons.emplace_back(rings_of(polygon)))
+            ring = projector_->project(ring);
     for (OGRGeometryH const line : lines_within(straight.get()))
         parcel.lines.push_back(projector_->project(points_of(line)));
     if (!parcel.polygons.empty()) {

@@ -122,17 +122,15 @@ PolygonLayer read_polygon_layer(const LayerChoice& choice, Warnings& warnings) {
     PolygonLayer result{choice.dataset, OGR_L_GetName(layer), wkt_of(OGR_L_GetSpatialRef(layer)), {}, {}};
     if (height >= 0)
         result.height_field = OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(OGR_L_GetLayerDefn(layer), height));
-    std::size_t others = 0;
-    for_each_geometry(layer, "The layer '" + result.name + "' of '" + choice.dataset + "'", warnings,
-                      [&](OGRFeatureH feature, OGRGeometryH geometry) {
-                          PolygonFeature found = polygon_feature_of(geometry);
-                          found.height = height_of(feature, height);
-                          if (found.polygons.empty())
-                              ++others;
-                          else
-                              result.features.push_back(std::move(found));
-                      });
-    warn_of_others(others, result.dataset, result.name, warnings);
+    for_each_polygon_feature(layer, choice.dataset, warnings,
+                             [&](OGRFeatureH feature, OGRGeometryH geometry) {
+                                 PolygonFeature found = polygon_feature_of(geometry);
+                                 if (found.polygons.empty())
+                                     return false;
+                                 found.height = height_of(feature, height);
+                                 result.features.push_back(std::move(found));
+                                 return true;
+                             });
     return result;
 }
 

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
+#include "core/crs.hpp"
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
@@ -53,36 +55,6 @@ constexpr int deepest = 12;       // at most 4096 parts per edge
 
 constexpr double window_margin = 4;  // in sizes of the window
 
-/// Returns a lattice of points over the window, because its rim alone would miss a pole inside.
-std::vector<Position> lattice_of(const DemInfo& info) {
-    constexpr int n = 16;
-    const AffineTransform& g = info.transform;
-    std::vector<Position> places;
-    for (int i = 0; i <= n; ++i)
-        for (int k = 0; k <= n; ++k) {
-            const double row = info.window.row + static_cast<double>(info.window.rows) * i / n;
-            const double col = info.window.col + static_cast<double>(info.window.cols) * k / n;
-            places.push_back({g[0] + col * g[1] + row * g[2], g[3] + col * g[4] + row * g[5]});
-        }
-    return places;
-}
-
-/// Returns the smallest range that contains all longitudes: the circle without its widest gap. It may end
-/// beyond half a turn.
-std::pair<double, double> range_of_longitudes(std::vector<double> longitudes, double turn) {
-    for (double& longitude : longitudes)
-        longitude = std::remainder(longitude, turn);
-    std::ranges::sort(longitudes);
-    std::pair<double, double> range{longitudes.front(), longitudes.back()};
-    double widest = longitudes.front() + turn - longitudes.back();
-    for (std::size_t i = 1; i < longitudes.size(); ++i)
-        if (longitudes[i] - longitudes[i - 1] > widest) {
-            widest = longitudes[i] - longitudes[i - 1];
-            range = {longitudes[i], longitudes[i - 1] + turn};
-        }
-    return range;
-}
-
 /// Returns a full circle of longitude in units of the CRS, or 0 for projected ones.
 double full_circle_of(OGRSpatialReferenceH crs) {
     return OSRIsGeographic(crs) != FALSE ? 2 * std::numbers::pi / OSRGetAngularUnits(crs, nullptr) : 0;
@@ -94,6 +66,16 @@ bool ClipBox::holds(std::span<const Position> ring) const {
     return std::ranges::all_of(ring, [this](const Position& p) {
         return p.x >= left && p.x <= right && p.y >= bottom && p.y <= top;
     });
+}
+
+ClipBox box_of(std::span<const WorldRing> rings) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    ClipBox box{inf, inf, -inf, -inf};
+    for (const WorldRing& ring : rings)
+        for (const Position& p : ring)
+            box = {std::min(box.left, p.x), std::min(box.bottom, p.y), std::max(box.right, p.x),
+                   std::max(box.top, p.y)};
+    return box;
 }
 
 WorldRing clipped(const WorldRing& ring, const ClipBox& box) {
@@ -150,7 +132,7 @@ void RingProjector::densify(const Vertex& from, const Vertex& to, int depth, Wor
     densify(middle, to, depth + 1, ring);
 }
 
-WorldRing RingProjector::project(const WorldRing& ring) {
+WorldRing RingProjector::project(const WorldRing& ring) const {
     WorldRing result;
     Vertex before;
     for (const Position& source : ring) {
@@ -163,23 +145,43 @@ WorldRing RingProjector::project(const WorldRing& ring) {
     return result;
 }
 
+std::optional<WorldRing> lattice_over(const Window& part, double margin, const AffineTransform& grid,
+                                      OGRCoordinateTransformationH to_layer) {
+    constexpr int n = 16;
+    const GdalMessages quiet;
+    const double rows = part.rows + 2 * margin;
+    const double cols = part.cols + 2 * margin;
+    WorldRing places;
+    for (int i = 0; i <= n; ++i)
+        for (int k = 0; k <= n; ++k) {
+            const double row = part.row - margin + rows * i / n;
+            const double col = part.col - margin + cols * k / n;
+            Position p{grid[0] + col * grid[1] + row * grid[2], grid[3] + col * grid[4] + row * grid[5]};
+            if (to_layer != nullptr && OCTTransform(to_layer, 1, &p.x, &p.y, nullptr) == FALSE)
+                return std::nullopt;
+            if (!std::isfinite(p.x + p.y))
+                return std::nullopt;
+            places.push_back(p);
+        }
+    return places;
+}
+
 SearchExtents search_extents(OGRSpatialReferenceH polygons, OGRSpatialReferenceH dem, const DemInfo& info) {
     const GdalMessages quiet;
     const TransformOwner back(OCTNewCoordinateTransformation(dem, polygons));
-    std::vector<double> xs;
-    std::vector<double> ys;
-    for (Position p : lattice_of(info)) {
-        if (!back || OCTTransform(back.get(), 1, &p.x, &p.y, nullptr) == FALSE || !std::isfinite(p.x + p.y))
-            return {};
-        xs.push_back(p.x);
-        ys.push_back(p.y);
-    }
-    const auto [bottom, top] = std::ranges::minmax(ys);
-    const auto [least, most] = std::ranges::minmax(xs);
+    const std::optional<WorldRing> places =
+        back ? lattice_over(info.window, 0, info.transform, back.get()) : std::nullopt;
+    if (!places)
+        return {};
+    ClipBox box = box_of({&*places, 1});
     const double turn = full_circle_of(polygons);
-    const auto [left, right] = turn > 0 ? range_of_longitudes(std::move(xs), turn) : std::pair(least, most);
-    const double room = window_margin * std::max(right - left, top - bottom);
-    ClipBox box{left - room, bottom - room, right + room, top + room};
+    if (turn > 0) {
+        std::tie(box.left, box.right) = longitude_range(*places, turn);
+        if (box.right < box.left)
+            box.right += turn;
+    }
+    const double room = window_margin * std::max(box.right - box.left, box.top - box.bottom);
+    box = {box.left - room, box.bottom - room, box.right + room, box.top + room};
     if (!(turn > 0))
         return {{box}, {}};
     SearchExtents found;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ struct ClipBox {
     [[nodiscard]] bool holds(std::span<const Position> ring) const;
 };
 
+/// Returns the envelope of rings. @param rings not empty
+[[nodiscard]] ClipBox box_of(std::span<const WorldRing> rings);
+
 /// Clips a ring to a box (Sutherland and Hodgman, 1974). Parts may be joined along the sides of the box;
 /// within the box, points keep their even-odd parity. A ring inside the box is returned unchanged.
 /// @param ring may be closed by a repeated position @return closed by a repeated position; empty if outside
@@ -38,7 +42,7 @@ class RingProjector {
 
     /// Projects a ring and densifies edges that become curves, so that they deviate by less than a fiftieth
     /// of a cell. @throws InputError if a position has no image
-    [[nodiscard]] WorldRing project(const WorldRing& ring);
+    [[nodiscard]] WorldRing project(const WorldRing& ring) const;
 
   private:
     struct Vertex {
@@ -52,6 +56,13 @@ class RingProjector {
     AffineTransform to_cells_{};
     std::string name_;
 };
+
+/// Returns a lattice of positions over a part of a DEM and a margin around it, in the CRS of a layer. Not
+/// only its rim, which would miss a pole inside. @param margin in cells @param to_layer transformation from
+/// the CRS of the DEM; null if both are the same @return nothing if a position cannot be converted
+[[nodiscard]] std::optional<WorldRing> lattice_over(const Window& part, double margin,
+                                                    const AffineTransform& grid,
+                                                    OGRCoordinateTransformationH to_layer);
 
 /// Search extents of polygons, and the range of valid latitudes.
 struct SearchExtents {

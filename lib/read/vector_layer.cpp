@@ -13,11 +13,7 @@ namespace {
 
 /// @param elevations those of the vertices are added, if it is not null
 WorldRing ring_of(OGRGeometryH line, bool& open, std::vector<double>* elevations) {
-    const int count = OGR_G_GetPointCount(line);
-    WorldRing ring(static_cast<std::size_t>(count));
-    constexpr int stride = sizeof(Position);
-    if (count > 0)
-        OGR_G_GetPoints(line, &ring[0].x, stride, &ring[0].y, stride, nullptr, 0);
+    WorldRing ring = points_of(line);
     if (ring.size() > 1 && ring.front() == ring.back())
         ring.pop_back();
     else if (!ring.empty())
@@ -38,6 +34,16 @@ void add_polygon(OGRGeometryH polygon, PolygonFeature& feature, std::vector<doub
     }
     if (!result.exterior.empty())
         feature.polygons.push_back(std::move(result));
+}
+
+/// @param complaint "'x' cannot be opened", before GDAL's reason
+DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint, Warnings& warnings) {
+    const GdalMessages messages;
+    DatasetOwner dataset = open_guarded(path, GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR);
+    if (!dataset)
+        throw InputError(complaint + ": " + messages.reason_for(path) + ".");
+    messages.pass_all(warnings);
+    return dataset;
 }
 
 /// Returns the parts of a wanted type at any depth of nested collections.
@@ -89,9 +95,19 @@ bool is_valid(OGRGeometryH geometry) {
 
 WorldRing points_of(OGRGeometryH line) {
     WorldRing points(static_cast<std::size_t>(OGR_G_GetPointCount(line)));
-    for (std::size_t i = 0; i < points.size(); ++i)
-        points[i] = {OGR_G_GetX(line, static_cast<int>(i)), OGR_G_GetY(line, static_cast<int>(i))};
+    constexpr int stride = sizeof(Position);
+    if (!points.empty())
+        OGR_G_GetPoints(line, &points[0].x, stride, &points[0].y, stride, nullptr, 0);
     return points;
+}
+
+std::vector<WorldRing> rings_of(OGRGeometryH polygon) {
+    const int count = OGR_G_GetGeometryCount(polygon);
+    std::vector<WorldRing> rings;
+    rings.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+        rings.push_back(points_of(OGR_G_GetGeometryRef(polygon, i)));
+    return rings;
 }
 
 PolygonFeature polygon_feature_of(OGRGeometryH geometry, std::vector<double>* elevations) {
@@ -103,17 +119,12 @@ PolygonFeature polygon_feature_of(OGRGeometryH geometry, std::vector<double>* el
     return feature;
 }
 
-DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint, Warnings& warnings) {
-    const GdalMessages messages;
-    DatasetOwner dataset = open_guarded(path, GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR);
-    if (!dataset)
-        throw InputError(complaint + ": " + messages.reason_for(path) + ".");
-    messages.pass_all(warnings);
-    return dataset;
-}
-
 DatasetOwner open_polygons(const std::string& path, Warnings& warnings) {
     return open_vector_dataset(path, "'" + path + "' cannot be opened as a vector dataset", warnings);
+}
+
+DatasetOwner open_source(const PolygonSource& source, Warnings& warnings) {
+    return open_vector_dataset(source.path, "The " + source.name() + " cannot be opened", warnings);
 }
 
 std::vector<std::string> geometry_layers(GDALDatasetH dataset) {
@@ -156,6 +167,19 @@ void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warni
     messages.pass_warnings(warnings);
 }
 
+void for_each_polygon_feature(OGRLayerH layer, const std::string& dataset, Warnings& warnings,
+                              const std::function<bool(OGRFeatureH, OGRGeometryH)>& add) {
+    const std::string name = "layer '" + std::string(OGR_L_GetName(layer)) + "' of '" + dataset + "'";
+    std::size_t others = 0;
+    for_each_geometry(layer, "The " + name, warnings, [&](OGRFeatureH feature, OGRGeometryH geometry) {
+        others += add(feature, geometry) ? 0U : 1U;
+    });
+    if (others > 0)
+        warnings.add(std::to_string(others) + (others == 1 ? " feature" : " features") + " of the " + name +
+                     (others == 1 ? " has" : " have") + " no polygon and " + (others == 1 ? "is" : "are") +
+                     " left out.");
+}
+
 std::string field_list(OGRLayerH layer) {
     const OGRFeatureDefnH schema = OGR_L_GetLayerDefn(layer);
     const int count = OGR_FD_GetFieldCount(schema);
@@ -169,14 +193,6 @@ std::string field_list(OGRLayerH layer) {
 void refuse_missing_field(OGRLayerH layer, const std::string& dataset, const std::string& field) {
     throw OptionError("The layer '" + std::string(OGR_L_GetName(layer)) + "' of '" + dataset +
                       "' has no field '" + field + "'; " + field_list(layer));
-}
-
-void warn_of_others(std::size_t others, const std::string& dataset, const std::string& layer,
-                    Warnings& warnings) {
-    if (others > 0)
-        warnings.add(std::to_string(others) + (others == 1 ? " feature" : " features") + " of the layer '" +
-                     layer + "' of '" + dataset + "' " + (others == 1 ? "has" : "have") + " no polygon and " +
-                     (others == 1 ? "is" : "are") + " left out.");
 }
 
 std::string quoted_names(std::span<const std::string> names) {

@@ -27,17 +27,14 @@ namespace d2b::reading {
 
 /// Returns the vertices of a line or ring, without heights.
 [[nodiscard]] WorldRing points_of(OGRGeometryH line);
+/// Returns the vertices of all rings of a polygon, the exterior first.
+[[nodiscard]] std::vector<WorldRing> rings_of(OGRGeometryH polygon);
 
 /// Returns the polygons of a geometry of any type without heights of vertices. Curves become lines; the
 /// result is empty if it contains no polygon. @param elevations gets the heights, ring by ring in the order
 /// of the vertices, if it is not null
 [[nodiscard]] PolygonFeature polygon_feature_of(OGRGeometryH geometry,
                                                 std::vector<double>* elevations = nullptr);
-
-/// Opens a dataset with vector layers. @param complaint "'x' cannot be opened", before GDAL's reason @throws
-/// InputError
-[[nodiscard]] DatasetOwner open_vector_dataset(const std::string& path, const std::string& complaint,
-                                               Warnings& warnings);
 
 /// Opens a dataset with polygons for a comparison. @throws InputError
 [[nodiscard]] DatasetOwner open_polygons(const std::string& path, Warnings& warnings);
@@ -54,14 +51,15 @@ namespace d2b::reading {
 void for_each_geometry(OGRLayerH layer, const std::string& what, Warnings& warnings,
                        const std::function<void(OGRFeatureH, OGRGeometryH)>& visit);
 
+/// Same for a comparison: warns of the features for which add(feature, geometry) returns false, because they
+/// have no polygon.
+void for_each_polygon_feature(OGRLayerH layer, const std::string& dataset, Warnings& warnings,
+                              const std::function<bool(OGRFeatureH, OGRGeometryH)>& add);
+
 /// Lists the fields of a layer for messages: "its fields are 'a' and 'b'."
 [[nodiscard]] std::string field_list(OGRLayerH layer);
 /// Names the fields that a layer has instead. @throws OptionError
 [[noreturn]] void refuse_missing_field(OGRLayerH layer, const std::string& dataset, const std::string& field);
-
-/// Warns of features without polygons, if there are any.
-void warn_of_others(std::size_t others, const std::string& dataset, const std::string& layer,
-                    Warnings& warnings);
 
 /// Formats "'a', 'b' and 'c'", shortened if there are very many; "" for none.
 [[nodiscard]] std::string quoted_names(std::span<const std::string> names);
@@ -75,6 +73,9 @@ struct PolygonSource {
 
     [[nodiscard]] std::string name() const { return role + " '" + path + "'"; }
 };
+
+/// Opens a source. @throws InputError
+[[nodiscard]] DatasetOwner open_source(const PolygonSource& source, Warnings& warnings);
 
 /// Returns the layer that the source names. @throws InputError if there is no layer with geometries. @throws
 /// OptionError if the named one does not exist

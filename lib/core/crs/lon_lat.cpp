@@ -1,5 +1,7 @@
 #include "core/crs/lon_lat.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -40,22 +42,23 @@ std::pair<double, double> avoid_antimeridian(std::pair<double, double> range) {
     return range;
 }
 
-/// Returns the smallest range that holds all longitudes: the circle without its widest gap. If the first is
-/// east of the second, the range crosses the antimeridian.
-std::pair<double, double> longitude_range(std::vector<double> longitudes) {
-    std::sort(longitudes.begin(), longitudes.end());
+}  // namespace
+
+std::pair<double, double> longitude_range(std::span<const Position> places, double turn) {
+    std::vector<double> longitudes;
+    longitudes.reserve(places.size());
+    for (const Position& place : places)
+        longitudes.push_back(std::remainder(place.x, turn));
+    std::ranges::sort(longitudes);
     std::pair<double, double> range{longitudes.front(), longitudes.back()};
-    double widest = longitudes.front() + 360 - longitudes.back();
-    for (std::size_t i = 1; i < longitudes.size(); ++i) {
+    double widest = longitudes.front() + turn - longitudes.back();
+    for (std::size_t i = 1; i < longitudes.size(); ++i)
         if (longitudes[i] - longitudes[i - 1] > widest) {
             widest = longitudes[i] - longitudes[i - 1];
             range = {longitudes[i], longitudes[i - 1]};
         }
-    }
     return range;
 }
-
-}  // namespace
 
 std::unique_ptr<LonLat> LonLat::copy() const {
     auto result = std::make_unique<LonLat>();
@@ -113,13 +116,12 @@ AreaPtr area_of(const PJ* crs, std::span<const Position> positions) {
         return nullptr;
     double south = 90;
     double north = -90;
-    std::vector<double> longitudes;
-    for (const Position& p : places) {
-        longitudes.push_back(std::remainder(p.x + lon_lat->prime_meridian, 360.0));
+    for (Position& p : places) {
+        p.x += lon_lat->prime_meridian;
         south = std::min(south, p.y);
         north = std::max(north, p.y);
     }
-    const auto [west, east] = avoid_antimeridian(longitude_range(std::move(longitudes)));
+    const auto [west, east] = avoid_antimeridian(longitude_range(places, 360));
     AreaPtr area(proj_area_create());
     proj_area_set_bbox(area.get(), west, south, east, north);
     return area;
