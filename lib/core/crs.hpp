@@ -115,7 +115,6 @@ class Geodesy {
         double area_m2 = 0;  ///< never negative, whatever the orientation
         double perimeter_m = 0;
     };
-    [[nodiscard]] bool geodesic() const;
     /// Measures one ring, whose first position is not repeated. @throws InputError if a position has no
     /// longitude and latitude
     [[nodiscard]] Measure ring(std::span<const Position> ring);

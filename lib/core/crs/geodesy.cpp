@@ -45,29 +45,67 @@ class GeodesicPolygon {
     GeographicLib::PolygonArea wide_;
 };
 
-/// Curvature of straight edges of a CRS on the ellipsoid. Computed once per tile of a fixed grid over the
-/// CRS, so that results do not depend on earlier rings.
-class EdgeCurvatures {
-  public:
-    /// @param tile side of the smallest tiles, units of the CRS
-    explicit EdgeCurvatures(double tile) : tile_(tile) {}
+/// Square of a fixed grid over a CRS. The size of tiles doubles from level to level.
+struct MapTile {
+    int level = 0;
+    std::int64_t col = 0;
+    std::int64_t row = 0;
+    auto operator<=>(const MapTile&) const = default;
+};
 
-    /// Returns the length over which the bend may be considered constant, in units of the CRS.
-    [[nodiscard]] double tile() const { return tile_; }
-    /// Returns the bend near a ring: no edge there has a sag (in metres) above bend * length^2 (in units of
-    /// the CRS). Infinite if the ring is too large to tell. @param corners at least one @param lon_lat,
-    /// polygon of the CRS, the same in every call
-    [[nodiscard]] double around(std::span<const Position> corners, const LonLat& lon_lat,
-                                const GeodesicPolygon& polygon);
+/// Values of places in a CRS, each computed once per tile, so that results do not depend on earlier rings.
+template <typename Value>
+class TileCache {
+  public:
+    /// @param smallest side of the tiles of level 0, units of the CRS @param levels number of levels
+    TileCache(double smallest, int levels) : smallest_(smallest), levels_(levels) {}
+
+    /// Returns make(tile, side of the tile) for a tile around a ring; null if there is no such tile.
+    /// @param corners at least one
+    template <typename Make>
+    [[nodiscard]] const Value* around(std::span<const Position> corners, const Make& make) {
+        const std::optional<MapTile> tile = tile_around(corners);
+        if (!tile)
+            return nullptr;
+        const auto [found, is_new] = values_.try_emplace(*tile);
+        if (is_new)
+            found->second = make(*tile, std::ldexp(smallest_, tile->level));
+        return &found->second;
+    }
 
   private:
-    [[nodiscard]] double tile_size(int level) const { return std::ldexp(tile_, level); }
-    [[nodiscard]] double measure(const MapTile& tile, const LonLat& lon_lat,
-                                 const GeodesicPolygon& polygon) const;
+    [[nodiscard]] std::optional<MapTile> tile_around(std::span<const Position> corners) const;
 
-    double tile_;
-    std::map<MapTile, double> bends_;
+    double smallest_;
+    int levels_;
+    std::map<MapTile, Value> values_;
 };
+
+/// Returns a tile near whose centre a ring lies, on the lowest level on which the ring is no larger than a
+/// tile; nothing if no level is high enough, or a position is not finite or too far away.
+template <typename Value>
+std::optional<MapTile> TileCache<Value>::tile_around(std::span<const Position> corners) const {
+    constexpr double farthest = 1e15;  // tiles; up to here they are numbered exactly
+    Position low = corners[0];
+    Position high = corners[0];
+    for (const Position& p : corners) {
+        if (!is_finite(p))
+            return std::nullopt;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    MapTile tile;
+    while (tile.level < levels_ &&
+           std::ldexp(smallest_, tile.level) < std::max(high.x - low.x, high.y - low.y))
+        ++tile.level;
+    const double size = std::ldexp(smallest_, tile.level);
+    const Position place{(low.x + high.x) / 2 / size, (low.y + high.y) / 2 / size};
+    if (tile.level == levels_ || !(std::max(std::abs(place.x), std::abs(place.y)) < farthest))
+        return std::nullopt;
+    tile.col = std::llround(place.x);
+    tile.row = std::llround(place.y);
+    return tile;
+}
 
 /// Measures rings whose edges are straight in a CRS. Rings of up to a few kilometres use the local metric;
 /// others, and those near poles, are densified into polygons of geodesics.
@@ -88,8 +126,9 @@ class GeodesicRingMeasurer {
           turn_(turn),
           stop_(std::move(stop)),
           polygon_(lon_lat_->radius, lon_lat_->flattening),
-          metrics_(step / 8),
-          bends_(step / 8) {}
+          tile_(step / 8),
+          metrics_(tile_, 3),
+          bends_(tile_, 8) {}
 
     /// @throws InputError if a position has no longitude and latitude
     [[nodiscard]] Geodesy::Measure ring(std::span<const Position> ring);
@@ -110,8 +149,9 @@ class GeodesicRingMeasurer {
     double turn_;
     StopToken stop_;
     GeodesicPolygon polygon_;
-    LocalMetrics metrics_;
-    EdgeCurvatures bends_;
+    double tile_;  ///< length over which the bend may be considered constant, in units of the CRS
+    TileCache<std::optional<LocalMetric>> metrics_;
+    TileCache<double> bends_;
     // State of the current ring, kept to reuse memory.
     std::vector<Position> corners_;  ///< coordinates in the CRS
     std::vector<Position> places_;   ///< longitude and latitude of the corners
@@ -190,25 +230,14 @@ double GeodesicPolygon::sag(const Position& a, const Position& middle, const Pos
     return std::abs(distance * std::sin((azimuth_middle - azimuth_b) * GeographicLib::Math::degree()));
 }
 
-double EdgeCurvatures::around(std::span<const Position> corners, const LonLat& lon_lat,
-                              const GeodesicPolygon& polygon) {
-    constexpr int levels = 8;
-    const std::optional<MapTile> tile = tile_around(corners, tile_, levels);
-    if (!tile)
-        return std::numeric_limits<double>::infinity();  // then every edge is checked
-    const auto [found, is_new] = bends_.try_emplace(*tile);
-    if (is_new)
-        found->second = measure(*tile, lon_lat, polygon);
-    return found->second;
-}
+namespace {
 
-/// Takes the largest sag of chords in four directions on a lattice of 5 x 5 positions that extends one tile
-/// size to all sides of the tile's centre (as far as a ring no larger than the tile reaches), doubled because
-/// of the gaps between them.
-double EdgeCurvatures::measure(const MapTile& tile, const LonLat& lon_lat,
-                               const GeodesicPolygon& polygon) const {
+/// Returns the bend of straight edges of a CRS near a tile: no edge there has a sag (in metres) above bend *
+/// length^2 (in units of the CRS). Takes the largest sag of chords in four directions on a lattice of 5 x 5
+/// positions that extends one tile size to all sides of the tile's centre (as far as a ring no larger than
+/// the tile reaches), doubled because of the gaps between them.
+double bend_near(const MapTile& tile, double size, const LonLat& lon_lat, const GeodesicPolygon& polygon) {
     constexpr int n = 5;
-    const double size = tile_size(tile.level);
     std::array<Position, std::size_t{n} * n> places;
     const auto place = [&](int col, int row) -> Position& {
         return places[static_cast<std::size_t>(row) * n + static_cast<std::size_t>(col)];
@@ -235,6 +264,8 @@ double EdgeCurvatures::measure(const MapTile& tile, const LonLat& lon_lat,
                                                     (size * size * (dx * dx + dy * dy)));
     return 2 * largest;
 }
+
+}  // namespace
 
 /// Returns the vector to the next corner. If it exceeds half a turn of longitude, the ring crosses the
 /// antimeridian.
@@ -321,7 +352,7 @@ void GeodesicRingMeasurer::cut(const Position& start, const Position& along, con
     const double pieces = std::min(room, std::ceil(std::sqrt(sag / largest_sag_)));
     if (pieces <= 2) {
         outline_.push_back(place);
-    } else if (squared <= bends_.tile() * bends_.tile()) {  // the bend is constant along the edge
+    } else if (squared <= tile_ * tile_) {  // the bend is constant along the edge
         for (std::int64_t piece = 1; piece < static_cast<std::int64_t>(pieces); ++piece)
             outline_.push_back(locate(point_along(start, along, static_cast<double>(piece) / pieces)));
     } else {
@@ -335,9 +366,14 @@ void GeodesicRingMeasurer::cut(const Position& start, const Position& along, con
 Geodesy::Measure GeodesicRingMeasurer::ring(std::span<const Position> ring) {
     constexpr double share = 0.8e-7;                     // below the promised 1e-7
     const double finest_sag = 3e-15 * lon_lat_->radius;  // metres; smaller sags are only rounding errors
-    if (!ring.empty())
-        if (const LocalMetric* metric = metrics_.around(ring, *lon_lat_))
-            return metric->ring(ring);
+    if (ring.empty())
+        return {};
+    const auto* const metric = metrics_.around(ring, [&](const MapTile& tile, double size) {
+        return LocalMetric::fit({static_cast<double>(tile.col) * size, static_cast<double>(tile.row) * size},
+                                size, *lon_lat_);
+    });
+    if (metric != nullptr && *metric)
+        return (*metric)->ring(ring);
     corners_.assign(ring.begin(), ring.end());
     places_.resize(ring.size());
     locate(corners_, places_);
@@ -351,7 +387,11 @@ Geodesy::Measure GeodesicRingMeasurer::ring(std::span<const Position> ring) {
     // The tolerance depends on the area, which is unknown at first. Repeat, because a narrow ring may turn
     // out smaller than it seemed.
     const double longest = longest_squared();
-    const double bend_here = bends_.around(corners_, *lon_lat_, polygon_);
+    const double* const bend = bends_.around(corners_, [&](const MapTile& tile, double size) {
+        return bend_near(tile, size, *lon_lat_, polygon_);
+    });
+    const double bend_here =
+        bend != nullptr ? *bend : std::numeric_limits<double>::infinity();  // then every edge is checked
     for (double believed = std::numeric_limits<double>::infinity(); measure.area_m2 < believed / 2;) {
         believed = measure.area_m2;
         largest_sag_ = std::max(1.5 * share * measure.area_m2 / measure.perimeter_m, finest_sag);
@@ -411,10 +451,6 @@ Geodesy::Geodesy(const Crs& crs, StopToken stop) : impl_(std::make_unique<Impl>(
 Geodesy::Geodesy(Geodesy&&) noexcept = default;
 Geodesy& Geodesy::operator=(Geodesy&&) noexcept = default;
 Geodesy::~Geodesy() = default;
-
-bool Geodesy::geodesic() const {
-    return impl_->geodesic.has_value();
-}
 
 Geodesy::Measure Geodesy::ring(std::span<const Position> ring) {
     return impl_->geodesic ? impl_->geodesic->ring(ring) : planar_ring(ring, impl_->metres);

@@ -203,18 +203,4 @@ Geodesy::Measure LocalMetric::ring(std::span<const Position> corners) const {
     return {std::abs(area), perimeter};
 }
 
-const LocalMetric* LocalMetrics::around(std::span<const Position> corners, const LonLat& lon_lat) {
-    constexpr int levels = 3;
-    const std::optional<MapTile> tile = tile_around(corners, tile_, levels);
-    if (!tile)
-        return nullptr;
-    const auto [found, is_new] = metrics_.try_emplace(*tile);
-    if (is_new) {
-        const double size = std::ldexp(tile_, tile->level);
-        found->second = LocalMetric::fit(
-            {static_cast<double>(tile->col) * size, static_cast<double>(tile->row) * size}, size, lon_lat);
-    }
-    return found->second ? &*found->second : nullptr;
-}
-
 }  // namespace d2b

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
 #include <span>
 
@@ -42,22 +41,6 @@ class LocalMetric {
     Quadratic mixed_;    ///< F
     Quadratic along_y_;  ///< G
     Quadratic area_;     ///< sqrt(E G - F^2)
-};
-
-/// Local metrics of a CRS, each computed once per tile of a fixed grid over it, so that results do not depend
-/// on earlier rings.
-class LocalMetrics {
-  public:
-    /// @param tile side of the smallest tiles, units of the CRS
-    explicit LocalMetrics(double tile) : tile_(tile) {}
-
-    /// Returns the metric near a ring; null if the ring is too large or the fit failed there. @param corners
-    /// at least one @param lon_lat of the CRS, the same in every call
-    [[nodiscard]] const LocalMetric* around(std::span<const Position> corners, const LonLat& lon_lat);
-
-  private:
-    double tile_;
-    std::map<MapTile, std::optional<LocalMetric>> metrics_;
 };
 
 }  // namespace d2b
