@@ -18,10 +18,6 @@ Georeference::Georeference(const AffineTransform& transform, TraceMode mode)
       shift_(mode == TraceMode::points ? 0.5 : 0.0),
       mirrored_(transform[1] * transform[5] - transform[2] * transform[4] > 0) {}
 
-Position Georeference::position(FinePoint point) const {
-    return position(point, 1);
-}
-
 Position Georeference::position(FinePoint point, std::int64_t divisor) const {
     // Exact, because the divisor is a power of two.
     const auto steps = static_cast<double>(FinePoint::steps * divisor);

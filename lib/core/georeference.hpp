@@ -20,17 +20,14 @@ class Georeference {
     /// @param mode decides whether lattice points are cell centres or cell corners, half a cell apart
     Georeference(const AffineTransform& transform, TraceMode mode);
 
-    [[nodiscard]] Position position(FinePoint point) const;
+    /// @param divisor of the row and column, a power of two, for points between those of the fine lattice
+    [[nodiscard]] Position position(FinePoint point, std::int64_t divisor = 1) const;
     [[nodiscard]] Position position(LatticePoint point) const { return position(fine(point)); }
-    /// Returns the position of a point between those of the fine lattice. @param divisor of its row and
-    /// column, a power of two
-    [[nodiscard]] Position position(FinePoint point, std::int64_t divisor) const;
     /// Returns the corners of a box, starting at the low one, along the column first.
     [[nodiscard]] WorldRing corners(const LatticeBox& box) const;
     /// Returns exterior rings counter-clockwise with y up, whichever way the raster's rows run.
-    [[nodiscard]] WorldPolygon polygon(const FinePolygon& polygon) const { return this->polygon(polygon, 1); }
-    /// Same on a lattice that is finer by a divisor, a power of two.
-    [[nodiscard]] WorldPolygon polygon(const FinePolygon& polygon, std::int64_t divisor) const;
+    /// @param divisor as in position()
+    [[nodiscard]] WorldPolygon polygon(const FinePolygon& polygon, std::int64_t divisor = 1) const;
     [[nodiscard]] WorldPolygon polygon(const LatticePolygon& traced) const { return polygon(fine(traced)); }
     /// Returns the vector of a step of rows and columns, in units of the CRS.
     [[nodiscard]] Position step(double rows, double cols) const;
