@@ -55,18 +55,19 @@ std::uint8_t ValueRegions::class_of(double value) const {
     return 0;
 }
 
-void ValueRegions::add_runs(std::span<const double> row) {
-    for (std::size_t begin = 0; begin < row.size();) {
+void ValueRegions::add_runs(Row& row) {
+    const std::vector<std::uint8_t>& classes = row.classes;
+    for (std::size_t begin = 0; begin < classes.size();) {
         std::size_t end = begin;
-        while (end < row.size() && classes_[end] == classes_[begin])
+        while (end < classes.size() && classes[end] == classes[begin])
             ++end;
-        const auto valid = classes_[begin] == missing ? 0 : static_cast<std::int64_t>(end - begin);
+        const auto valid = classes[begin] == missing ? 0 : static_cast<std::int64_t>(end - begin);
         const std::uint32_t region = sets_.add();
         regions_.push_back(
-            {classes_[begin], rows_above_[0].values.empty() || begin == 0 || end == row.size(), valid, {}});
+            {classes[begin], rows_.size() == 1 || begin == 0 || end == classes.size(), valid, {}});
         runs_.push_back({begin, end, region});
-        std::fill(region_of_.begin() + static_cast<std::ptrdiff_t>(begin),
-                  region_of_.begin() + static_cast<std::ptrdiff_t>(end), region);
+        std::fill(row.regions.begin() + static_cast<std::ptrdiff_t>(begin),
+                  row.regions.begin() + static_cast<std::ptrdiff_t>(end), region);
         valid_ += valid;
         begin = end;
     }
@@ -86,11 +87,6 @@ void ValueRegions::join_rows() {
     }
 }
 
-void ValueRegions::add_contact(std::uint32_t one, std::uint32_t other, double difference) {
-    regions_[sets_.find(one)].contour.add(difference, step_);
-    regions_[sets_.find(other)].contour.add(difference, step_);
-}
-
 /// Keeps the contact of a candidate with missing cells. @param one, other regions, one of them missing
 void ValueRegions::add_touch(std::uint32_t one, std::uint32_t other) {
     if (regions_[sets_.find(one)].of == missing)
@@ -99,48 +95,39 @@ void ValueRegions::add_touch(std::uint32_t one, std::uint32_t other) {
         touches_.emplace_back(one, other);
 }
 
-void ValueRegions::close(OpenContact& contact) {
-    add_contact(contact.candidate, contact.below, contact.difference);
-    contact.rows_left = 0;
-}
-
-/// Returns the largest step on the line from a candidate to the cells above.
-double ValueRegions::difference_above(double value, std::size_t col) const {
-    double difference = 0;
-    for (const Row& row : rows_above_) {
-        if (row.values.empty() || row.classes[col] != 0)
-            break;
-        difference = larger(difference, row.values[col] - value);
-        value = row.values[col];
+/// Adds the contact of a cell of a line with the next one, if their classes differ.
+void ValueRegions::add_contact(const Line& line, std::size_t first) {
+    const std::size_t second = first + 1;
+    if (line.classes[first] == line.classes[second])
+        return;
+    if (line.classes[first] == missing || line.classes[second] == missing) {
+        add_touch(line.regions[first], line.regions[second]);
+        return;
     }
-    return difference;
+    const auto ends = [&](std::size_t i) { return line.classes[i] != 0; };
+    const double difference = ends(first) ? largest_step(line.values, first, second, ends)
+                                          : largest_step(line.values, second, first, ends);
+    for (const std::uint32_t region : {line.regions[first], line.regions[second]})
+        regions_[sets_.find(region)].contour.add(difference, step_);
 }
 
-/// Continues the line that leads down from a candidate.
-void ValueRegions::look_below(double value, std::size_t col) {
-    OpenContact& contact = open_[col];
-    if (contact.rows_left == 0)
-        return;
-    const bool ends = classes_[col] != 0;
-    if (!ends)
-        contact.difference = larger(contact.difference, value - std::exchange(contact.value, value));
-    if (ends || --contact.rows_left == 0)
-        close(contact);
-}
-
-void ValueRegions::add_contact_above(double value, std::size_t col) {
-    const double above = rows_above_[0].values[col];
-    const std::uint8_t of_above = rows_above_[0].classes[col];
-    if (classes_[col] == of_above)
-        return;
-    if (classes_[col] == missing || of_above == missing)
-        add_touch(region_of_above_[col], region_of_[col]);
-    else if (of_above == 0)
-        add_contact(region_of_above_[col], region_of_[col], difference_above(value, col));
-    else if (classes_[col] == 0)
-        open_[col] = {region_of_above_[col], region_of_[col], value, value - above, compared_cells - 1};
-    else
-        add_contact(region_of_above_[col], region_of_[col], value - above);
+/// Adds the contacts of a row with the one below, along the columns of the rows that are kept.
+void ValueRegions::add_contacts_below(std::size_t row) {
+    const std::size_t rows = rows_.size();
+    Row column;
+    column.values.resize(rows);
+    column.classes.resize(rows);
+    column.regions.resize(rows);
+    for (std::size_t c = 0; c < rows_[row].classes.size(); ++c) {
+        if (rows_[row].classes[c] == rows_[row + 1].classes[c])
+            continue;
+        for (std::size_t i = 0; i < rows; ++i) {
+            column.values[i] = rows_[i].values[c];
+            column.classes[i] = rows_[i].classes[c];
+            column.regions[i] = rows_[i].regions[c];
+        }
+        add_contact({column.values, column.classes, column.regions}, row);
+    }
 }
 
 void ValueRegions::add_difference(std::uint8_t of_one, std::uint8_t of_other, double difference) {
@@ -155,53 +142,41 @@ void ValueRegions::add_difference(std::uint8_t of_one, std::uint8_t of_other, do
         differences_[of_other].add(difference, step_);
 }
 
-void ValueRegions::add_differences(std::span<const double> row) {
-    const Row& above = rows_above_[0];
-    for (std::size_t c = 0; c < row.size(); ++c) {
-        if (c > 0)
-            add_difference(classes_[c - 1], classes_[c], row[c] - row[c - 1]);
-        if (!above.values.empty())
-            add_difference(above.classes[c], classes_[c], row[c] - above.values[c]);
-    }
+void ValueRegions::add_differences(const Row& row) {
+    for (std::size_t c = 1; c < row.values.size(); ++c)
+        add_difference(row.classes[c - 1], row.classes[c], row.values[c] - row.values[c - 1]);
+    if (rows_.size() == 1)
+        return;
+    const Row& above = rows_[rows_.size() - 2];
+    for (std::size_t c = 0; c < row.values.size(); ++c)
+        add_difference(above.classes[c], row.classes[c], row.values[c] - above.values[c]);
 }
 
-void ValueRegions::add_contours(std::span<const double> row) {
-    open_.resize(row.size());
-    const auto ends = [&](std::size_t i) { return classes_[i] != 0; };
-    for (std::size_t c = 0; c < row.size(); ++c) {
-        const bool changes = c > 0 && classes_[c - 1] != classes_[c];
-        if (changes && (classes_[c - 1] == missing || classes_[c] == missing)) {
-            add_touch(region_of_[c - 1], region_of_[c]);
-        } else if (changes) {
-            const bool from_left = classes_[c - 1] != 0;
-            add_contact(region_of_[c - 1], region_of_[c],
-                        from_left ? largest_step(row, c - 1, c, ends) : largest_step(row, c, c - 1, ends));
+void ValueRegions::add(std::span<const double> values) {
+    Row reused;
+    if (rows_.size() == 2 * compared_cells) {
+        reused = std::move(rows_.front());
+        rows_.pop_front();
+    }
+    Row& row = rows_.emplace_back(std::move(reused));
+    row.values.assign(values.begin(), values.end());
+    row.classes.resize(values.size());
+    row.regions.resize(values.size());
+    std::ranges::transform(values, row.classes.begin(), [this](double value) { return class_of(value); });
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (row.classes[i] == 0) {
+            lowest_other_ = std::min(lowest_other_, values[i]);
+            highest_other_ = std::max(highest_other_, values[i]);
         }
-        look_below(row[c], c);
-        if (!rows_above_[0].values.empty())
-            add_contact_above(row[c], c);
-    }
-}
-
-void ValueRegions::add(std::span<const double> row) {
-    classes_.resize(row.size());
-    region_of_.resize(row.size());
+    std::swap(above_, runs_);
     runs_.clear();
-    std::ranges::transform(row, classes_.begin(), [this](double value) { return class_of(value); });
-    for (std::size_t i = 0; i < row.size(); ++i)
-        if (classes_[i] == 0) {
-            lowest_other_ = std::min(lowest_other_, row[i]);
-            highest_other_ = std::max(highest_other_, row[i]);
-        }
     add_runs(row);
     join_rows();
     add_differences(row);
-    add_contours(row);
-    std::swap(above_, runs_);
-    std::swap(region_of_, region_of_above_);
-    std::rotate(rows_above_.begin(), rows_above_.end() - 1, rows_above_.end());
-    rows_above_[0].values.assign(row.begin(), row.end());
-    std::swap(rows_above_[0].classes, classes_);
+    for (std::size_t i = 0; i + 1 < values.size(); ++i)
+        add_contact({row.values, row.classes, row.regions}, i);
+    if (rows_.size() > compared_cells)
+        add_contacts_below(rows_.size() - 1 - compared_cells);
 }
 
 std::uint8_t ValueRegions::level_land() const {
@@ -276,11 +251,11 @@ std::vector<double> ValueRegions::elevations() const {
 }
 
 Verdict ValueRegions::finish(double min_breadth) {
-    for (const Run& run : above_)
+    for (const Run& run : runs_)
         regions_[sets_.find(run.region)].at_edge = true;
-    for (OpenContact& contact : open_)
-        if (contact.rows_left > 0)
-            close(contact);
+    for (std::size_t row = rows_.size() > compared_cells ? rows_.size() - compared_cells : 0;
+         row + 1 < rows_.size(); ++row)
+        add_contacts_below(row);
     // Missing cells may be those outside of a cutline, which also cuts flat roofs; but these are not the
     // lowest.
     const double lowest = std::min(lowest_other_, *std::ranges::min_element(candidates_));

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <map>
 #include <span>
@@ -35,7 +35,7 @@ struct Contour {
 
 /// Number of cells on a line away from a candidate among which a step is looked for, because cubic resampling
 /// overshoots, so that the nearest ones may be close to the candidate.
-inline constexpr int compared_cells = 3;
+inline constexpr std::size_t compared_cells = 3;
 
 /// Returns the larger difference.
 inline double larger(double one, double other) {
@@ -49,7 +49,7 @@ double largest_step(std::span<const double> cells, std::size_t from, std::size_t
                     const Ends& ends) {
     const bool right = neighbour > from;
     double step = cells[neighbour] - cells[from];
-    for (int i = 1; i < compared_cells && !ends(neighbour); ++i) {
+    for (std::size_t i = 1; i < compared_cells && !ends(neighbour); ++i) {
         from = neighbour;
         if (right ? from + 1 == cells.size() : from == 0)
             break;
@@ -110,7 +110,7 @@ class ValueRegions {
           beside_others_(candidates.size() + 1),
           differences_(candidates.size() + 1) {}
 
-    void add(std::span<const double> row);
+    void add(std::span<const double> values);
     /// @param min_breadth see UndeclaredNodataRules
     [[nodiscard]] Verdict finish(double min_breadth);
 
@@ -120,17 +120,26 @@ class ValueRegions {
         std::size_t end;
         std::uint32_t region;
     };
+    /// Cells of a row, with their classes and regions.
+    struct Row {
+        std::vector<double> values;
+        std::vector<std::uint8_t> classes;
+        std::vector<std::uint32_t> regions;
+    };
+    /// Cells along a row or a column.
+    struct Line {
+        std::span<const double> values;
+        std::span<const std::uint8_t> classes;
+        std::span<const std::uint32_t> regions;
+    };
     [[nodiscard]] std::uint8_t class_of(double value) const;
-    void add_runs(std::span<const double> row);
+    void add_runs(Row& row);
     void join_rows();
-    void add_differences(std::span<const double> row);
+    void add_differences(const Row& row);
     void add_difference(std::uint8_t of_one, std::uint8_t of_other, double difference);
-    void add_contours(std::span<const double> row);
-    void add_contact(std::uint32_t one, std::uint32_t other, double difference);
+    void add_contact(const Line& line, std::size_t first);
     void add_touch(std::uint32_t one, std::uint32_t other);
-    [[nodiscard]] double difference_above(double value, std::size_t col) const;
-    void add_contact_above(double value, std::size_t col);
-    void look_below(double value, std::size_t col);
+    void add_contacts_below(std::size_t row);
     /// Returns the candidate that is land because hardly any other value occurs: a flat terrain model. 0:
     /// none.
     [[nodiscard]] std::uint8_t level_land() const;
@@ -161,26 +170,7 @@ class ValueRegions {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> touches_;  ///< candidates and missing cells
     std::vector<Run> above_;
     std::vector<Run> runs_;
-    /// Row above, and its candidates.
-    struct Row {
-        std::vector<double> values;
-        std::vector<std::uint8_t> classes;
-    };
-    /// Contact of a candidate with a cell below it, as long as the cells below that are compared.
-    struct OpenContact {
-        std::uint32_t candidate = 0;
-        std::uint32_t below = 0;
-        double value = 0;  ///< of the last of them
-        double difference = 0;
-        int rows_left = 0;
-    };
-    void close(OpenContact& contact);
-
-    std::array<Row, compared_cells> rows_above_;  ///< nearest first; empty if there are fewer
-    std::vector<OpenContact> open_;               ///< by column
-    std::vector<std::uint8_t> classes_;
-    std::vector<std::uint32_t> region_of_;        ///< by column
-    std::vector<std::uint32_t> region_of_above_;  ///< by column
+    std::deque<Row> rows_;  ///< the last ones: those on both sides of a boundary that are compared
 };
 
 }  // namespace d2b
