@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -30,6 +32,11 @@ class ByteWriter {
         static_assert(std::is_trivially_copyable_v<T>);
         put(static_cast<std::uint64_t>(values.size()));
         put_bytes(std::as_bytes(std::span(values)));
+    }
+    /// Writes the number of bytes, then the bytes.
+    void put_text(std::string_view text) {
+        put(static_cast<std::uint64_t>(text.size()));
+        put_bytes(std::as_bytes(std::span(text)));
     }
     void put_bytes(std::span<const std::byte> bytes) {
         bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
@@ -100,6 +107,10 @@ class ByteReader {
         if (!values.empty())
             std::memcpy(values.data(), bytes.data(), bytes.size());
         return values;
+    }
+    [[nodiscard]] std::string take_text() {
+        const std::vector<char> letters = take_list<char>();
+        return {letters.begin(), letters.end()};
     }
     /// Returns a view that is valid as long as this reader.
     [[nodiscard]] std::span<const std::byte> take_bytes(std::size_t size) {

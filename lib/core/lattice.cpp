@@ -2,27 +2,16 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
-#include <span>
 
 namespace d2b {
 namespace {
 
-void append_varint(std::vector<std::uint8_t>& bytes, std::int32_t step) {
-    auto value = (static_cast<std::uint32_t>(step) << 1) ^ static_cast<std::uint32_t>(step >> 31);
-    for (; value >= 0x80; value >>= 7)
-        bytes.push_back(static_cast<std::uint8_t>(value | 0x80));
-    bytes.push_back(static_cast<std::uint8_t>(value));
+/// Maps steps of small size, of either sign, to small numbers, because these need few bytes (zigzag).
+std::uint64_t unsigned_of(std::int32_t step) {
+    return (static_cast<std::uint32_t>(step) << 1) ^ static_cast<std::uint32_t>(step >> 31);
 }
 
-std::int32_t take_varint(const std::vector<std::uint8_t>& bytes, std::size_t& at) {
-    std::uint32_t value = 0;
-    int shift = 0;
-    while ((bytes[at] & 0x80) != 0) {
-        value |= static_cast<std::uint32_t>(bytes[at++] & 0x7f) << shift;
-        shift += 7;
-    }
-    value |= static_cast<std::uint32_t>(bytes[at++]) << shift;
+std::int32_t signed_of(std::uint64_t value) {
     return static_cast<std::int32_t>(value >> 1) ^ -static_cast<std::int32_t>(value & 1);
 }
 
@@ -51,7 +40,7 @@ PackedRing::PackedRing(const LatticeRing& corners) {
     start_ = corners[first];
     corner_count_ = static_cast<std::uint32_t>(n);
     box_ = {start_, start_};
-    steps_.reserve(n);
+    ByteWriter steps;
     for (std::size_t i = 0; i < n; ++i) {
         const LatticePoint from = corners[(first + i) % n];
         const LatticePoint to = corners[(first + i + 1) % n];
@@ -63,9 +52,9 @@ PackedRing::PackedRing(const LatticeRing& corners) {
         box_.high.row = std::max(box_.high.row, from.row);
         box_.high.col = std::max(box_.high.col, from.col);
         if (i + 1 < n)
-            append_varint(steps_, rows + cols);
+            steps.put_varint(unsigned_of(rows + cols));
     }
-    steps_.shrink_to_fit();
+    steps_.assign(steps.bytes().begin(), steps.bytes().end());
 }
 
 LatticeRing PackedRing::corners() const {
@@ -74,12 +63,12 @@ LatticeRing PackedRing::corners() const {
     LatticePoint at = start_;
     // At its first corner in scan order an exterior ring leaves downwards, an interior one along the row.
     bool along_column = area_ > 0;
-    std::size_t byte = 0;
+    ByteReader steps(steps_);
     for (std::uint32_t i = 0; i < corner_count_; ++i) {
         ring.push_back(at);
         if (i + 1 == corner_count_)
             break;
-        (along_column ? at.row : at.col) += take_varint(steps_, byte);
+        (along_column ? at.row : at.col) += signed_of(steps.take_varint());
         along_column = !along_column;
     }
     return ring;
@@ -91,8 +80,7 @@ void PackedRing::save(ByteWriter& writer) const {
     writer.put(points_);
     writer.put(area_);
     writer.put(box_);
-    writer.put(static_cast<std::uint64_t>(steps_.size()));
-    writer.put_bytes(std::as_bytes(std::span(steps_)));
+    writer.put_list(steps_);
 }
 
 PackedRing PackedRing::load(ByteReader& reader) {
@@ -102,11 +90,7 @@ PackedRing PackedRing::load(ByteReader& reader) {
     ring.points_ = reader.take<std::int64_t>();
     ring.area_ = reader.take<std::int64_t>();
     ring.box_ = reader.take<LatticeBox>();
-    const auto size = static_cast<std::size_t>(reader.take<std::uint64_t>());
-    const std::span<const std::byte> steps = reader.take_bytes(size);
-    ring.steps_.resize(size);
-    if (size > 0)
-        std::memcpy(ring.steps_.data(), steps.data(), size);
+    ring.steps_ = reader.take_list<std::byte>();
     return ring;
 }
 

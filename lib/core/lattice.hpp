@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -100,7 +101,7 @@ class PackedRing {
     std::int64_t points_ = 0;
     std::int64_t area_ = 0;
     LatticeBox box_;
-    std::vector<std::uint8_t> steps_;  // all except the closing one, as zigzag varints
+    std::vector<std::byte> steps_;  // all except the closing one, as zigzag varints
 };
 
 /// Returns true if the unit square at `square` is inside the ring. O(corners).

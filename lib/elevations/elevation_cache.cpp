@@ -6,43 +6,40 @@
 namespace d2b {
 
 void CellDecisions::append(const Cells& cells) {
-    Entry& entry = bands_.emplace_back();
+    SpoolEntry& entry = bands_.emplace_back();
     if (cells.invalid.empty() && cells.spires.empty())
         return;
     ByteWriter writer;
-    writer.put_bytes(std::as_bytes(std::span(cells.invalid)));
-    writer.put_bytes(std::as_bytes(std::span(cells.spires)));
-    entry = {d2b::append(*spool_, writer), cells.invalid.size()};
+    writer.put_list(cells.invalid);
+    writer.put_list(cells.spires);
+    entry = d2b::append(*spool_, writer);
 }
 
 std::vector<std::size_t> CellDecisions::invalid(std::size_t band) const {
-    std::vector<std::size_t> cells;
-    if (band >= bands_.size() || bands_[band].invalid == 0)
-        return cells;
-    ByteReader reader(*spool_, bands_[band].place);
-    for (std::size_t i = 0; i < bands_[band].invalid; ++i)
-        cells.push_back(reader.take<std::size_t>());
-    return cells;
+    if (!has(band))
+        return {};
+    return ByteReader(*spool_, bands_[band]).take_list<std::size_t>();
 }
 
 void CellDecisions::apply(std::size_t band, std::int32_t cols, const Window& part,
                           ElevationBand& cells) const {
-    if (band >= bands_.size() || bands_[band].place.size == 0)
+    if (!has(band))
         return;
-    const Entry& entry = bands_[band];
-    ByteReader reader(*spool_, entry.place);
-    for (std::size_t i = 0; i < entry.place.size / sizeof(std::size_t); ++i) {
-        const auto cell = static_cast<std::int64_t>(reader.take<std::size_t>());
-        const std::int64_t row = cell / cols - part.row;
-        const std::int64_t col = cell % cols - part.col;
-        if (row < 0 || row >= part.rows || col < 0 || col >= part.cols)
-            continue;
-        const auto at = static_cast<std::size_t>(row * part.cols + col);
-        if (i < entry.invalid)
-            cells.elevations[at] = std::numeric_limits<double>::quiet_NaN();
-        else
-            cells.spires.push_back(at);
-    }
+    const auto in_part = [&](const std::vector<std::size_t>& of_band) {
+        std::vector<std::size_t> found;
+        for (const std::size_t cell : of_band) {
+            const std::int64_t row = static_cast<std::int64_t>(cell) / cols - part.row;
+            const std::int64_t col = static_cast<std::int64_t>(cell) % cols - part.col;
+            if (row >= 0 && row < part.rows && col >= 0 && col < part.cols)
+                found.push_back(static_cast<std::size_t>(row * part.cols + col));
+        }
+        return found;
+    };
+    ByteReader reader(*spool_, bands_[band]);
+    for (const std::size_t cell : in_part(reader.take_list<std::size_t>()))
+        cells.elevations[cell] = std::numeric_limits<double>::quiet_NaN();
+    for (const std::size_t cell : in_part(reader.take_list<std::size_t>()))
+        cells.spires.push_back(cell);
 }
 
 namespace {

@@ -69,12 +69,10 @@ class CellDecisions {
     [[nodiscard]] std::vector<std::size_t> invalid(std::size_t band) const;
 
   private:
-    struct Entry {
-        SpoolEntry place;
-        std::size_t invalid = 0;
-    };
+    [[nodiscard]] bool has(std::size_t band) const { return band < bands_.size() && bands_[band].size > 0; }
+
     std::unique_ptr<Spool> spool_;
-    std::vector<Entry> bands_;
+    std::vector<SpoolEntry> bands_;  ///< empty if there are no such cells
 };
 
 /// Keeps the bands of a window between passes if they fit in memory: as floats if these are exact, otherwise

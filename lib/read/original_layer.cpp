@@ -22,15 +22,6 @@ bool is_plain(OGRFieldType type) {
            type == OFTTime || type == OFTDateTime;
 }
 
-void put_text(ByteWriter& writer, std::string_view text) {
-    writer.put_list(std::vector<char>(text.begin(), text.end()));
-}
-
-std::string take_text(ByteReader& reader) {
-    const std::vector<char> letters = reader.take_list<char>();
-    return {letters.begin(), letters.end()};
-}
-
 template <typename Value>
 void put_values(ByteWriter& writer, const Value* values, int count) {
     writer.put_list(std::vector<Value>(values, values + count));
@@ -58,9 +49,9 @@ void put_value(ByteWriter& writer, OGRFeatureH feature, int field) {
         count = CSLCount(texts);
         writer.put(count);
         for (int i = 0; i < count; ++i)
-            put_text(writer, texts[i]);
+            writer.put_text(texts[i]);
     } else {
-        put_text(writer, OGR_F_GetFieldAsString(feature, field));
+        writer.put_text(OGR_F_GetFieldAsString(feature, field));
     }
 }
 
@@ -84,10 +75,10 @@ void take_value(ByteReader& reader, OGRFeatureH feature, int field) {
     } else if (type == OFTStringList) {
         CPLStringList texts;
         for (int left = reader.take<int>(); left > 0; --left)
-            texts.AddString(take_text(reader).c_str());
+            texts.AddString(reader.take_text().c_str());
         OGR_F_SetFieldStringList(feature, field, texts.List());
     } else {
-        OGR_F_SetFieldString(feature, field, take_text(reader).c_str());
+        OGR_F_SetFieldString(feature, field, reader.take_text().c_str());
     }
 }
 
@@ -121,7 +112,7 @@ std::vector<std::byte> OgrOriginalLayer::encode(OGRFeatureH feature, OGRGeometry
     ByteWriter writer;
     writer.put(static_cast<std::int64_t>(OGR_F_GetFID(feature)));
     const char* const style = OGR_F_GetStyleString(feature);
-    put_text(writer, style == nullptr ? "" : style);
+    writer.put_text(style == nullptr ? "" : style);
     std::vector<std::byte> wkb;
     if (geometry != nullptr) {
         wkb.resize(static_cast<std::size_t>(OGR_G_WkbSize(geometry)));
@@ -143,7 +134,7 @@ FeatureOwner OgrOriginalLayer::decode(std::span<const std::byte> bytes) const {
     ByteReader reader(std::vector<std::byte>(bytes.begin(), bytes.end()));
     FeatureOwner feature(OGR_F_Create(definition_.get()));
     OGR_F_SetFID(feature.get(), reader.take<std::int64_t>());
-    if (const std::string style = take_text(reader); !style.empty())
+    if (const std::string style = reader.take_text(); !style.empty())
         OGR_F_SetStyleString(feature.get(), style.c_str());
     if (const auto wkb = reader.take_list<std::byte>(); !wkb.empty()) {
         OGRGeometryH geometry = nullptr;

@@ -106,7 +106,7 @@ void save(const features::FeaturePolygon& polygon, ByteWriter& writer) {
     for (const double value :
          {polygon.deviation, polygon.simplified, polygon.kept_traced, polygon.area_change})
         writer.put(value);
-    writer.put_list(std::vector<char>(polygon.invalid_reason.begin(), polygon.invalid_reason.end()));
+    writer.put_text(polygon.invalid_reason);
     writer.put(static_cast<std::uint8_t>(polygon.split_by_projection ? 1 : 0));
 }
 
@@ -118,8 +118,7 @@ features::FeaturePolygon load_polygon(ByteReader& reader) {
     for (double* value :
          {&polygon.deviation, &polygon.simplified, &polygon.kept_traced, &polygon.area_change})
         *value = reader.take<double>();
-    const auto invalid_reason = reader.take_list<char>();
-    polygon.invalid_reason.assign(invalid_reason.begin(), invalid_reason.end());
+    polygon.invalid_reason = reader.take_text();
     polygon.split_by_projection = reader.take<std::uint8_t>() != 0;
     return polygon;
 }

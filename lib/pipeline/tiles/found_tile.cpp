@@ -8,15 +8,6 @@
 namespace d2b::tiles {
 namespace {
 
-void save_text(const std::string& text, ByteWriter& writer) {
-    writer.put_list(std::vector<char>(text.begin(), text.end()));
-}
-
-std::string load_text(ByteReader& reader) {
-    const auto letters = reader.take_list<char>();
-    return {letters.begin(), letters.end()};
-}
-
 /// Run-length encodes the labels of a seam, because most of them are 0.
 void save_labels(const std::vector<Label>& line, ByteWriter& writer) {
     writer.put_varint(line.size());
@@ -137,7 +128,7 @@ void FoundFacts::save(ByteWriter& writer) const {
     writer.put(tally);
     writer.put(static_cast<std::uint64_t>(warnings.size()));
     for (const std::string& text : warnings)
-        save_text(text, writer);
+        writer.put_text(text);
     writer.put_list(std::vector<std::uint64_t>(effective.begin(), effective.end()));
 }
 
@@ -149,7 +140,7 @@ void FoundFacts::load(ByteReader& reader) {
     tally = reader.take<Tally>();
     warnings.resize(reader.take_count(sizeof(std::uint64_t)));
     for (std::string& text : warnings)
-        text = load_text(reader);
+        text = reader.take_text();
     const auto corrections = reader.take_list<std::uint64_t>();
     effective = {corrections.begin(), corrections.end()};
 }
