@@ -163,7 +163,9 @@ ElevationSurvey ElevationReader::survey(const ValidityRules& rules,
             const std::vector<ColumnRun> steep = filter_invalid(band, rules, seen.suspicious, part);
             seen.spikes = find_spikes(band, steep, rules.spikes);
             const HiddenSpikes withheld(band, seen.spikes);
-            seen.statistics.add(band, part);
+            for (std::int32_t row = part.row; row < part.end_row(); ++row)
+                seen.statistics.add(band.row(row).subspan(static_cast<std::size_t>(part.col),
+                                                          static_cast<std::size_t>(part.cols)));
             return seen;
         },
         [&](const ElevationBand& band, Seen seen) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <iterator>
 
+#include "elevations/statistics.hpp"
 #include "raster/blended_margin.hpp"
 
 namespace d2b {
@@ -21,36 +22,7 @@ double beside(std::span<const double> row, std::size_t col) {
     return highest;
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double invalid = std::numeric_limits<double>::quiet_NaN();
-
-struct Extremes {
-    double lowest = infinity;
-    double highest = -infinity;
-    std::size_t known = 0;
-};
-
-/// Returns the range of values that are not NaN. Uses lanes, so that the loop vectorises.
-Extremes extremes_of(std::span<const double> values) {
-    constexpr std::size_t lanes = 4;
-    std::array<double, lanes> lowest{infinity, infinity, infinity, infinity};
-    std::array<double, lanes> highest{-infinity, -infinity, -infinity, -infinity};
-    std::array<double, lanes> known{};
-    const auto update = [&](std::size_t i, std::size_t lane) {
-        const double z = values[i];
-        lowest[lane] = z < lowest[lane] ? z : lowest[lane];
-        highest[lane] = z > highest[lane] ? z : highest[lane];
-        known[lane] += z == z ? 1.0 : 0.0;
-    };
-    std::size_t i = 0;
-    for (; i + lanes <= values.size(); i += lanes)
-        for (std::size_t lane = 0; lane < lanes; ++lane)
-            update(i + lane, lane);
-    for (; i < values.size(); ++i)
-        update(i, 0);
-    return {std::ranges::min(lowest), std::ranges::max(highest),
-            static_cast<std::size_t>(known[0] + known[1] + known[2] + known[3])};
-}
 
 void remove_undeclared(std::span<double> values, const std::vector<double>& undeclared, ValueCounts& counts) {
     for (const double none : undeclared) {
@@ -92,14 +64,14 @@ void filter_cells(ElevationBand& band, const ColumnRun& cells, const ValidityRul
             static_cast<std::size_t>(cells.row) * static_cast<std::size_t>(band.shape.cols) +
             static_cast<std::size_t>(begin);
         const std::span<double> values(band.elevations.data() + first, static_cast<std::size_t>(end - begin));
-        Extremes of = extremes_of(values);
+        ValueRange of = value_range(values);
         if (of.known > 0 && !(rules.limits.hold(of.lowest) && rules.limits.hold(of.highest))) {
             remove_outside(values, rules.limits, none);
-            of = extremes_of(values);
+            of = value_range(values);
         }
         if (!rules.undeclared.empty()) {
             remove_undeclared(values, rules.undeclared, none.undeclared);
-            of = extremes_of(values);
+            of = value_range(values);
         }
         if (of.known == 0)
             continue;
@@ -192,11 +164,6 @@ void apply_limits(std::span<double> elevations, const ValidityRules& rules) {
         z = rules.limits.hold(z) ? z : invalid;
     for (const double none : rules.undeclared)
         std::ranges::replace(elevations, none, invalid);
-}
-
-std::vector<ColumnRun> filter_invalid(ElevationBand& band, const ValidityRules& rules,
-                                      SuspiciousValues& seen) {
-    return filter_invalid(band, rules, seen, {0, 0, band.shape.rows, band.shape.cols});
 }
 
 std::vector<ColumnRun> filter_invalid(ElevationBand& band, const ValidityRules& rules, SuspiciousValues& seen,

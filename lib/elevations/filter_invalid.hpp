@@ -96,12 +96,9 @@ struct SuspiciousValues {
 /// Sets elevations outside of the limits and undeclared NoData values to NaN.
 void apply_limits(std::span<double> elevations, const ValidityRules& rules);
 
-/// Same, and collects statistics, at little more than the cost of reading each elevation.
-/// @return stretches that may contain spikes; there are none elsewhere
-[[nodiscard]] std::vector<ColumnRun> filter_invalid(ElevationBand& band, const ValidityRules& rules,
-                                                    SuspiciousValues& seen);
-/// Same, but collects the statistics of a part only.
-/// @param of rows and columns of the band
+/// Same, and collects statistics of a part, at little more than the cost of reading each elevation.
+/// @param of rows and columns of the band that are counted
+/// @return stretches of the band that may contain spikes; there are none elsewhere
 [[nodiscard]] std::vector<ColumnRun> filter_invalid(ElevationBand& band, const ValidityRules& rules,
                                                     SuspiciousValues& seen, const Window& of);
 

@@ -5,47 +5,40 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/grid.hpp"
-
 namespace d2b {
 
-/// Uses lanes, so that the loop vectorises; their number keeps the compiler from unrolling the loop over
-/// them.
-D2B_MULTIVERSION ValueRange value_range(std::span<const double> values) {
-    constexpr std::size_t lanes = 64;
+/// Uses lanes, so that the loop vectorises.
+ValueRange value_range(std::span<const double> values) {
+    constexpr std::size_t lanes = 4;
     std::array<double, lanes> lowest{};
     std::array<double, lanes> highest{};
+    std::array<double, lanes> known{};
     lowest.fill(ValueRange{}.lowest);
     highest.fill(ValueRange{}.highest);
-    const auto update = [&](double z, std::size_t lane) {
+    const auto update = [&](std::size_t i, std::size_t lane) {
+        const double z = values[i];
         lowest[lane] = z < lowest[lane] ? z : lowest[lane];
         highest[lane] = z > highest[lane] ? z : highest[lane];
+        known[lane] += z == z ? 1.0 : 0.0;
     };
     std::size_t i = 0;
     for (; i + lanes <= values.size(); i += lanes)
         for (std::size_t lane = 0; lane < lanes; ++lane)
-            update(values[i + lane], lane);
+            update(i + lane, lane);
     for (; i < values.size(); ++i)
-        update(values[i], 0);
-    return {std::ranges::min(lowest), std::ranges::max(highest)};
+        update(i, 0);
+    return {std::ranges::min(lowest), std::ranges::max(highest),
+            static_cast<std::size_t>(known[0] + known[1] + known[2] + known[3])};
 }
 
-void ElevationStatistics::add(const ElevationBand& band) {
-    add(band, {0, 0, band.shape.rows, band.shape.cols});
-}
-
-void ElevationStatistics::add(const ElevationBand& band, const Window& part) {
-    for (std::int32_t row = part.row; row < part.end_row(); ++row) {
-        const auto cells =
-            band.row(row).subspan(static_cast<std::size_t>(part.col), static_cast<std::size_t>(part.cols));
-        moments.add_valid(cells);
-        const ValueRange of = value_range(cells);
-        // The first of equal values, 0 or -0.
-        if (of.lowest < minimum)
-            minimum = *std::ranges::find(cells, of.lowest);
-        if (of.highest > maximum)
-            maximum = *std::ranges::find(cells, of.highest);
-    }
+void ElevationStatistics::add(std::span<const double> elevations) {
+    moments.add_valid(elevations);
+    const ValueRange of = value_range(elevations);
+    // The first of equal values, 0 or -0.
+    if (of.lowest < minimum)
+        minimum = *std::ranges::find(elevations, of.lowest);
+    if (of.highest > maximum)
+        maximum = *std::ranges::find(elevations, of.highest);
 }
 
 void ElevationStatistics::add(double elevation) {

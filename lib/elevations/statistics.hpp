@@ -1,21 +1,21 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 
-#include "core/band.hpp"
 #include "core/statistics.hpp"
-#include "dem2buildings/dem_source.hpp"
 
 namespace d2b {
 
-/// Range of values; inverted if empty.
+/// Number and range of values that are not NaN; the range is inverted if there are none.
 struct ValueRange {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
+    std::size_t known = 0;
 };
 
-/// Returns the range of all values that are not NaN. If both 0 and -0 are extreme, either may be returned.
+/// If both 0 and -0 are extreme, either may be returned.
 [[nodiscard]] ValueRange value_range(std::span<const double> values);
 
 /// Statistics that determine the thresholds: a mergeable, exact reduction over all valid points, so that
@@ -25,9 +25,8 @@ struct ElevationStatistics {
     double minimum = std::numeric_limits<double>::infinity();
     double maximum = -std::numeric_limits<double>::infinity();
 
-    void add(const ElevationBand& band);
-    /// @param part rows and columns of the band
-    void add(const ElevationBand& band, const Window& part);
+    /// Adds all elevations that are not NaN.
+    void add(std::span<const double> elevations);
     /// @param elevation not NaN
     void add(double elevation);
     void merge(const ElevationStatistics& other);

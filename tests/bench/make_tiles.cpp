@@ -39,7 +39,7 @@ void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses, Chec
     FoundTile found{run.empty_facts(), {}};
     const NumberedUnit placed = run.tiles().units_of(tile).at(0);
     const Window own = placed.unit.own;
-    found.facts.survey.statistics.add({{own.row, 1, 2}, {1, 30}});
+    found.facts.survey.statistics.add(std::vector<double>{1, 30});
     found.facts.scene.sides = {true, true, true};  // nothing lies beside it that there could be too little of
     FoundUnit& unit = found.units.emplace_back();
     for (std::int32_t i = 0; i < houses; ++i) {

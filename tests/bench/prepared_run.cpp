@@ -94,7 +94,7 @@ void PreparedRun::find() {
 void PreparedRun::make_levels() {
     ElevationStatistics statistics;
     for (const Rows& band : bands)
-        statistics.add(*band.elevations);
+        statistics.add(band.elevations->elevations);
     plan = plan_global_levels(statistics, decided.asked.levels, decided.levels, context);
     if (!found.footprints.empty()) {
         constexpr double metres = 1;

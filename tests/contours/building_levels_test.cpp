@@ -223,7 +223,7 @@ TEST(BuildingLevels, WithoutBuildingsThereAreNone) {
 
 TEST(GlobalLevels, HaveNoSlicesWhereEachBuildingHasItsOwn) {
     ElevationStatistics statistics;
-    statistics.add({{0, 1, 4}, {1, 5, 9, 14}});
+    statistics.add(std::vector<double>{1, 5, 9, 14});
     Context context;
     EXPECT_EQ(plan_global_levels(statistics, each(4), LevelSource::building, context).thresholds[1],
               Thresholds{});

@@ -18,7 +18,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 ElevationStatistics statistics_of(const std::vector<double>& values) {
     ElevationStatistics statistics;
-    statistics.add({{0, 1, static_cast<std::int32_t>(values.size())}, values});
+    statistics.add(values);
     return statistics;
 }
 

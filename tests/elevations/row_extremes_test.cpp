@@ -23,10 +23,12 @@ TEST(ValueRange, AreThoseOfAllThatAreKnown) {
                 continue;
             expected.lowest = std::fmin(expected.lowest, z);
             expected.highest = std::fmax(expected.highest, z);
+            ++expected.known;
         }
         const ValueRange found = value_range(values);
         EXPECT_EQ(found.lowest, expected.lowest) << size;
         EXPECT_EQ(found.highest, expected.highest) << size;
+        EXPECT_EQ(found.known, expected.known) << size;
     }
 }
 

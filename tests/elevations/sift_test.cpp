@@ -18,6 +18,10 @@ ElevationBand band_of(std::int32_t rows, std::int32_t cols, std::vector<double> 
     return {{first_row, rows, cols}, std::move(values)};
 }
 
+Window whole(const ElevationBand& band) {
+    return {0, 0, band.shape.rows, band.shape.cols};
+}
+
 ValidityRules on_land_in(double metres) {
     return {land_elevations.times(1 / metres), {100 / metres, 30 / metres}, metres, {}};
 }
@@ -27,14 +31,14 @@ SuspiciousValues seen_in(std::vector<double> values, const ValidityRules& rules 
     const auto cols = static_cast<std::int32_t>(values.size());
     ElevationBand band = band_of(1, cols, std::move(values));
     SuspiciousValues seen(rules);
-    (void)filter_invalid(band, rules, seen);
+    (void)filter_invalid(band, rules, seen, whole(band));
     return seen;
 }
 
 TEST(Sift, TakesOutWhatIsOutsideOfTheLimitsAndCountsIt) {
     ElevationBand band = band_of(2, 4, {1, -500, 9000, -500.001, none, 9000.5, -9999, -9999});
     SuspiciousValues seen(on_land_in(1));
-    (void)filter_invalid(band, on_land_in(1), seen);
+    (void)filter_invalid(band, on_land_in(1), seen, whole(band));
     EXPECT_EQ(seen.outside.cells(), 4);
     ASSERT_TRUE(seen.outside.most());
     EXPECT_EQ(seen.outside.most()->value, -9999);
@@ -172,7 +176,7 @@ TEST(ValueBins, AgreeWithTheSentenceWhateverTheBands) {
             ElevationBand band =
                 band_of(some, cols, {values.begin() + row * cols, values.begin() + (row + some) * cols});
             SuspiciousValues seen(rules);
-            (void)filter_invalid(band, rules, seen);
+            (void)filter_invalid(band, rules, seen, whole(band));
             merged.merge(seen);
             row += some;
         }
@@ -237,7 +241,7 @@ TEST(Spikes, AreThoseOfTheSentenceWhateverTheBands) {
             ElevationBand band =
                 band_of(some, cols, {values.begin() + row * cols, values.begin() + (row + some) * cols}, row);
             SuspiciousValues seen(on_land_in(1));
-            const std::vector<ColumnRun> steep = filter_invalid(band, on_land_in(1), seen);
+            const std::vector<ColumnRun> steep = filter_invalid(band, on_land_in(1), seen, whole(band));
             note(seams.add(band, find_spikes(band, steep, {100, 30})));
             before = row;
             row += some;

@@ -33,7 +33,7 @@ test::Records records_of(const TraceGrid& grid, const std::vector<double>& thres
     Context context;
     const test::ContourSet set = test::trace_grid(grid, thresholds, {TraceMode::cells, 5}, context);
     ElevationStatistics statistics;
-    statistics.add({{0, grid.rows, grid.cols}, grid.z});
+    statistics.add(grid.z);
     const contours::LevelPlan plan{statistics.minimum, {{}, thresholds}};
     const FixedPoint fixed = statistics.fixed_point();
     return test::make_records(

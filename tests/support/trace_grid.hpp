@@ -69,7 +69,7 @@ template <typename Count>
 ContourSet trace_levels(const TraceGrid& grid, const contours::LevelPlan& plan, const TraceSettings& settings,
                         Context& context) {
     ElevationStatistics statistics;
-    statistics.add({{0, grid.rows, grid.cols}, grid.z});
+    statistics.add(grid.z);
     const contours::NoiseRules noise{settings.noise_factor, settings.min_area, plan.footprints};
     contours::ContourArchive store({noise,
                                     [](LatticePoint) { return 1.0; },
@@ -117,7 +117,7 @@ inline ContourSet trace_plan(const TraceGrid& grid, const contours::LevelPlan& p
 inline ContourSet trace_grid(const TraceGrid& grid, const std::vector<double>& thresholds,
                              const TraceSettings& settings, Context& context) {
     ElevationStatistics statistics;
-    statistics.add({{0, grid.rows, grid.cols}, grid.z});
+    statistics.add(grid.z);
     Label labels = 1;
     for (const Label label : grid.labels)
         labels = std::max(labels, label);
