@@ -21,6 +21,12 @@ struct BandShape {
     [[nodiscard]] std::size_t size() const {
         return static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
     }
+    /// Returns a row of values that are stored row by row.
+    template <typename T>
+    [[nodiscard]] std::span<const T> row(const std::vector<T>& values, std::int32_t i) const {
+        const auto length = static_cast<std::size_t>(cols);
+        return std::span(values).subspan(static_cast<std::size_t>(i) * length, length);
+    }
 };
 
 /// Elevations of whole rows; NaN if a point is not valid.
@@ -30,10 +36,7 @@ struct ElevationBand {
     /// Ascending indices of cells that stand above all their surroundings and are not roofs: masts, birds.
     std::vector<std::size_t> spires{};
 
-    [[nodiscard]] std::span<const double> row(std::int32_t i) const {
-        return {elevations.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols),
-                static_cast<std::size_t>(shape.cols)};
-    }
+    [[nodiscard]] std::span<const double> row(std::int32_t i) const { return shape.row(elevations, i); }
     /// Returns the columns of the spires in a row.
     [[nodiscard]] std::vector<std::int32_t> spires_in_row(std::int32_t i) const {
         const std::size_t begin = static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols);
@@ -51,10 +54,7 @@ struct LabelBand {
     std::vector<Label> labels;
 
     [[nodiscard]] std::span<const Label> row(std::int32_t i) const {
-        if (labels.empty())
-            return {};
-        return {labels.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols),
-                static_cast<std::size_t>(shape.cols)};
+        return labels.empty() ? std::span<const Label>() : shape.row(labels, i);
     }
 };
 
@@ -65,10 +65,7 @@ struct LevelBand {
     BandShape shape;
     std::vector<Count> counts;
 
-    [[nodiscard]] std::span<const Count> row(std::int32_t i) const {
-        return {counts.data() + static_cast<std::size_t>(i) * static_cast<std::size_t>(shape.cols),
-                static_cast<std::size_t>(shape.cols)};
-    }
+    [[nodiscard]] std::span<const Count> row(std::int32_t i) const { return shape.row(counts, i); }
 };
 
 /// One value per slab of rows of a window, so that processing a band visits only the slabs that overlap it.
