@@ -17,12 +17,11 @@ struct Case {
     double tolerance = 1;
 
     [[nodiscard]] Points draw(FitMode mode) const {
-        const CellShape shape;
-        const TraceSums samples(trace, false, shape);
+        const TraceSums samples(trace, false, {});
         std::vector<std::uint32_t> steps{0};
         steps.insert(steps.end(), nodes.begin(), nodes.end());
         steps.push_back(static_cast<std::uint32_t>(samples.steps()));
-        const StepMidpoints midpoints(samples, shape, trace.front(), steps, tolerance);
+        const StepMidpoints midpoints(samples, steps, tolerance);
         ChainPolyline chain;
         chain.vertices.push_back(fine(trace.front()));
         chain.steps.push_back(0);
@@ -78,8 +77,8 @@ TEST(StepMidpoints, NodesStayInCutForms) {
 TEST(StepMidpoints, ATightToleranceKeepsTheTrace) {
     const Case tight{staircase(3), {}, 0.3};
     EXPECT_EQ(tight.draw(FitMode::beveled), (Points{{0, 0}, {0, 1}, {1, 1}, {1, 2}, {2, 2}, {2, 3}, {3, 3}}));
-    EXPECT_FALSE(StepMidpoints::can_bevel({}, 0.3));
-    EXPECT_TRUE(StepMidpoints::can_bevel({}, 0.5));
+    EXPECT_FALSE(StepMidpoints::can_bevel(1, 0.3));
+    EXPECT_TRUE(StepMidpoints::can_bevel(1, 0.5));
 }
 
 }  // namespace

@@ -8,20 +8,6 @@
 
 namespace d2b::outline {
 
-/// Composes a chain from stretches of walls and stretches that follow the trace more closely. A wall extends
-/// to the point that corresponds to the first step of the next stretch.
-/// @param walls the whole chain drawn with walls; unused if no step has that mode
-/// @param ends of an open chain
-[[nodiscard]] ChainPolyline compose_chain(const TraceSums& samples, const CellShape& shape,
-                                          LatticePoint origin, const ChainFitMode& mode,
-                                          const StepMidpoints& midpoints, const ChainPolyline& walls,
-                                          const std::optional<ChainEnds>& ends);
-
-/// Switches walls to a closer mode wherever they are farther from the trace than the limit.
-/// @param mode of the chain as drawn @return true if anything has changed
-bool tighten_far_steps(const TraceSums& samples, const CellShape& shape, LatticePoint origin, double limit,
-                       const ChainPolyline& drawn, ChainFitMode& mode);
-
 namespace {
 
 constexpr std::size_t min_wall_steps = 4;  // fewest steps of a wall between stretches of closer modes
@@ -45,9 +31,7 @@ constexpr std::size_t margin_steps = 2;  // steps on either side of a step that 
 
 class Composer {
   public:
-    Composer(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-             const ChainPolyline& walls)
-        : samples_(samples), shape_(shape), origin_(origin), walls_(walls) {}
+    Composer(const TraceSums& samples, const ChainPolyline& walls) : samples_(samples), walls_(walls) {}
     /// Appends a stretch of walls.
     void append(const ChainFitMode::Stretch& stretch, ChainPolyline& chain) const;
 
@@ -61,16 +45,14 @@ class Composer {
     [[nodiscard]] FinePoint at(std::size_t edge, std::size_t step) const;
 
     const TraceSums& samples_;
-    const CellShape& shape_;
-    LatticePoint origin_;
     const ChainPolyline& walls_;
 };
 
 /// Point of an edge that corresponds to a step.
 FinePoint Composer::at(std::size_t edge, std::size_t step) const {
-    const Vec2 from = shape_.from_fine(vertex(edge), origin_);
-    const Vec2 to = shape_.from_fine(vertex(edge + 1), origin_);
-    return shape_.to_fine(from + nearest_parameter(samples_.at(step), from, to) * (to - from), origin_);
+    const Vec2 from = samples_.from_fine(vertex(edge));
+    const Vec2 to = samples_.from_fine(vertex(edge + 1));
+    return samples_.to_fine(from + nearest_parameter(samples_.at(step), from, to) * (to - from));
 }
 
 void Composer::append(const ChainFitMode::Stretch& stretch, ChainPolyline& chain) const {
@@ -100,15 +82,62 @@ void Composer::append(const ChainFitMode::Stretch& stretch, ChainPolyline& chain
         chain.add(walls_.vertices.back(), samples_.steps());
 }
 
+/// Composes a chain from stretches of walls and stretches that follow the trace more closely. A wall extends
+/// to the point that corresponds to the first step of the next stretch.
+/// @param walls the whole chain drawn with walls; unused if no step has that mode
+/// @param ends of an open chain
+ChainPolyline compose_chain(const TraceSums& samples, const ChainFitMode& mode,
+                            const StepMidpoints& midpoints, const ChainPolyline& walls,
+                            const std::optional<ChainEnds>& ends) {
+    const std::vector<ChainFitMode::Stretch> stretches = mode.stretches();
+    if (stretches.size() == 1 && stretches.front().mode == FitMode::regularized)
+        return walls;
+    ChainPolyline chain;
+    if (ends)
+        chain.add(ends->first, 0);
+    const Composer composer(samples, walls);
+    for (const ChainFitMode::Stretch& stretch : stretches) {
+        const bool at_end = ends && stretch.last == samples.steps();
+        if (stretch.mode == FitMode::regularized)
+            composer.append(stretch, chain);
+        else
+            midpoints.append(stretch, at_end ? &ends->last : nullptr, chain);
+    }
+    // Both ends may have moved to the same point; comparing all chains detects that later.
+    if (ends && chain.vertices.size() == 1) {
+        chain.vertices.push_back(ends->last);
+        chain.steps.push_back(samples.steps());
+    }
+    if (!ends && chain.vertices.size() > 1 && chain.vertices.front() == chain.vertices.back())
+        chain.remove_last();
+    chain.deviation = deviation(samples, chain, samples.closed());
+    return chain;
+}
+
+/// Switches walls to a closer mode wherever they are farther from the trace than the limit.
+/// @param mode of the chain as drawn @return true if anything has changed
+bool tighten_far_steps(const TraceSums& samples, double limit, const ChainPolyline& drawn,
+                       ChainFitMode& mode) {
+    bool changed = false;
+    // The ends of a chain are excluded, because they follow the chain they end on.
+    const auto at_end = [&](std::size_t step) {
+        return !samples.closed() && (step <= margin_steps || step + margin_steps >= samples.steps());
+    };
+    for_distances(samples, drawn, samples.closed(), [&](std::size_t step, double square) {
+        if (square > limit * limit && !at_end(step))
+            changed = mode.raise(step, step + 1, margin_steps, FitMode::midpoint) || changed;
+    });
+    return changed;
+}
+
 constexpr double rounding_error = 0.002;  // cells that rounding to the fine lattice may move a vertex
 // Cells. Walls of tiers, which are many and short, stay closer to their traces than those of footprints
 // because beyond half a cell every row of cells on the wrong side costs more than the saved vertices are
 // worth. Rings of low steps may lie twice as far; walls that end on others would meet them at slanting
 // angles.
 constexpr double tier_tolerance = 1;
-constexpr double outside_cost = 1.5;      // of a cell of lower ground, beyond the soft distance of the path
-constexpr double tier_price = 0.5;        // relative to that of other walls
-constexpr double max_price_share = 0.08;  // of the area of a ring, because no wall at all is the cheapest
+constexpr double tier_price = 0.5;           // relative to that of other walls
+constexpr double max_price_share = 0.08;     // of the area of a ring, because no wall at all is the cheapest
 constexpr double staircase_tolerance = 1.1;  // cells, within which a straight wall has its staircase
 constexpr double max_side =
     2;  // cells; limits the longer side because that of sheared cells says nothing about their staircases
@@ -127,7 +156,6 @@ WallParameters parameters_for(const Chain& chain, const WallOptions& options) {
                               .tolerance = options.tolerance,
                               .price = options.price,
                               .higher = chain.higher,
-                              .outside_cost = outside_cost,
                               .inset = options.inset,
                               .side = std::min(max_side, options.shape.longer_side())};
     if (chain.rank > WallGraph::highest_low_rank) {
@@ -149,6 +177,23 @@ std::vector<std::size_t> turning_points_of(const ChainWalls& walls) {
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;
+}
+
+/// Returns the stretches of a chain without those on the frame of the raster, because it was cut there.
+/// @param points steps at which the chain may turn
+std::vector<Stretch> stretches_between(const ChainWalls& walls, const std::vector<std::size_t>& points) {
+    const TraceSums& samples = walls.samples();
+    std::vector<Stretch> found;
+    for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
+        const std::size_t first = points[i];
+        const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
+        if (is_on(walls.on_frame(), first, last))
+            continue;
+        const std::size_t cut = steps_at_corner(last - first);
+        const Vec2 along = samples.sums(first + cut, last - cut).direction();
+        found.push_back({length(samples.at(last) - samples.at(first)), std::atan2(along.y, along.x)});
+    }
+    return found;
 }
 
 }  // namespace
@@ -221,14 +266,12 @@ std::vector<ChainFitMode::Stretch> ChainFitMode::stretches() const {
     return result;
 }
 
-StepMidpoints::StepMidpoints(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                             const std::vector<std::uint32_t>& node_steps, double tolerance)
+StepMidpoints::StepMidpoints(const TraceSums& samples, const std::vector<std::uint32_t>& node_steps,
+                             double tolerance)
     : samples_(samples),
-      shape_(shape),
-      origin_(origin),
       node_steps_(node_steps),
       tolerance_(tolerance),
-      can_bevel_(can_bevel(shape, tolerance)) {}
+      can_bevel_(can_bevel(samples.longest_step(), tolerance)) {}
 
 /// Turn before a step; 0 at the ends of an open chain.
 double StepMidpoints::turn(std::size_t step) const {
@@ -336,9 +379,9 @@ void StepMidpoints::append(const ChainFitMode::Stretch& stretch, const FinePoint
     const bool whole = samples_.closed() && stretch.last - stretch.first == samples_.steps();
     const bool from_start = !samples_.closed() && stretch.first == 0;
     if (from_start)
-        points.insert(points.begin(), {shape_.from_fine(chain.vertices.back(), origin_), 0, true, true});
+        points.insert(points.begin(), {samples_.from_fine(chain.vertices.back()), 0, true, true});
     if (end != nullptr)
-        points.push_back({shape_.from_fine(*end, origin_), stretch.last, true, true});
+        points.push_back({samples_.from_fine(*end), stretch.last, true, true});
     if (whole) {
         points.push_back(points.front());
         points.back().step += samples_.steps();
@@ -352,64 +395,18 @@ void StepMidpoints::append(const ChainFitMode::Stretch& stretch, const FinePoint
         points.pop_back();
     for (std::size_t i = from_start ? 1 : 0; i < points.size(); ++i) {
         const bool last = end != nullptr && i + 1 == points.size();
-        const FinePoint vertex = last ? *end : shape_.to_fine(points[i].place, origin_);
+        const FinePoint vertex = last ? *end : samples_.to_fine(points[i].place);
         chain.add(vertex, points[i].step);
     }
 }
 
-ChainPolyline compose_chain(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                            const ChainFitMode& mode, const StepMidpoints& midpoints,
-                            const ChainPolyline& walls, const std::optional<ChainEnds>& ends) {
-    const std::vector<ChainFitMode::Stretch> stretches = mode.stretches();
-    if (stretches.size() == 1 && stretches.front().mode == FitMode::regularized)
-        return walls;
-    ChainPolyline chain;
-    if (ends)
-        chain.add(ends->first, 0);
-    const Composer composer(samples, shape, origin, walls);
-    for (const ChainFitMode::Stretch& stretch : stretches) {
-        const bool at_end = ends && stretch.last == samples.steps();
-        if (stretch.mode == FitMode::regularized)
-            composer.append(stretch, chain);
-        else
-            midpoints.append(stretch, at_end ? &ends->last : nullptr, chain);
-    }
-    // Both ends may have moved to the same point; comparing all chains detects that later.
-    if (ends && chain.vertices.size() == 1) {
-        chain.vertices.push_back(ends->last);
-        chain.steps.push_back(samples.steps());
-    }
-    if (!ends && chain.vertices.size() > 1 && chain.vertices.front() == chain.vertices.back())
-        chain.remove_last();
-    chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
-    return chain;
-}
-
-bool tighten_far_steps(const TraceSums& samples, const CellShape& shape, LatticePoint origin, double limit,
-                       const ChainPolyline& drawn, ChainFitMode& mode) {
-    bool changed = false;
-    // The ends of a chain are excluded, because they follow the chain they end on.
-    const auto at_end = [&](std::size_t step) {
-        return !samples.closed() && (step <= margin_steps || step + margin_steps >= samples.steps());
-    };
-    for_distances(samples, shape, origin, drawn, samples.closed(), [&](std::size_t step, double square) {
-        if (square > limit * limit && !at_end(step))
-            changed = mode.raise(step, step + 1, margin_steps, FitMode::midpoint) || changed;
-    });
-    return changed;
-}
-
 ChainFitter::ChainFitter(const Chain& chain, const WallOptions& options)
-    : origin_(chain.trace.front()),
-      shape_(options.shape),
-      parameters_(parameters_for(chain, options)),
+    : parameters_(parameters_for(chain, options)),
       limit_(parameters_.tolerance - rounding_error),
       walls_(chain, options),
       turning_points_(turning_points_of(walls_)),
-      midpoints_(samples(), shape_, origin_, chain.node_steps, limit_) {
-    stretches_ = stretches_between(samples(), turning_points_, [&](std::size_t first, std::size_t last) {
-        return is_on(walls_.on_frame(), first, last);
-    });
+      stretches_(stretches_between(walls_, turning_points_)),
+      midpoints_(samples(), chain.node_steps, limit_) {
     if (chain.closed)
         parameters_.price =
             std::min(parameters_.price, max_price_share * std::abs(twice_area(samples())) / 2);
@@ -426,7 +423,7 @@ bool ChainFitter::plan(double price, WallDirections& directions, bool turn_frame
 
 const ChainPolyline& ChainFitter::draw_planned(const std::optional<ChainEnds>& ends) {
     if (!planned_ || ends != ends_of_planned_) {
-        planned_ = draw_walls(samples(), parameters_, shape_, origin_, walls_.segments(), ends);
+        planned_ = draw_walls(samples(), parameters_, walls_.segments(), ends);
         ends_of_planned_ = ends;
     }
     return *planned_;
@@ -440,8 +437,7 @@ bool ChainFitter::walls_are_near(const std::optional<ChainEnds>& ends) {
 bool ChainFitter::is_sound(const ChainPolyline& drawn) const {
     if (!samples().closed())
         return drawn.vertices.size() >= 2;
-    return drawn.vertices.size() >= 3 &&
-           twice_area(drawn.vertices, shape_, origin_) * twice_area(samples()) > 0;
+    return drawn.vertices.size() >= 3 && twice_area(drawn.vertices, samples()) * twice_area(samples()) > 0;
 }
 
 ChainPolyline ChainFitter::draw(ChainFitMode& mode, const std::optional<ChainEnds>& ends) {
@@ -451,12 +447,10 @@ ChainPolyline ChainFitter::draw(ChainFitMode& mode, const std::optional<ChainEnd
         planned =
             *std::exchange(planned_, {});  // released because few chains are drawn twice and many are pending
     }
-    const auto compose = [&] {
-        return compose_chain(samples(), shape_, origin_, mode, midpoints_, planned, ends);
-    };
+    const auto compose = [&] { return compose_chain(samples(), mode, midpoints_, planned, ends); };
     ChainPolyline drawn = compose();
     for (int i = 0; i < max_tightenings && drawn.deviation > limit_; ++i) {
-        if (!tighten_far_steps(samples(), shape_, origin_, limit_, drawn, mode))
+        if (!tighten_far_steps(samples(), limit_, drawn, mode))
             break;
         drawn = compose();
     }

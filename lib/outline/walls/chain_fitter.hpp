@@ -66,16 +66,13 @@ class ChainFitMode {
 /// staircase approximates and half a cell from all cell centers, so no cell changes sides.
 class StepMidpoints {
   public:
-    /// @param node_steps steps of the chain at which nodes may be @param samples, shape must outlive this
+    /// @param node_steps steps of the chain at which nodes may be; must outlive this, as must samples
     /// @param tolerance largest distance in cells from the trace in all modes
-    StepMidpoints(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                  const std::vector<std::uint32_t>& node_steps, double tolerance);
+    StepMidpoints(const TraceSums& samples, const std::vector<std::uint32_t>& node_steps, double tolerance);
 
     /// Returns true if cutting off corners stays within the tolerance; otherwise the closest mode is the
-    /// trace itself.
-    [[nodiscard]] static bool can_bevel(const CellShape& shape, double tolerance) {
-        return shape.longer_side() / 2 <= tolerance;
-    }
+    /// trace itself. @param side longer side of a cell
+    [[nodiscard]] static bool can_bevel(double side, double tolerance) { return side / 2 <= tolerance; }
     /// Appends the vertices of a stretch: from the midpoint of its first step to that of its last, or around
     /// a closed chain. @param chain the new vertices are joined to its last one, if any
     /// @param end the end of an open chain, if the stretch reaches it
@@ -98,8 +95,6 @@ class StepMidpoints {
     static void remove_collinear(std::vector<Candidate>& points);
 
     const TraceSums& samples_;
-    const CellShape& shape_;
-    LatticePoint origin_;
     const std::vector<std::uint32_t>& node_steps_;
     double tolerance_;
     bool can_bevel_;
@@ -139,8 +134,6 @@ class ChainFitter {
     const ChainPolyline& draw_planned(const std::optional<ChainEnds>& ends);
     [[nodiscard]] bool is_sound(const ChainPolyline& drawn) const;
 
-    LatticePoint origin_;
-    CellShape shape_;
     WallParameters parameters_;
     double limit_;  // cells between vertices and trace before rounding to the fine lattice
     ChainWalls walls_;

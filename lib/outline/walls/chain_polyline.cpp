@@ -56,11 +56,10 @@ std::optional<Vec2> crossing(const WallSegment& a, const WallSegment& b, Vec2 ne
 /// Draws one chain.
 class Drawer {
   public:
-    Drawer(const TraceSums& samples, const WallParameters& parameters, const CellShape& shape,
-           LatticePoint origin)
-        : samples_(samples), parameters_(parameters), shape_(shape), origin_(origin) {}
+    Drawer(const TraceSums& samples, const WallParameters& parameters)
+        : samples_(samples), parameters_(parameters) {}
 
-    void add(Vec2 place, std::size_t step) { chain_.add(shape_.to_fine(place, origin_), step); }
+    void add(Vec2 place, std::size_t step) { chain_.add(samples_.to_fine(place), step); }
     /// Joint of two walls: one vertex, or the end of the first and the beginning of the second.
     [[nodiscard]] std::pair<Vec2, std::optional<Vec2>> joint(const WallSegment& a,
                                                              const WallSegment& b) const;
@@ -84,8 +83,6 @@ class Drawer {
 
     const TraceSums& samples_;
     const WallParameters& parameters_;
-    const CellShape& shape_;
-    LatticePoint origin_;
     ChainPolyline chain_;
 };
 
@@ -118,11 +115,11 @@ void Drawer::add_wall(const std::vector<WallSegment>& segments, std::size_t i,
         if (next.second)
             add(*next.second, segment.last);
     } else if (ends) {
-        add(shape_.from_fine(ends->last, origin_), samples_.steps());
+        chain_.add(ends->last, samples_.steps());
         if (segment.circle)
             add_arc_vertices(segment, first_vertex);
     } else if (segment.circle && chain_.vertices.size() > 1) {
-        add(shape_.from_fine(chain_.vertices.front(), origin_), segment.last);
+        chain_.add(chain_.vertices.front(), segment.last);
         add_arc_vertices(segment, first_vertex);
         chain_.remove_last();
     }
@@ -130,8 +127,8 @@ void Drawer::add_wall(const std::vector<WallSegment>& segments, std::size_t i,
 
 /// Inserts vertices between the last two, on the circle through them and the midpoint of the arc.
 void Drawer::add_arc_vertices(const WallSegment& segment, std::size_t first_vertex) {
-    const Vec2 from = shape_.from_fine(chain_.vertices[first_vertex], origin_);
-    const Vec2 to = shape_.from_fine(chain_.vertices.back(), origin_);
+    const Vec2 from = samples_.from_fine(chain_.vertices[first_vertex]);
+    const Vec2 to = samples_.from_fine(chain_.vertices.back());
     const Vec2 middle = segment.circle->project(samples_.at((segment.first + segment.last) / 2));
     const std::optional<Circle> circle = circle_through(from, middle, to);
     if (!circle)
@@ -179,10 +176,9 @@ void Drawer::add_circle(const WallSegment& segment) {
     chain_.arcs = {{0, 0, half}, {0, half, half}};
 }
 
-}  // namespace
-
-void match_trace(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                 ChainPolyline& chain) {
+/// Finds the step of the trace that corresponds to each vertex, and the deviation.
+/// @param chain its vertices are set, its steps are hints
+void match_trace(const TraceSums& samples, ChainPolyline& chain) {
     constexpr std::size_t reach = 8;
     const std::size_t n = chain.vertices.size();
     const std::size_t end = samples.closed() ? 2 * samples.steps() - 1 : samples.steps();
@@ -193,15 +189,16 @@ void match_trace(const TraceSums& samples, const CellShape& shape, LatticePoint 
         if (k > 0 && samples.closed())
             high = std::min(high, chain.steps.front() + samples.steps());
         chain.steps[k] =
-            nearest_step(samples, shape.from_fine(chain.vertices[k], origin), std::min(low, high), high);
+            nearest_step(samples, samples.from_fine(chain.vertices[k]), std::min(low, high), high);
     }
-    chain.deviation = deviation(samples, shape, origin, chain, samples.closed());
+    chain.deviation = deviation(samples, chain, samples.closed());
 }
 
-double deviation(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                 const ChainPolyline& chain, bool closed) {
+}  // namespace
+
+double deviation(const TraceSums& samples, const ChainPolyline& chain, bool closed) {
     double largest = 0;  // squared
-    for_distances(samples, shape, origin, chain, closed,
+    for_distances(samples, chain, closed,
                   [&](std::size_t, double square) { largest = std::max(largest, square); });
     return std::sqrt(largest);
 }
@@ -213,33 +210,32 @@ double twice_area(const TraceSums& samples) {
     return sum;
 }
 
-double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape, LatticePoint origin) {
+double twice_area(const std::vector<FinePoint>& ring, const TraceSums& samples) {
     double sum = 0;
-    Vec2 from = shape.from_fine(ring.back(), origin);
+    Vec2 from = samples.from_fine(ring.back());
     for (const FinePoint vertex : ring) {
-        const Vec2 to = shape.from_fine(vertex, origin);
+        const Vec2 to = samples.from_fine(vertex);
         sum += cross(from, to);
         from = to;
     }
     return sum;
 }
 
-ChainPolyline draw_walls(const TraceSums& samples, const WallParameters& parameters, const CellShape& shape,
-                         LatticePoint origin, const std::vector<WallSegment>& segments,
-                         const std::optional<ChainEnds>& ends) {
-    Drawer drawer(samples, parameters, shape, origin);
+ChainPolyline draw_walls(const TraceSums& samples, const WallParameters& parameters,
+                         const std::vector<WallSegment>& segments, const std::optional<ChainEnds>& ends) {
+    Drawer drawer(samples, parameters);
     drawer.reserve(2 * segments.size() + 2);
     if (segments.size() == 1 && segments.front().circle && !ends) {
         drawer.add_circle(segments.front());
     } else {
         if (ends)
-            drawer.add(shape.from_fine(ends->first, origin), 0);
+            drawer.chain().add(ends->first, 0);
         else
             drawer.add_joint(drawer.joint(segments.back(), segments.front()), segments.front().first);
         for (std::size_t i = 0; i < segments.size(); ++i)
             drawer.add_wall(segments, i, ends);
     }
-    match_trace(samples, shape, origin, drawer.chain());
+    match_trace(samples, drawer.chain());
     return std::move(drawer.chain());
 }
 

@@ -30,20 +30,15 @@ struct ChainPolyline {
     }
 };
 
-/// Finds the step of the trace that corresponds to each vertex, and the deviation.
-/// @param chain its vertices are set, its steps are hints
-void match_trace(const TraceSums& samples, const CellShape& shape, LatticePoint origin, ChainPolyline& chain);
-
 /// Calls visit(step, square) with squared distances in cells at all positions at which drawing and trace can
 /// be farthest apart. Each edge is compared with the part of the trace between the steps of its vertices: if
 /// both are traversed simultaneously, the distance is largest at corners.
 template <typename Visit>
-void for_distances(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                   const ChainPolyline& chain, bool closed, const Visit& visit) {
+void for_distances(const TraceSums& samples, const ChainPolyline& chain, bool closed, const Visit& visit) {
     const std::size_t n = chain.vertices.size();
-    Vec2 from = shape.from_fine(chain.vertices.front(), origin);
+    Vec2 from = samples.from_fine(chain.vertices.front());
     for (std::size_t k = 0; k + (closed ? 0 : 1) < n; ++k) {
-        const Vec2 to = shape.from_fine(chain.vertices[k + 1 < n ? k + 1 : 0], origin);
+        const Vec2 to = samples.from_fine(chain.vertices[k + 1 < n ? k + 1 : 0]);
         const std::size_t first = chain.steps[k];
         const std::size_t last = k + 1 < n ? chain.steps[k + 1] : chain.steps.front() + samples.steps();
         visit(first, dot(from - samples.at(first), from - samples.at(first)));
@@ -57,13 +52,12 @@ void for_distances(const TraceSums& samples, const CellShape& shape, LatticePoin
 }
 
 /// Largest of these distances, in cells.
-[[nodiscard]] double deviation(const TraceSums& samples, const CellShape& shape, LatticePoint origin,
-                               const ChainPolyline& chain, bool closed);
+[[nodiscard]] double deviation(const TraceSums& samples, const ChainPolyline& chain, bool closed);
 
 /// Twice the signed area of a closed chain, in cells.
 [[nodiscard]] double twice_area(const TraceSums& samples);
-[[nodiscard]] double twice_area(const std::vector<FinePoint>& ring, const CellShape& shape,
-                                LatticePoint origin);
+/// Twice the signed area of a ring that is drawn for it.
+[[nodiscard]] double twice_area(const std::vector<FinePoint>& ring, const TraceSums& samples);
 
 /// End points of the drawing of an open chain.
 struct ChainEnds {
@@ -75,9 +69,8 @@ struct ChainEnds {
 
 /// Joins walls into a polyline. Vertices are the intersections of consecutive walls; nearly parallel ones are
 /// joined by a short wall.
-/// @param origin first point of the trace @param ends of an open chain
+/// @param ends of an open chain
 [[nodiscard]] ChainPolyline draw_walls(const TraceSums& samples, const WallParameters& parameters,
-                                       const CellShape& shape, LatticePoint origin,
                                        const std::vector<WallSegment>& segments,
                                        const std::optional<ChainEnds>& ends);
 

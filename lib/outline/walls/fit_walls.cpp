@@ -168,7 +168,8 @@ bool has_higher_levels(const WallCluster& cluster) {
 }  // namespace
 
 OutlineBuilder::OutlineBuilder(const WallOptions& options)
-    : shape_(options.shape), can_bevel_(StepMidpoints::can_bevel(options.shape, options.tolerance)) {}
+    : shape_(options.shape),
+      can_bevel_(StepMidpoints::can_bevel(options.shape.longer_side(), options.tolerance)) {}
 
 void OutlineBuilder::begin_ring(std::int64_t traced_area) {
     if (rings_++ > 0)

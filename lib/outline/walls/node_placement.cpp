@@ -20,27 +20,22 @@ constexpr double share_of_tolerance =
 }  // namespace
 
 PlacedPolyline::PlacedPolyline(ChainPolyline drawn, const Chain& chain, const ChainFitMode& mode,
-                               const TraceSums& samples, const CellShape& shape, double tolerance)
-    : drawn_(std::move(drawn)),
-      closed_(chain.closed),
-      shape_(shape),
-      origin_(chain.trace.front()),
-      max_displacement_(share_of_tolerance * tolerance) {
+                               const TraceSums& samples, double tolerance)
+    : samples_(&samples), drawn_(std::move(drawn)), max_displacement_(share_of_tolerance * tolerance) {
     vertices_.reserve(drawn_.vertices.size());
     for (const FinePoint vertex : drawn_.vertices)
-        vertices_.push_back(shape_.from_fine(vertex, origin_));
+        vertices_.push_back(samples_->from_fine(vertex));
     begins_.reserve(vertices_.size() + 1);
     begins_.push_back(0);
-    for (std::size_t k = 0; k + (closed_ ? 0 : 1) < vertices_.size(); ++k)
+    for (std::size_t k = 0; k + (closed() ? 0 : 1) < vertices_.size(); ++k)
         begins_.push_back(begins_.back() + outline::length(vertex(k + 1) - vertex(k)));
-    nodes_.resize(chain.nodes.size() - (closed_ ? 1 : 0));
+    nodes_.resize(chain.nodes.size() - (closed() ? 1 : 0));
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         nodes_[k].step = chain.node_steps[k];
-        nodes_[k].traced = samples.at(nodes_[k].step);
-        if (closed_ && nodes_[k].step < drawn_.steps.front())
+        if (closed() && nodes_[k].step < drawn_.steps.front())
             nodes_[k].step += samples.steps();
     }
-    if (!closed_) {
+    if (!closed()) {
         nodes_.front().point = drawn_.vertices.front();
         nodes_.back().point = drawn_.vertices.back();
         nodes_.back().at = begins_.back();
@@ -48,7 +43,7 @@ PlacedPolyline::PlacedPolyline(ChainPolyline drawn, const Chain& chain, const Ch
         placed_.insert(0);
         placed_.insert(nodes_.size() - 1);
     }
-    for (std::size_t k = closed_ ? 0 : 1; k + (closed_ ? 0 : 1) < nodes_.size(); ++k)
+    for (std::size_t k = closed() ? 0 : 1; k + (closed() ? 0 : 1) < nodes_.size(); ++k)
         if (mode.beveled_around(nodes_[k].step))
             keep_traced(k);
 }
@@ -58,11 +53,11 @@ void PlacedPolyline::keep_traced(std::size_t k) {
     PlacedNode& node = nodes_[k];
     const auto vertex = std::ranges::lower_bound(drawn_.steps, node.step);
     const auto i = static_cast<std::size_t>(vertex - drawn_.steps.begin());
-    const FinePoint traced = shape_.to_fine(node.traced, origin_);
-    if (vertex == drawn_.steps.end() || drawn_.vertices[i] != traced)
+    const FinePoint place = samples_->to_fine(traced(node));
+    if (vertex == drawn_.steps.end() || drawn_.vertices[i] != place)
         return;
     node.is_fixed = true;
-    node.point = traced;
+    node.point = place;
     node.edge = std::min(i, edges() - 1);
     node.at = begins_[i];
     placed_.insert(k);
@@ -76,10 +71,10 @@ std::size_t PlacedPolyline::edge_of(std::size_t step) const {
 }
 
 double PlacedPolyline::preferred_position(const PlacedNode& node, const std::optional<Line2>& wall) const {
-    const Vec2 traced = node.traced;
+    const Vec2 at_trace = traced(node);
     const std::size_t edge = edge_of(node.step);
     const auto foot_on = [&](std::size_t e) {
-        const double share = nearest_parameter(traced, vertex(e), vertex(e + 1));
+        const double share = nearest_parameter(at_trace, vertex(e), vertex(e + 1));
         return begins_[e] + share * (begins_[e + 1] - begins_[e]);
     };
     if (!wall)
@@ -92,7 +87,7 @@ double PlacedPolyline::preferred_position(const PlacedNode& node, const std::opt
         };
         const bool inner = v > 0 && (parallel(v - 1) != parallel(v));
         if (inner &&
-            outline::length(vertex(v) - traced) < std::min(max_corner_displacement, max_displacement_))
+            outline::length(vertex(v) - at_trace) < std::min(max_corner_displacement, max_displacement_))
             return begins_[v];
     }
     double best = foot_on(edge);
@@ -104,7 +99,7 @@ double PlacedPolyline::preferred_position(const PlacedNode& node, const std::opt
         if (std::abs(sine) < 0.3 * outline::length(along))
             continue;
         const double share = cross(wall->through - from, wall->along) / sine;
-        const double away = outline::length(from + share * along - traced);
+        const double away = outline::length(from + share * along - at_trace);
         if (share >= 0 && share <= 1 && away < nearest) {
             nearest = away;
             best = begins_[e] + share * (begins_[e + 1] - begins_[e]);
@@ -121,14 +116,14 @@ void PlacedPolyline::find_range(std::size_t k, double& low, double& high) const 
     if (placed_.empty())
         return;
     const auto next = placed_.upper_bound(k);
-    if (next != placed_.begin() || closed_) {
+    if (next != placed_.begin() || closed()) {
         const std::size_t before = *std::prev(next != placed_.begin() ? next : placed_.end());
         const PlacedNode& other = nodes_[before];
         const std::size_t between = before < k ? k - before : k + n - before;
         low = other.at + (other.step > nodes_[k].step ? -whole : 0) +
               min_node_spacing * static_cast<double>(between);
     }
-    if (next != placed_.end() || closed_) {
+    if (next != placed_.end() || closed()) {
         const std::size_t after = next != placed_.end() ? *next : *placed_.begin();
         const PlacedNode& other = nodes_[after];
         const std::size_t between = after > k ? after - k : after + n - k;
@@ -140,14 +135,14 @@ void PlacedPolyline::find_range(std::size_t k, double& low, double& high) const 
 void PlacedPolyline::set_position(PlacedNode& node, double at) {
     const double whole = begins_.back();
     node.at = at;
-    const double round = closed_ ? at - std::floor(at / whole) * whole : at;
+    const double round = closed() ? at - std::floor(at / whole) * whole : at;
     const auto next = std::upper_bound(begins_.begin(), begins_.end(), round);
     node.edge = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - begins_.begin(), 1)) - 1,
                          edges() - 1);
     const double edge_length = begins_[node.edge + 1] - begins_[node.edge];
     const double share = edge_length > 0 ? (round - begins_[node.edge]) / edge_length : 0;
     const Vec2 from = vertex(node.edge);
-    node.point = shape_.to_fine(from + share * (vertex(node.edge + 1) - from), origin_);
+    node.point = samples_->to_fine(from + share * (vertex(node.edge + 1) - from));
 }
 
 void PlacedPolyline::place(std::size_t k, const std::optional<Line2>& wall) {
@@ -157,7 +152,7 @@ void PlacedPolyline::place(std::size_t k, const std::optional<Line2>& wall) {
     double low = -1e300;
     double high = 1e300;
     find_range(k, low, high);
-    if (!closed_) {
+    if (!closed()) {
         low = std::max(low, 0.0);
         high = std::min(high, begins_.back());
     }
@@ -167,7 +162,7 @@ void PlacedPolyline::place(std::size_t k, const std::optional<Line2>& wall) {
         --vertex_at;
     const auto v = static_cast<std::size_t>(vertex_at - begins_.begin());
     if (std::abs(*vertex_at - at) < snap_distance &&
-        outline::length(vertex(v) - node.traced) < max_displacement_)
+        outline::length(vertex(v) - traced(node)) < max_displacement_)
         at = *vertex_at;
     set_position(node, std::max(low, std::min(high, at)));
     placed_.insert(k);
@@ -181,10 +176,10 @@ void PlacedPolyline::cut(const PlacedNode& from, const PlacedNode& to, ChainPoly
     add(*from.point, from.step);
     // The way may lead around to the same node, or to a previous one on the same edge.
     double left = to.at - from.at;
-    if (closed_ && left <= 0)
+    if (closed() && left <= 0)
         left += begins_.back();
     std::size_t edge = from.edge;
-    const bool around = closed_ && edge == to.edge && left > begins_[edge + 1] - begins_[edge];
+    const bool around = closed() && edge == to.edge && left > begins_[edge + 1] - begins_[edge];
     for (bool first = true; edge != to.edge || (first && around); first = false) {
         edge = edge + 1 < edges() ? edge + 1 : 0;
         const FinePoint next = drawn_.vertices[edge];
@@ -195,15 +190,16 @@ void PlacedPolyline::cut(const PlacedNode& from, const PlacedNode& to, ChainPoly
 }
 
 /// Makes the steps of an arc ascend between those of its nodes.
-void PlacedPolyline::match(ChainPolyline& arc, std::size_t first, std::size_t last, std::size_t steps) const {
-    if (closed_ && last <= first)
+void PlacedPolyline::match(ChainPolyline& arc, std::size_t first, std::size_t last) const {
+    const std::size_t steps = samples_->steps();
+    if (closed() && last <= first)
         last += steps;
     std::size_t before = first;
     for (std::size_t& step : arc.steps) {
         const auto away = [&](std::size_t s) { return s < first ? first - s : (s > last ? s - last : 0); };
-        if (closed_ && away(step + steps) < away(step))
+        if (closed() && away(step + steps) < away(step))
             step += steps;
-        else if (closed_ && step >= steps && away(step - steps) < away(step))
+        else if (closed() && step >= steps && away(step - steps) < away(step))
             step -= steps;
         step = std::clamp(step, before, last);
         before = step;
@@ -241,26 +237,25 @@ void PlacedPolyline::add_arcs(const PlacedNode& from, ChainPolyline& arc) const 
                 arc.arcs.end());
 }
 
-void PlacedPolyline::whole(const TraceSums& samples, ChainPolyline& drawn) const {
+void PlacedPolyline::whole(ChainPolyline& drawn) const {
     drawn = drawn_;
     drawn.vertices.push_back(drawn_.vertices.front());
-    drawn.steps.push_back(drawn_.steps.front() + samples.steps());
+    drawn.steps.push_back(drawn_.steps.front() + samples_->steps());
 }
 
-void PlacedPolyline::extract(std::size_t from_node, std::size_t to_node, const TraceSums& samples,
-                             ChainPolyline& drawn) const {
+void PlacedPolyline::extract(std::size_t from_node, std::size_t to_node, ChainPolyline& drawn) const {
     const PlacedNode& from = nodes_[from_node];
     const PlacedNode& to = nodes_[to_node < nodes_.size() ? to_node : 0];
-    if (closed_ && nodes_.size() == 1 && !from.point) {
-        whole(samples, drawn);  // it has no nodes
+    if (closed() && nodes_.size() == 1 && !from.point) {
+        whole(drawn);  // it has no nodes
         return;
     }
     drawn.vertices.clear();
     drawn.steps.clear();
     drawn.arcs.clear();
     cut(from, to, drawn);
-    match(drawn, from.step, to.step, samples.steps());
-    drawn.deviation = deviation(samples, shape_, origin_, drawn, false);
+    match(drawn, from.step, to.step);
+    drawn.deviation = deviation(*samples_, drawn, false);
     add_arcs(from, drawn);
 }
 

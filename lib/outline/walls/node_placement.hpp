@@ -17,11 +17,10 @@ class PlacedPolyline {
   public:
     PlacedPolyline() = default;
     /// @param mode of the chain; nodes in beveled stretches keep their traced positions
-    /// @param tolerance cells
+    /// @param samples of the chain; must outlive this @param tolerance cells
     PlacedPolyline(ChainPolyline drawn, const Chain& chain, const ChainFitMode& mode,
-                   const TraceSums& samples, const CellShape& shape, double tolerance);
+                   const TraceSums& samples, double tolerance);
 
-    [[nodiscard]] const ChainPolyline& drawn() const { return drawn_; }
     [[nodiscard]] std::optional<FinePoint> node(std::size_t k) const { return nodes_[k].point; }
     /// Places a node on the drawing, keeping the order of the trace and leaving room for nodes not placed
     /// yet.
@@ -35,23 +34,23 @@ class PlacedPolyline {
     }
 
     /// Extracts the drawing between two nodes, without nodes in between, with its own deviation and with the
-    /// circular arcs that neither node splits. @param samples of the chain
+    /// circular arcs that neither node splits.
     /// @param to_node in a closed chain, the first node follows the last
-    void extract(std::size_t from_node, std::size_t to_node, const TraceSums& samples,
-                 ChainPolyline& drawn) const;
+    void extract(std::size_t from_node, std::size_t to_node, ChainPolyline& drawn) const;
     /// Extracts a closed chain completely, without nodes.
-    void whole(const TraceSums& samples, ChainPolyline& drawn) const;
+    void whole(ChainPolyline& drawn) const;
 
   private:
     struct PlacedNode {
         std::optional<FinePoint> point;
-        Vec2 traced;
         std::size_t step = 0;
         std::size_t edge = 0;
         double at = 0;          ///< distance along the drawing from its first vertex, in cells
         bool is_fixed = false;  ///< keeps its traced position
     };
+    [[nodiscard]] bool closed() const { return samples_->closed(); }
     [[nodiscard]] std::size_t edges() const { return begins_.size() - 1; }
+    [[nodiscard]] Vec2 traced(const PlacedNode& node) const { return samples_->at(node.step); }
     [[nodiscard]] Vec2 vertex(std::size_t k) const { return vertices_[k < vertices_.size() ? k : 0]; }
     [[nodiscard]] std::size_t edge_of(std::size_t step) const;
     [[nodiscard]] double preferred_position(const PlacedNode& node, const std::optional<Line2>& wall) const;
@@ -59,14 +58,12 @@ class PlacedPolyline {
     void find_range(std::size_t k, double& low, double& high) const;
     void set_position(PlacedNode& node, double at);
     void cut(const PlacedNode& from, const PlacedNode& to, ChainPolyline& arc) const;
-    void match(ChainPolyline& arc, std::size_t first, std::size_t last, std::size_t steps) const;
+    void match(ChainPolyline& arc, std::size_t first, std::size_t last) const;
     void add_arcs(const PlacedNode& from, ChainPolyline& arc) const;
 
+    const TraceSums* samples_ = nullptr;
     ChainPolyline drawn_;
-    std::vector<Vec2> vertices_;  // positions of the vertices
-    bool closed_ = false;
-    CellShape shape_;
-    LatticePoint origin_;
+    std::vector<Vec2> vertices_;   // positions of the vertices
     double max_displacement_ = 0;  // cells by which a node may be displaced for the sake of a wall or corner
     std::vector<PlacedNode> nodes_;  // including both ends if open
     std::set<std::size_t> placed_;   // nodes that have a point

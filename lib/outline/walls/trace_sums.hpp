@@ -88,6 +88,9 @@ class TraceSums {
     [[nodiscard]] Vec2 at(std::size_t step) const { return points_[wrap(step)]; }
     /// Middle of a step.
     [[nodiscard]] Vec2 midpoint(std::size_t step) const { return 0.5 * (at(step) + at(step + 1)); }
+    /// Returns the fine point nearest to a position.
+    [[nodiscard]] FinePoint to_fine(Vec2 place) const { return shape_.to_fine(place, origin_); }
+    [[nodiscard]] Vec2 from_fine(FinePoint point) const { return shape_.from_fine(point, origin_); }
     /// Length of the longest step.
     [[nodiscard]] double longest_step() const { return shape_.longer_side(); }
     /// Calls visit(step, point) for the corners and ends in [first, last], until it returns false.

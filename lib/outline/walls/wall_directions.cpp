@@ -17,21 +17,6 @@ double angle_between(double from, double to) {
     return turn - std::round(turn / quarter_turn) * quarter_turn;
 }
 
-std::vector<Stretch> stretches_between(const TraceSums& samples, const std::vector<std::size_t>& points,
-                                       const std::function<bool(std::size_t, std::size_t)>& on_frame) {
-    std::vector<Stretch> found;
-    for (std::size_t i = 0; i + (samples.closed() ? 0 : 1) < points.size(); ++i) {
-        const std::size_t first = points[i];
-        const std::size_t last = i + 1 < points.size() ? points[i + 1] : samples.steps();
-        if (on_frame(first, last))
-            continue;
-        const std::size_t cut = steps_at_corner(last - first);
-        const Vec2 along = samples.sums(first + cut, last - cut).direction();
-        found.push_back({length(samples.at(last) - samples.at(first)), std::atan2(along.y, along.x)});
-    }
-    return found;
-}
-
 void DirectionHistogram::add(const std::vector<Stretch>& stretches) {
     constexpr double min_length = 2.5;   // cells
     constexpr double wall_length = 5;    // cells

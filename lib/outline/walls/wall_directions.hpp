@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <numbers>
 #include <vector>
 
@@ -34,13 +33,6 @@ struct Stretch {
     double length;  ///< cells
     double angle;   ///< radians
 };
-
-/// Returns the stretches of a chain without those on the frame of the raster, because it was cut there.
-/// @param points steps at which the chain may turn, see turning_points()
-/// @param on_frame true for a stretch on the frame, by its first and last step
-[[nodiscard]] std::vector<Stretch> stretches_between(
-    const TraceSums& samples, const std::vector<std::size_t>& points,
-    const std::function<bool(std::size_t, std::size_t)>& on_frame);
 
 /// Histogram of the directions of the stretches of chains modulo 90 degrees. Long stretches count more than
 /// their length because their direction is known better, and are spread less for the same reason.

@@ -8,15 +8,10 @@
 #include <numbers>
 #include <utility>
 
+#include "core/disjoint_sets.hpp"
 #include "outline/walls/wall_graph.hpp"
 
 namespace d2b::outline {
-
-/// Chain whose direction another chain follows: the one on which it ends, or else the outline of the
-/// footprint below it. Its rank is lower.
-/// @return WallGraph::none if there is none
-[[nodiscard]] std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster,
-                                            std::uint32_t chain);
 
 namespace {
 
@@ -30,38 +25,30 @@ constexpr int min_rank =
 /// Groups of footprints that share chains, with the contours on them. A group is named by its first contour.
 class FootprintGroups {
   public:
-    FootprintGroups(const WallGraph& graph, const WallCluster& cluster) : graph_(graph) {
-        for (std::uint32_t i = 0; i < cluster.contours.size(); ++i) {
-            const bool higher = cluster.contours[i]->key.level > 1 && cluster.parents[i] >= 0;
-            parents_.push_back(higher ? static_cast<std::uint32_t>(cluster.parents[i]) : i);
-        }
+    FootprintGroups(const WallGraph& graph, const WallCluster& cluster)
+        : graph_(graph), sets_(static_cast<std::uint32_t>(cluster.contours.size())) {
+        for (std::uint32_t i = 0; i < sets_.size(); ++i)
+            if (cluster.contours[i]->key.level > 1 && cluster.parents[i] >= 0)
+                sets_.join(i, static_cast<std::uint32_t>(cluster.parents[i]));
         for (std::uint32_t c = 0; c < graph.chains.size(); ++c)
             if (graph.chains[c].rank <= WallGraph::highest_low_rank)
                 unite_sides(c);
     }
     [[nodiscard]] std::uint32_t group_of(std::uint32_t chain) {
         const WallGraph::Sides& sides = graph_.sides[graph_.chains[chain].arcs.front().arc];
-        return root(static_cast<std::uint32_t>(std::max(sides.left, sides.right)));
+        return sets_.find(static_cast<std::uint32_t>(std::max(sides.left, sides.right)));
     }
 
   private:
-    std::uint32_t root(std::uint32_t contour) {
-        while (parents_[contour] != contour)
-            contour = parents_[contour] = parents_[parents_[contour]];
-        return contour;
-    }
     void unite_sides(std::uint32_t chain) {
         for (const ArcUse& use : graph_.chains[chain].arcs)
             for (const std::int32_t side : {graph_.sides[use.arc].left, graph_.sides[use.arc].right})
-                if (side >= 0) {
-                    const std::uint32_t own = root(static_cast<std::uint32_t>(side));
-                    const std::uint32_t group = group_of(chain);
-                    parents_[std::max(own, group)] = std::min(own, group);
-                }
+                if (side >= 0)
+                    sets_.join(static_cast<std::uint32_t>(side), group_of(chain));
     }
 
     const WallGraph& graph_;
-    std::vector<std::uint32_t> parents_;  // per contour
+    DisjointSets sets_;  // of contours
 };
 
 /// A short chain does not have many directions.
@@ -84,10 +71,9 @@ std::uint32_t footprint_chain(const WallGraph& graph, const WallCluster& cluster
     return graph.chain_of[graph.graph.outlines[static_cast<std::size_t>(contour)].exterior.front().arc];
 }
 
-constexpr std::array tried_prices{1.0, 0.5, 0.25};  // prices of walls, tried in turn
-
-}  // namespace
-
+/// Chain whose direction another chain follows: the one on which it ends, or else the outline of the
+/// footprint below it. Its rank is lower.
+/// @return WallGraph::none if there is none
 std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster, std::uint32_t c) {
     const Chain& chain = graph.chains[c];
     if (chain.rank < min_rank)
@@ -99,6 +85,10 @@ std::uint32_t reference_chain(const WallGraph& graph, const WallCluster& cluster
         return WallGraph::none;
     return base;
 }
+
+constexpr std::array tried_prices{1.0, 0.5, 0.25};  // prices of walls, tried in turn
+
+}  // namespace
 
 WallLayout::WallLayout(const WallGraph& graph, const WallCluster& cluster, const WallOptions& options,
                        const StopToken& stop)
@@ -189,7 +179,7 @@ void WallLayout::draw_chain(std::uint32_t c) {
         plan(c);
     state.ends = positions_.place_ends(c);
     state.polyline = PlacedPolyline(drawn.draw(state.mode, state.ends), chain, state.mode, drawn.samples(),
-                                    options_.shape, options_.tolerance);
+                                    options_.tolerance);
 }
 
 /// Divides a chain into walls, as few as possible within the tolerance.
@@ -285,7 +275,7 @@ WallDirections WallLayout::directions(std::uint32_t c) const {
 void WallLayout::arc(std::uint32_t arc, ChainPolyline& drawn) const {
     const std::uint32_t c = graph_.chain_of[arc];
     const std::size_t k = graph_.index_in_chain[arc];
-    states_[c].polyline.extract(k, k + 1, states_[c].chain->samples(), drawn);
+    states_[c].polyline.extract(k, k + 1, drawn);
     if (!graph_.chains[c].arcs[k].reversed)
         return;
     const auto last = static_cast<std::uint32_t>(drawn.vertices.size() - 1);
@@ -304,9 +294,9 @@ bool WallLayout::extract(const ArcUse& first, const ArcUse& last, bool whole, Ch
     const std::size_t to = against ? k : graph_.index_in_chain[last.arc];
     const PlacedPolyline& polyline = states_[c].polyline;
     if (whole)
-        polyline.whole(states_[c].chain->samples(), drawn);
+        polyline.whole(drawn);
     else
-        polyline.extract(from, to + 1, states_[c].chain->samples(), drawn);
+        polyline.extract(from, to + 1, drawn);
     return against;
 }
 

@@ -24,6 +24,7 @@ constexpr double single_price = 2.0;
 constexpr double oblique_price = 0.8;  // of a corner that is not right, in addition
 
 constexpr double soft_distance = 0.75;  // cells below which a distance counts by its square
+constexpr double outside_cost = 1.5;    // of a cell of lower ground, beyond the soft distance
 constexpr double tie = 0.04;            // per cell that runs across its wall, times the root of the price
 constexpr double sharp_turn = 165 * degree;  // where the trace itself has such a corner
 
@@ -66,8 +67,8 @@ struct FamilyTurn {
 
 /// Turns that are allowed at a step.
 struct Turns {
-    std::vector<Turn> all;            ///< [from family][to family][quarter turns]
-    std::vector<FamilyTurn> allowed;  ///< the same without forbidden ones
+    double sharpest;  ///< cosine of the sharpest turn
+    std::vector<FamilyTurn> allowed;
 };
 
 /// Line of a step: a heading and an offset, in intervals from the first point of the chain.
@@ -215,16 +216,10 @@ class PathFinder {
     static constexpr std::size_t fractions = 16;
     static constexpr std::size_t block = 1024;  // steps whose costs are kept; those of others are found again
 
-    [[nodiscard]] Turn turn_between(const Heading& from, const Heading& to, double sharpest) const;
-    /// @param sharpest cosine of the sharpest turn
+    /// Turn from one heading to another. @param sharpest cosine of the sharpest turn
+    [[nodiscard]] Turn turn(std::size_t from, std::size_t to, double sharpest) const;
     [[nodiscard]] Turns turns_up_to(double sharpest) const;
     void set_costs();
-    [[nodiscard]] std::size_t families() const { return headings_.size() / quarter_turns; }
-    /// Turn from one heading to another.
-    [[nodiscard]] const Turn& turn(const Turns& turns, std::size_t from, std::size_t to) const {
-        return turns.all[(from / quarter_turns * families() + to / quarter_turns) * quarter_turns +
-                         (to + quarter_turns - from % quarter_turns) % quarter_turns];
-    }
     /// Offset of the midpoint of a step from the first point of the chain, in intervals.
     [[nodiscard]] double offset(std::size_t step, std::size_t heading) const {
         return cross(headings_[heading].along, samples_.midpoint(step)) * per_interval_;
@@ -265,13 +260,12 @@ class PathFinder {
     double price_;
     double interval_;  // cells between offsets
     int higher_;       // sign of the offset of a step from a line on the lower ground; 0 if both sides count
-    double outside_cost_;
     double per_interval_;
     std::size_t half_;  // offsets on either side of the middle of a window
     Windows windows_;
     std::array<std::size_t, zone_count> zone_half_{};
-    Turns turns_;
-    Turns sharp_turns_;
+    Turns turns_{};
+    Turns sharp_turns_{};
     std::vector<float> distance_costs_;  // [fraction][offset]
     std::vector<HeadingStep> steps_;     // of the step that is advanced to
     std::vector<std::int64_t> bases_;    // of that step
@@ -292,7 +286,6 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
       price_(parameters.price),
       interval_(std::max(0.25, parameters.tolerance / 20)),
       higher_(samples.mirrored() ? -parameters.higher : parameters.higher),
-      outside_cost_(parameters.outside_cost),
       per_interval_(1 / interval_),
       half_(static_cast<std::size_t>(reach(parameters.tolerance) / interval_)),
       steps_(headings_.size()),
@@ -320,28 +313,28 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
     set_costs();
 }
 
-Turn PathFinder::turn_between(const Heading& from, const Heading& to, double sharpest) const {
-    const double cosine = dot(from.along, to.along);  // of the turn
+/// Depends on the families and the quarter turns between the headings alone, to the bit.
+Turn PathFinder::turn(std::size_t from, std::size_t to, double sharpest) const {
+    const std::size_t quarters = (to + quarter_turns - from % quarter_turns) % quarter_turns;
+    const Heading& first = headings_[from - from % quarter_turns];
+    const Heading& second = headings_[to - to % quarter_turns + quarters];
+    const double cosine = dot(first.along, second.along);  // of the turn
     const double size = std::abs(cosine);
     const std::size_t zone = size < wide_cosine ? 0 : size < narrow_cosine ? 1 : 2;
     const bool allowed = cosine < flat_cosine && cosine > sharpest;
-    const double price = price_ * (to.price + (size < right_cosine ? 0 : oblique_price));
+    const double price = price_ * (second.price + (size < right_cosine ? 0 : oblique_price));
     return {zone, allowed ? static_cast<float>(price) : infinite};
 }
 
 Turns PathFinder::turns_up_to(double sharpest) const {
-    const std::size_t n = families();
-    Turns found;
-    for (std::size_t from = 0; from < n; ++from)
+    const std::size_t n = headings_.size();
+    Turns found{sharpest, {}};
+    for (std::size_t from = 0; from < n; from += quarter_turns)
         for (std::size_t to = 0; to < n; ++to)
-            for (std::size_t q = 0; q < quarter_turns; ++q) {
-                const Turn change = turn_between(headings_[from * quarter_turns],
-                                                 headings_[to * quarter_turns + q], sharpest);
-                found.all.push_back(change);
-                if (change.cost < infinite)
-                    found.allowed.push_back(
-                        {2 * (change.zone * n + from) * quarter_turns + (quarter_turns - q) % quarter_turns,
-                         (change.zone * n + to) * quarter_turns, change.cost});
+            if (const Turn change = turn(from, to, sharpest); change.cost < infinite) {
+                const std::size_t q = to % quarter_turns;
+                found.allowed.push_back({2 * (change.zone * n + from) + (quarter_turns - q) % quarter_turns,
+                                         change.zone * n + to - q, change.cost});
             }
     return found;
 }
@@ -356,7 +349,7 @@ void PathFinder::set_costs() {
             const double shift = static_cast<double>(f) / fractions - 0.5;  // of the window from the step
             const double offset = -(shift + static_cast<double>(w) - static_cast<double>(half_)) * interval_;
             const double away = std::abs(offset);
-            const double factor = higher_ * offset > 0 ? outside_cost_ : 1;
+            const double factor = higher_ * offset > 0 ? outside_cost : 1;
             distance_costs_[f * width + w] = static_cast<float>(
                 away < soft_distance ? away * away / (2 * soft_distance)
                                      : factor * (away - soft_distance) + soft_distance / 2);
@@ -455,7 +448,7 @@ WallLine PathFinder::before(std::size_t step, WallLine line, const float* costs,
     find_endings(costs);
     std::size_t from = 0;
     const auto is_best = [&] {
-        const Turn& there = turn(turns(step), from, line.heading);
+        const Turn there = turn(from, line.heading, turns(step).sharpest);
         return there.zone == *turned && ending(*turned, from) + there.cost == least;
     };
     while (!is_best())

@@ -38,9 +38,8 @@ struct WallParameters {
     double tolerance = 0;  ///< cells
     double price = 1;      ///< cost of a wall in square cells: a lower price gives more walls that lie closer
     int higher = 0;        ///< side of the chain on which its building or tier lies: 1 left, -1 right, 0 both
-    double outside_cost = 1;  ///< of lower ground within the walls, relative to higher ground outside of them
-    double inset = 0;         ///< cells by which walls are moved towards higher ground
-    double side = 1;          ///< longer side of a cell
+    double inset = 0;      ///< cells by which walls are moved towards higher ground
+    double side = 1;       ///< longer side of a cell
 
     /// Cost of the squared distances of n step midpoints in excess of those that the staircase of a straight
     /// wall has anyway: up to a twelfth of a squared side per step, here slightly more.
