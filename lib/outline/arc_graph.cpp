@@ -7,52 +7,7 @@
 
 namespace d2b::outline {
 
-/// Noded rings of contours: every corner of another ring on an edge of a ring becomes a vertex of it.
-class NodedRings {
-  public:
-    using Vertex = std::uint32_t;
-    /// Directions from a vertex; opposite directions differ by 2.
-    enum class Direction : std::uint8_t { east, south, west, north };
-
-    /// @throws Cancelled
-    NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop);
-
-    [[nodiscard]] std::size_t size() const { return points_.size(); }
-    /// Vertices are sorted by row, then column.
-    [[nodiscard]] LatticePoint point(Vertex v) const { return points_[v]; }
-    /// True if the degree of the vertex is not two.
-    [[nodiscard]] bool junction(Vertex v) const { return degree_two.at(directions_[v]) == 0; }
-    [[nodiscard]] Direction direction(Vertex from, Vertex to) const;
-    /// Rings grouped by contour: exterior, then interiors.
-    [[nodiscard]] std::size_t rings() const { return first_.size() - 1; }
-    [[nodiscard]] std::span<const Vertex> ring(std::size_t r) const {
-        return std::span(vertices_).subspan(first_[r], first_[r + 1] - first_[r]);
-    }
-
-  private:
-    static constexpr std::array<std::uint8_t, 16> degree_two{0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 0, 0};
-    std::vector<Vertex> number_corners(const std::vector<LatticePoint>& corners, const StopToken& stop);
-    void order_columns();
-    void append_edge(Vertex from, Vertex to);
-
-    std::vector<LatticePoint> points_;
-    std::vector<Vertex> by_col_;            // vertices sorted by column, then row
-    std::vector<Vertex> place_in_col_;      // per vertex: its index in by_col_
-    std::vector<std::uint8_t> directions_;  // per vertex: bits of the directions of its edges
-    std::vector<Vertex> vertices_;          // concatenated vertices of all rings
-    std::vector<std::size_t> first_;        // per ring: its first vertex
-};
-
 namespace {
-
-LatticePoint transposed(LatticePoint point) {
-    return {point.col, point.row};
-}
-
-void sort_unique(std::vector<LatticePoint>& points) {
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-}
 
 constexpr std::uint32_t sign_bit = 0x80000000U;
 
@@ -60,6 +15,14 @@ constexpr std::uint32_t sign_bit = 0x80000000U;
 std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(first) ^ sign_bit) << 32 |
            (static_cast<std::uint32_t>(second) ^ sign_bit);
+}
+
+std::vector<const contours::Contour*> pointers_to(const std::vector<contours::Contour>& contours) {
+    std::vector<const contours::Contour*> all;
+    all.reserve(contours.size());
+    for (const contours::Contour& contour : contours)
+        all.push_back(&contour);
+    return all;
 }
 
 class ArcCutter {
@@ -139,71 +102,13 @@ LatticePolygon traced_polygon(const contours::Contour& contour) {
     return polygon;
 }
 
-CornerIndex::CornerIndex(const std::vector<contours::Contour>& contours) {
-    for (const contours::Contour& contour : contours)
-        add(contour);
-    sort();
-}
-
-CornerIndex::CornerIndex(std::span<const contours::Contour* const> contours) {
-    for (const contours::Contour* contour : contours)
-        add(*contour);
-    sort();
-}
-
-void CornerIndex::add(const contours::Contour& contour) {
-    const auto add_ring = [&](const PackedRing& packed) {
-        const LatticeRing ring = packed.corners();
-        by_row_.insert(by_row_.end(), ring.begin(), ring.end());
-    };
-    add_ring(contour.exterior);
-    for (const PackedRing& ring : contour.interiors)
-        add_ring(ring);
-}
-
-void CornerIndex::sort() {
-    sort_unique(by_row_);
-    by_col_.reserve(by_row_.size());
-    for (const LatticePoint point : by_row_)
-        by_col_.push_back(transposed(point));
-    std::sort(by_col_.begin(), by_col_.end());
-}
-
-void CornerIndex::append_between(LatticePoint from, LatticePoint to, LatticeRing& ring) const {
-    const bool along_row = from.row == to.row;
-    const std::vector<LatticePoint>& points = along_row ? by_row_ : by_col_;
-    const LatticePoint a = along_row ? from : transposed(from);
-    const LatticePoint b = along_row ? to : transposed(to);
-    const auto begin = std::upper_bound(points.begin(), points.end(), std::min(a, b));
-    const auto end = std::lower_bound(begin, points.end(), std::max(a, b));
-    const std::size_t old_size = ring.size();
-    for (auto point = begin; point != end; ++point)
-        ring.push_back(along_row ? *point : transposed(*point));
-    if (b < a)
-        std::reverse(ring.begin() + static_cast<std::ptrdiff_t>(old_size), ring.end());
-}
-
-LatticeRing CornerIndex::noded(const LatticeRing& ring) const {
-    LatticeRing result;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        result.push_back(ring[i]);
-        append_between(ring[i], ring[(i + 1) % ring.size()], result);
-    }
-    return result;
-}
-
-LatticePolygon CornerIndex::noded(const LatticePolygon& polygon) const {
-    LatticePolygon result{noded(polygon.exterior), {}};
-    for (const LatticeRing& ring : polygon.interiors)
-        result.interiors.push_back(noded(ring));
-    return result;
-}
-
-NodedRings::NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop) {
+NodedRings::NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop)
+    : first_ring_{0} {
     std::vector<LatticePoint> corners;
     std::vector<std::size_t> ends;
     std::size_t count = 0;
     for (const contours::Contour* contour : contours) {
+        first_ring_.push_back(first_ring_.back() + 1 + contour->interiors.size());
         count += contour->exterior.corner_count();
         for (const PackedRing& ring : contour->interiors)
             count += ring.corner_count();
@@ -236,6 +141,24 @@ NodedRings::NodedRings(std::span<const contours::Contour* const> contours, const
         first_.push_back(vertices_.size());
         begin = end;
     }
+    by_col_ = {};
+    place_in_col_ = {};
+}
+
+NodedRings::NodedRings(const std::vector<contours::Contour>& contours, const StopToken& stop)
+    : NodedRings(pointers_to(contours), stop) {}
+
+LatticePolygon NodedRings::polygon(std::size_t contour) const {
+    const auto points = [&](std::size_t r) {
+        LatticeRing result;
+        for (const Vertex v : ring(r))
+            result.push_back(points_[v]);
+        return result;
+    };
+    LatticePolygon result{points(first_ring(contour)), {}};
+    for (std::size_t r = first_ring(contour) + 1; r < first_ring(contour + 1); ++r)
+        result.interiors.push_back(points(r));
+    return result;
 }
 
 /// @return vertex per corner
@@ -295,31 +218,22 @@ void NodedRings::append_edge(Vertex from, Vertex to) {
     }
 }
 
-ArcGraph build_arc_graph(std::span<const contours::Contour* const> contours, const StopToken& stop) {
-    const NodedRings net(contours, stop);
+ArcGraph build_arc_graph(const NodedRings& rings, const StopToken& stop) {
     ArcGraph graph;
-    ArcCutter cutter(net, graph.arcs);
-    graph.outlines.reserve(contours.size());
-    std::size_t ring = 0;
-    for (const contours::Contour* contour : contours) {
-        stop.check();
+    ArcCutter cutter(rings, graph.arcs);
+    graph.outlines.reserve(rings.contours());
+    for (std::size_t contour = 0; contour < rings.contours(); ++contour) {
         ArcGraph::Outline& outline = graph.outlines.emplace_back();
-        outline.exterior = cutter.cut(net.ring(ring++));
-        outline.interiors.reserve(contour->interiors.size());
-        for (std::size_t i = 0; i < contour->interiors.size(); ++i) {
+        const std::size_t exterior = rings.first_ring(contour);
+        outline.exterior = cutter.cut(rings.ring(exterior));
+        outline.interiors.reserve(rings.first_ring(contour + 1) - exterior - 1);
+        for (std::size_t r = exterior + 1; r < rings.first_ring(contour + 1); ++r) {
             stop.check();
-            outline.interiors.push_back(cutter.cut(net.ring(ring++)));
+            outline.interiors.push_back(cutter.cut(rings.ring(r)));
         }
+        stop.check();
     }
     return graph;
-}
-
-ArcGraph build_arc_graph(const std::vector<contours::Contour>& contours, const StopToken& stop) {
-    std::vector<const contours::Contour*> all;
-    all.reserve(contours.size());
-    for (const contours::Contour& contour : contours)
-        all.push_back(&contour);
-    return build_arc_graph(all, stop);
 }
 
 LatticePolygon ArcGraph::polygon(std::size_t contour) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,25 +12,48 @@
 
 namespace d2b::outline {
 
-/// Index of the corners of all outlines by row and by column. Compression may leave a corner of one outline
-/// in the middle of an edge of another on a shared wall. Noding inserts it into both, because otherwise
-/// rounding, reprojection or simplification could separate the shared edge.
-class CornerIndex {
+/// Rings of contours whose edges end at all corners of other rings on them. Compression may leave a corner of
+/// one outline in the middle of an edge of another on a shared wall. Noding inserts it into both, because
+/// otherwise rounding, reprojection or simplification could separate the shared edge. O(n log n) in the
+/// number of vertices.
+class NodedRings {
   public:
-    explicit CornerIndex(const std::vector<contours::Contour>& contours);
-    explicit CornerIndex(std::span<const contours::Contour* const> contours);
+    using Vertex = std::uint32_t;
+    /// Directions from a vertex; opposite directions differ by 2.
+    enum class Direction : std::uint8_t { east, south, west, north };
 
-    /// @param ring corners of a rectilinear ring @return the ring with all corners of other outlines on it
-    [[nodiscard]] LatticeRing noded(const LatticeRing& ring) const;
-    [[nodiscard]] LatticePolygon noded(const LatticePolygon& polygon) const;
+    /// @throws Cancelled
+    explicit NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop = {});
+    explicit NodedRings(const std::vector<contours::Contour>& contours, const StopToken& stop = {});
+
+    [[nodiscard]] std::size_t contours() const { return first_ring_.size() - 1; }
+    [[nodiscard]] LatticePolygon polygon(std::size_t contour) const;
+    /// Rings of a contour, its exterior first: [first_ring(contour), first_ring(contour + 1)).
+    [[nodiscard]] std::size_t first_ring(std::size_t contour) const { return first_ring_[contour]; }
+    [[nodiscard]] std::span<const Vertex> ring(std::size_t r) const {
+        return std::span(vertices_).subspan(first_[r], first_[r + 1] - first_[r]);
+    }
+
+    /// Number of vertices, which are sorted by row, then column.
+    [[nodiscard]] std::size_t size() const { return points_.size(); }
+    [[nodiscard]] LatticePoint point(Vertex v) const { return points_[v]; }
+    /// True if the degree of the vertex is not two.
+    [[nodiscard]] bool junction(Vertex v) const { return degree_two.at(directions_[v]) == 0; }
+    [[nodiscard]] Direction direction(Vertex from, Vertex to) const;
 
   private:
-    void add(const contours::Contour& contour);
-    void sort();
-    void append_between(LatticePoint from, LatticePoint to, LatticeRing& ring) const;
+    static constexpr std::array<std::uint8_t, 16> degree_two{0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 0, 0};
+    std::vector<Vertex> number_corners(const std::vector<LatticePoint>& corners, const StopToken& stop);
+    void order_columns();
+    void append_edge(Vertex from, Vertex to);
 
-    std::vector<LatticePoint> by_row_;  ///< distinct, sorted by row, then column
-    std::vector<LatticePoint> by_col_;  ///< same with row and column swapped
+    std::vector<LatticePoint> points_;
+    std::vector<Vertex> by_col_;            // vertices sorted by column, then row; empty after construction
+    std::vector<Vertex> place_in_col_;      // per vertex: its index in by_col_; likewise
+    std::vector<std::uint8_t> directions_;  // per vertex: bits of the directions of its edges
+    std::vector<Vertex> vertices_;          // concatenated vertices of all rings
+    std::vector<std::size_t> first_;        // per ring: its first vertex
+    std::vector<std::size_t> first_ring_;   // per contour
 };
 
 /// Traced outline of a contour.
@@ -57,11 +82,7 @@ struct ArcGraph {
     [[nodiscard]] LatticePolygon polygon(std::size_t contour) const;
 };
 
-/// Nodes the outlines and splits them into arcs at junctions, i.e. points with a degree other than two. O(n
-/// log n) in the number of vertices. @throws Cancelled
-[[nodiscard]] ArcGraph build_arc_graph(std::span<const contours::Contour* const> contours,
-                                       const StopToken& stop = {});
-[[nodiscard]] ArcGraph build_arc_graph(const std::vector<contours::Contour>& contours,
-                                       const StopToken& stop = {});
+/// Splits noded outlines into arcs at junctions, i.e. points with a degree other than two. @throws Cancelled
+[[nodiscard]] ArcGraph build_arc_graph(const NodedRings& rings, const StopToken& stop = {});
 
 }  // namespace d2b::outline

@@ -19,32 +19,6 @@
 
 namespace d2b::outline {
 
-/// Outlines that replace those derived from traces, spooled at a few bytes per vertex.
-class ReplacedOutlines {
-  public:
-    struct SpooledOutline {
-        SpoolEntry place;
-        OutlineQuality quality;
-    };
-    explicit ReplacedOutlines(std::unique_ptr<Spool> spool) : spool_(std::move(spool)) {}
-
-    /// @param place a number chosen by the caller, unique per outline
-    void put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality);
-    /// @return nullptr if it has not been replaced
-    [[nodiscard]] const SpooledOutline* find(std::size_t place) const;
-    [[nodiscard]] FinePolygon outline(const SpooledOutline& kept) const;
-
-    /// Ratio of the areas after and before.
-    [[nodiscard]] static double area_ratio(const FinePolygon& before, const FinePolygon& after);
-    /// Largest distance in cells between corners of one outline and edges of the other.
-    [[nodiscard]] static double max_distance_cells(const FinePolygon& before, const FinePolygon& after,
-                                                   const CellShape& shape);
-
-  private:
-    std::unique_ptr<Spool> spool_;
-    std::map<std::size_t, SpooledOutline> kept_;
-};
-
 namespace {
 
 std::vector<const FineRing*> rings_of(const FinePolygon& polygon) {
@@ -89,12 +63,6 @@ class EdgeIndex {
     BoxTree tree_;
 };
 
-double distance(Vec2 p, Vec2 a, Vec2 b) {
-    const double square = dot(b - a, b - a);
-    const double share = square > 0 ? std::clamp(dot(p - a, b - a) / square, 0.0, 1.0) : 0;
-    return length(p - (a + share * (b - a)));
-}
-
 double EdgeIndex::distance_to(FinePoint point) const {
     const auto vec = [&](FinePoint p) { return shape_.from_fine(p, {}); };
     constexpr double widest = 1e9;
@@ -105,7 +73,10 @@ double EdgeIndex::distance_to(FinePoint point) const {
         const auto x = static_cast<double>(point.col);
         const auto y = static_cast<double>(point.row);
         tree_.query({x - steps, y - steps, x + steps, y + steps}, [&](std::size_t i) {
-            least = std::min(least, distance(vec(point), vec(edges_[i].first), vec(edges_[i].second)));
+            const Vec2 p = vec(point);
+            const Vec2 a = vec(edges_[i].first);
+            const Vec2 b = vec(edges_[i].second);
+            least = std::min(least, length(p - (a + nearest_parameter(p, a, b) * (b - a))));
         });
         cells *= 4;
     }
@@ -145,42 +116,20 @@ WallOptions wall_options(const OutlineRules& rules, const Georeference& georefer
             rules.wall_price, rules.vertical_metres,    rules.frame};
 }
 
-OutlineQuality quality_of(const WallQuality& quality) {
-    // Closest mode used by more than 5 % of the length.
-    constexpr double little = 0.05;
-    OutlineStatus status = OutlineStatus::regularized;
-    if (quality.simplified_share + quality.traced_share > little)
-        status = OutlineStatus::simplified;
-    if (quality.traced_share > little)
-        status = OutlineStatus::kept_traced;
-    return {status, quality.simplified_share, quality.traced_share, quality.deviation, quality.area_change};
+/// Largest distance in cells between corners of one outline and edges of the other.
+double max_distance_cells(const FinePolygon& one, const FinePolygon& other, const CellShape& shape) {
+    return std::max(directed_distance(one, other, shape), directed_distance(other, one, shape));
+}
+
+std::vector<std::vector<std::uint32_t>> numbers_of(const std::vector<ClusterPlan>& clusters) {
+    std::vector<std::vector<std::uint32_t>> numbers;
+    numbers.reserve(clusters.size());
+    for (const ClusterPlan& cluster : clusters)
+        numbers.push_back(cluster.numbers);
+    return numbers;
 }
 
 }  // namespace
-
-void ReplacedOutlines::put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality) {
-    ByteWriter writer;
-    save(outline, writer);
-    kept_[place] = {append(*spool_, writer), quality};
-}
-
-const ReplacedOutlines::SpooledOutline* ReplacedOutlines::find(std::size_t place) const {
-    const auto found = kept_.find(place);
-    return found == kept_.end() ? nullptr : &found->second;
-}
-
-FinePolygon ReplacedOutlines::outline(const SpooledOutline& kept) const {
-    return load_outline(*spool_, kept.place);
-}
-
-double ReplacedOutlines::area_ratio(const FinePolygon& before, const FinePolygon& after) {
-    return twice_area(after) / twice_area(before);
-}
-
-double ReplacedOutlines::max_distance_cells(const FinePolygon& before, const FinePolygon& after,
-                                            const CellShape& shape) {
-    return std::max(directed_distance(before, after, shape), directed_distance(after, before, shape));
-}
 
 double wall_distance(double tolerance) {
     constexpr double half_step = 0.5;
@@ -201,46 +150,39 @@ OutlineDependencies outline_dependencies(const contours::ContourList& contours, 
     // Without walls, outlines affect each other only through shared corners.
     const WallOptions walls = choose_outline_method(rules, georeference) == OutlineMethod::regularized
                                   ? wall_options(rules, georeference, x_stretch)
-                                  : WallOptions{Walls::off, 0, {{1, 0}, {0, 1}}};
-    OutlineDependencies reach{conflict_distance(walls), {}};
-    for (ClusterPlan& cluster : wall_clusters(contours, walls, stop))
-        reach.groups.push_back(std::move(cluster.numbers));
-    return reach;
+                                  : WallOptions{};
+    return {conflict_distance(walls), numbers_of(wall_clusters(contours, walls, stop))};
 }
 
 struct Outliner::Impl {
+    using Replaced = std::map<std::size_t, SpooledOutline>;  // by contour
+
     const contours::ContourList& contours;
-    std::optional<CornerIndex> corners;
+    CellShape shape;
+    std::optional<NodedRings> noded;
     std::optional<ArcGraph> arcs;
     std::optional<RegularizedOutlines> walls;
-    std::optional<ReplacedOutlines> changed;
-    std::unique_ptr<Spool> spool;  // moved into `changed` on first use
-    CellShape shape;
+    std::unique_ptr<Spool> spool;  // of outlines that replace those derived from traces
+    Replaced outlines;
+    Replaced footprints;
 
-    /// Even keys are outlines, odd keys are separate footprints.
-    [[nodiscard]] const ReplacedOutlines::SpooledOutline* changed_at(std::size_t contour) const {
-        return changed ? changed->find(2 * contour) : nullptr;
-    }
-    [[nodiscard]] const ReplacedOutlines::SpooledOutline* changed_footprint(std::size_t contour) const {
-        return changed ? changed->find(2 * contour + 1) : nullptr;
-    }
-    void put(std::size_t place, const FinePolygon& outline, const OutlineQuality& quality) {
-        if (!changed)
-            changed.emplace(std::move(spool));
-        changed->put(place, outline, quality);
+    /// @return nullptr if it has not been replaced
+    [[nodiscard]] static const SpooledOutline* find(const Replaced& replaced, std::size_t contour) {
+        const auto found = replaced.find(contour);
+        return found == replaced.end() ? nullptr : &found->second;
     }
 };
 
 Outliner::Outliner(const contours::ContourList& contours, OutlineMethod method, const OutlineRules& rules,
                    const Georeference& georeference, double x_stretch, Context& context)
     : impl_(std::make_unique<Impl>(
-          Impl{contours, {}, {}, {}, {}, context.make_spool(), cell_shape(georeference, x_stretch)})) {
+          Impl{contours, cell_shape(georeference, x_stretch), {}, {}, {}, context.make_spool(), {}, {}})) {
+    const StopToken stop = context.threads->stop();
     if (method == OutlineMethod::noded || method == OutlineMethod::simplified)
-        impl_->corners.emplace(contours::fetch_all(contours));
-    context.check_stop();
+        impl_->noded.emplace(contours::fetch_all(contours), stop);
     if (method == OutlineMethod::simplified) {
-        impl_->arcs = build_arc_graph(contours::fetch_all(contours), context.threads->stop());
-        simplify(impl_->arcs->arcs, rules.simplify, georeference, context.threads->stop());
+        impl_->arcs = build_arc_graph(*impl_->noded, stop);
+        simplify(impl_->arcs->arcs, rules.simplify, georeference, stop);
     }
     if (method == OutlineMethod::regularized) {
         impl_->walls.emplace(contours, wall_options(rules, georeference, x_stretch), context.make_spool(),
@@ -254,10 +196,10 @@ Outliner::~Outliner() = default;
 
 OutlineQuality Outliner::changed_quality(OutlineQuality known, const FinePolygon& before,
                                          const FinePolygon& after) const {
-    if (impl_->walls)
-        known.area_change = (1 + known.area_change) * ReplacedOutlines::area_ratio(before, after) - 1;
-    known.deviation_cells +=
-        impl_->walls ? ReplacedOutlines::max_distance_cells(before, after, impl_->shape) : 0;
+    if (impl_->walls) {
+        known.area_change = (1 + known.area_change) * (twice_area(after) / twice_area(before)) - 1;
+        known.deviation_cells += max_distance_cells(before, after, impl_->shape);
+    }
     // A replaced outline is no longer traced, so it must be validated.
     if (known.status == OutlineStatus::traced)
         known.status = OutlineStatus::simplified;
@@ -265,27 +207,28 @@ OutlineQuality Outliner::changed_quality(OutlineQuality known, const FinePolygon
 }
 
 void Outliner::replace(std::size_t contour, const FinePolygon& outline) {
-    impl_->put(2 * contour, outline, changed_quality(quality(contour), this->outline(contour), outline));
+    const OutlineQuality changed = changed_quality(quality(contour), this->outline(contour), outline);
+    impl_->outlines[contour] = spool_outline(outline, changed, *impl_->spool);
 }
 
 void Outliner::replace_footprint(std::size_t contour, const FinePolygon& outline) {
-    impl_->put(2 * contour + 1, outline,
-               changed_quality(footprint_quality(contour), footprint(contour), outline));
+    const OutlineQuality changed = changed_quality(footprint_quality(contour), footprint(contour), outline);
+    impl_->footprints[contour] = spool_outline(outline, changed, *impl_->spool);
 }
 
 OutlineQuality Outliner::quality(std::size_t contour) const {
-    if (const auto* changed = impl_->changed_at(contour))
-        return changed->quality;
+    if (const auto* replaced = Impl::find(impl_->outlines, contour))
+        return replaced->quality;
     if (impl_->walls)
-        return quality_of(impl_->walls->quality(contour));
+        return impl_->walls->quality(contour);
     return {impl_->arcs ? OutlineStatus::simplified : OutlineStatus::traced, impl_->arcs ? 1.0 : 0.0, 0, 0,
             0};
 }
 
 OutlineQuality Outliner::footprint_quality(std::size_t contour) const {
-    if (const auto* changed = impl_->changed_footprint(contour))
-        return changed->quality;
-    return impl_->walls ? quality_of(impl_->walls->footprint_quality(contour)) : quality(contour);
+    if (const auto* replaced = Impl::find(impl_->footprints, contour))
+        return replaced->quality;
+    return impl_->walls ? impl_->walls->footprint_quality(contour) : quality(contour);
 }
 
 bool Outliner::has_own_footprints() const {
@@ -293,38 +236,29 @@ bool Outliner::has_own_footprints() const {
 }
 
 FinePolygon Outliner::outline(std::size_t contour) const {
-    if (const auto* changed = impl_->changed_at(contour))
-        return impl_->changed->outline(*changed);
+    if (const auto* replaced = Impl::find(impl_->outlines, contour))
+        return load_outline(*impl_->spool, replaced->place);
     if (impl_->walls)
         return impl_->walls->polygon(contour);
     return impl_->arcs ? fine(impl_->arcs->polygon(contour)) : traced(contour);
 }
 
 FinePolygon Outliner::footprint(std::size_t contour) const {
-    if (const auto* changed = impl_->changed_footprint(contour))
-        return impl_->changed->outline(*changed);
+    if (const auto* replaced = Impl::find(impl_->footprints, contour))
+        return load_outline(*impl_->spool, replaced->place);
     return impl_->walls ? impl_->walls->footprint(contour) : outline(contour);
 }
 
 /// Traces that do not touch cannot touch after simplification.
 std::vector<std::vector<std::uint32_t>> Outliner::groups(const StopToken& stop) const {
-    std::vector<std::vector<std::uint32_t>> groups;
-    const auto add = [&](const std::vector<ClusterPlan>& clusters) {
-        for (const ClusterPlan& cluster : clusters)
-            groups.push_back(cluster.numbers);
-    };
-    if (impl_->walls)
-        add(impl_->walls->clusters());
-    else
-        add(wall_clusters(impl_->contours, {Walls::off, 0, {{1, 0}, {0, 1}}}, stop));
-    return groups;
+    return numbers_of(impl_->walls ? impl_->walls->clusters() : wall_clusters(impl_->contours, {}, stop));
 }
 
 FinePolygon Outliner::traced(std::size_t contour) const {
     if (impl_->walls)
         return impl_->walls->traced(contour);
-    const LatticePolygon polygon = traced_polygon(impl_->contours.fetch(contour));
-    return fine(impl_->corners ? impl_->corners->noded(polygon) : polygon);
+    return fine(impl_->noded ? impl_->noded->polygon(contour)
+                             : traced_polygon(impl_->contours.fetch(contour)));
 }
 
 }  // namespace d2b::outline

@@ -84,4 +84,10 @@ FinePolygon load_outline(const Spool& spool, SpoolEntry entry) {
     return polygon;
 }
 
+SpooledOutline spool_outline(const FinePolygon& outline, const OutlineQuality& quality, Spool& spool) {
+    ByteWriter writer;
+    save(outline, writer);
+    return {append(spool, writer), quality};
+}
+
 }  // namespace d2b::outline

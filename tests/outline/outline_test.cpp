@@ -33,16 +33,15 @@ TEST(Noding, PutsTheCornersOfOthersIntoAnEdge) {
     Context context;
     const test::ContourSet set = trace_grid(plate_with_tower(), {10, 25}, {}, context);
     ASSERT_EQ(set.contours.size(), 3U);
-    const CornerIndex corners(set.contours);
-    EXPECT_EQ(corners.noded(traced_polygon(set.contours[1])).exterior,
-              (LatticeRing{{1, 1}, {5, 1}, {5, 8}, {1, 8}, {1, 6}, {1, 3}}));
-    EXPECT_EQ(corners.noded(traced_polygon(set.contours[2])).exterior, set.contours[2].exterior.corners());
+    const NodedRings noded(set.contours);
+    EXPECT_EQ(noded.polygon(1).exterior, (LatticeRing{{1, 1}, {5, 1}, {5, 8}, {1, 8}, {1, 6}, {1, 3}}));
+    EXPECT_EQ(noded.polygon(2).exterior, set.contours[2].exterior.corners());
 }
 
 TEST(ArcGraph, SharesTheWallOfPlateAndTower) {
     Context context;
     const test::ContourSet set = trace_grid(plate_with_tower(), {10, 25}, {}, context);
-    const ArcGraph graph = build_arc_graph(set.contours);
+    const ArcGraph graph = build_arc_graph(NodedRings(set.contours));
     // The root's ring, the shared wall, the rest of the plate, the rest of the tower.
     EXPECT_EQ(graph.arcs.size(), 4U);
     EXPECT_EQ(graph.outlines[0].exterior.size(), 1U);

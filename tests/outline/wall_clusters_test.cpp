@@ -116,7 +116,7 @@ TEST_P(Village, IsTheSameWithAnyNumberOfThreads) {
         const RegularizedOutlines shared(contours, usual, std::make_unique<MemorySpool>(), several);
         for (std::size_t i = 0; i < contours.size(); ++i) {
             expect_same(shared.polygon(i), alone.polygon(i));
-            EXPECT_EQ(shared.quality(i).deviation, alone.quality(i).deviation);
+            EXPECT_EQ(shared.quality(i).deviation_cells, alone.quality(i).deviation_cells);
             if (contours.head(i).key.level == 1)
                 expect_same(shared.footprint(i), alone.footprint(i));
         }

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "outline/fine_geometry.hpp"
-#include "outline/packed_outline.hpp"
 #include "outline/walls/chain_fitter.hpp"
 #include "outline/walls/chain_polyline.hpp"
 #include "outline/walls/ring_areas.hpp"
@@ -43,28 +42,6 @@ class OutlineBuilder {
     std::int64_t traced_ = 0;
 };
 
-/// Builds the outlines of the contours of a cluster from their drawn chains.
-class OutlineAssembler {
-  public:
-    /// @param graph, layout, areas must outlive this
-    OutlineAssembler(const WallGraph& graph, const WallLayout& layout, const RingAreas& areas,
-                     const WallOptions& options)
-        : graph_(graph), layout_(layout), areas_(areas), options_(options) {}
-
-    [[nodiscard]] WallOutline outline(std::size_t contour) const;
-    /// Outline of a contour of level 0 or 1, without vertices that only higher levels need.
-    [[nodiscard]] WallOutline footprint(std::size_t contour) const;
-
-  private:
-    [[nodiscard]] bool needs_low_vertex(const ArcUse& before, const ArcUse& after) const;
-    void add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const;
-
-    const WallGraph& graph_;
-    const WallLayout& layout_;
-    const RingAreas& areas_;
-    WallOptions options_;
-};
-
 /// Draws the walls of a cluster and checks them. Conflicting parts follow their trace more closely until no
 /// conflict remains.
 class WallFitter {
@@ -80,8 +57,10 @@ class WallFitter {
     /// conflict.
     /// @throws Cancelled
     void resolve_conflicts();
-    /// Resulting outlines; this must outlive them.
-    [[nodiscard]] OutlineAssembler outlines() const { return {graph_, layout_, areas_, options_}; }
+    /// Resulting outline of a contour.
+    [[nodiscard]] WallOutline outline(std::size_t contour) const;
+    /// Outline of a contour of level 0 or 1, without vertices that only higher levels need.
+    [[nodiscard]] WallOutline footprint(std::size_t contour) const;
 
   private:
     using Edge = SegmentGrid::Edge;
@@ -102,6 +81,8 @@ class WallFitter {
     [[nodiscard]] bool is_outdated(std::uint32_t arc) const;
     [[nodiscard]] bool use_trace_around(const StepRange& a, const StepRange& b);
     void revert_to_trace(std::uint32_t component);
+    [[nodiscard]] bool needs_low_vertex(const ArcUse& before, const ArcUse& after) const;
+    void add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const;
     [[nodiscard]] int rank(Edge e) const { return graph_.chains[graph_.chain_of[e.arc]].rank; }
     [[nodiscard]] std::size_t margin() const { return std::size_t{2} << std::min(round_ / 6, 16); }
 
@@ -199,71 +180,24 @@ void OutlineBuilder::add(const ChainPolyline& stretch, const ChainFitMode& mode,
         lengths_[kind(mode.at((stretch.steps[i - 1] + stretch.steps[i]) / 2))] +=
             length(shape_.from_cells(static_cast<double>(points[i].row - points[i - 1].row),
                                      static_cast<double>(points[i].col - points[i - 1].col)));
-    result_.quality.deviation = std::max(result_.quality.deviation, stretch.deviation);
+    result_.quality.deviation_cells = std::max(result_.quality.deviation_cells, stretch.deviation);
 }
 
 WallOutline OutlineBuilder::finish() {
+    constexpr double little = 0.05;  // share of the length that does not count for the status
     const double whole = lengths_[walls] + lengths_[simplified] + lengths_[traced];
-    WallQuality& quality = result_.quality;
-    quality.simplified_share = whole > 0 ? lengths_[simplified] / whole : 0;
-    quality.traced_share = whole > 0 ? lengths_[traced] / whole : 0;
+    OutlineQuality& quality = result_.quality;
+    quality.simplified = whole > 0 ? lengths_[simplified] / whole : 0;
+    quality.kept_traced = whole > 0 ? lengths_[traced] / whole : 0;
+    quality.status = quality.kept_traced > little                        ? OutlineStatus::kept_traced
+                     : quality.simplified + quality.kept_traced > little ? OutlineStatus::simplified
+                                                                         : OutlineStatus::regularized;
     Int128 twice = twice_area(result_.polygon.exterior);
     for (const FineRing& interior : result_.polygon.interiors)
         twice += twice_area(interior);
     constexpr double unit = 2.0 * FinePoint::steps * FinePoint::steps;
     quality.area_change = static_cast<double>(twice) / unit / static_cast<double>(traced_) - 1;
     return std::move(result_);
-}
-
-WallOutline OutlineAssembler::outline(std::size_t contour) const {
-    OutlineBuilder builder(options_);
-    ChainPolyline drawn;
-    for (const RingAreas::Ring& ring : areas_.rings(contour)) {
-        builder.begin_ring(ring.traced);
-        for (const ArcUse& use : *ring.uses) {
-            layout_.arc(use.arc, drawn);
-            builder.add(drawn, layout_.mode(graph_.chain_of[use.arc]), use.reversed);
-        }
-    }
-    return builder.finish();
-}
-
-/// Returns true if low levels need a vertex between two uses of a ring, because the chain changes or other
-/// low arcs end there.
-bool OutlineAssembler::needs_low_vertex(const ArcUse& before, const ArcUse& after) const {
-    if (graph_.chain_of[before.arc] != graph_.chain_of[after.arc])
-        return true;
-    const std::uint32_t node = graph_.ends[after.arc][after.reversed ? 1 : 0];
-    const auto is_low = [&](std::uint32_t end) {
-        return graph_.ranks[end / 2] <= WallGraph::highest_low_rank;
-    };
-    return std::ranges::count_if(graph_.ends_at(node), is_low) != 2;
-}
-
-void OutlineAssembler::add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const {
-    const std::size_t n = uses.size();
-    std::size_t begin = 0;
-    while (begin < n && !needs_low_vertex(uses[(begin + n - 1) % n], uses[begin]))
-        ++begin;
-    ChainPolyline drawn;
-    for (std::size_t i = begin % n, left = n; left > 0;) {
-        std::size_t count = 1;
-        while (count < left && !needs_low_vertex(uses[(i + count - 1) % n], uses[(i + count) % n]))
-            ++count;
-        const bool against = layout_.extract(uses[i], uses[(i + count - 1) % n], begin == n, drawn);
-        builder.add(drawn, layout_.mode(graph_.chain_of[uses[i].arc]), against);
-        i = (i + count) % n;
-        left -= count;
-    }
-}
-
-WallOutline OutlineAssembler::footprint(std::size_t contour) const {
-    OutlineBuilder builder(options_);
-    for (const RingAreas::Ring& ring : areas_.rings(contour)) {
-        builder.begin_ring(ring.traced);
-        add_low(*ring.uses, builder);
-    }
-    return builder.finish();
 }
 
 WallFitter::WallFitter(const WallCluster& cluster, const WallOptions& options, const StopToken& stop)
@@ -432,17 +366,67 @@ void WallFitter::revert_to_trace(std::uint32_t component) {
         layout_.use_trace(graph_.chain_of[arc]);
 }
 
+WallOutline WallFitter::outline(std::size_t contour) const {
+    OutlineBuilder builder(options_);
+    ChainPolyline drawn;
+    for (const RingAreas::Ring& ring : areas_.rings(contour)) {
+        builder.begin_ring(ring.traced);
+        for (const ArcUse& use : *ring.uses) {
+            layout_.arc(use.arc, drawn);
+            builder.add(drawn, layout_.mode(graph_.chain_of[use.arc]), use.reversed);
+        }
+    }
+    return builder.finish();
+}
+
+/// Returns true if low levels need a vertex between two uses of a ring, because the chain changes or other
+/// low arcs end there.
+bool WallFitter::needs_low_vertex(const ArcUse& before, const ArcUse& after) const {
+    if (graph_.chain_of[before.arc] != graph_.chain_of[after.arc])
+        return true;
+    const std::uint32_t node = graph_.ends[after.arc][after.reversed ? 1 : 0];
+    const auto is_low = [&](std::uint32_t end) {
+        return graph_.ranks[end / 2] <= WallGraph::highest_low_rank;
+    };
+    return std::ranges::count_if(graph_.ends_at(node), is_low) != 2;
+}
+
+void WallFitter::add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const {
+    const std::size_t n = uses.size();
+    std::size_t begin = 0;
+    while (begin < n && !needs_low_vertex(uses[(begin + n - 1) % n], uses[begin]))
+        ++begin;
+    ChainPolyline drawn;
+    for (std::size_t i = begin % n, left = n; left > 0;) {
+        std::size_t count = 1;
+        while (count < left && !needs_low_vertex(uses[(i + count - 1) % n], uses[(i + count) % n]))
+            ++count;
+        const bool against = layout_.extract(uses[i], uses[(i + count - 1) % n], begin == n, drawn);
+        builder.add(drawn, layout_.mode(graph_.chain_of[uses[i].arc]), against);
+        i = (i + count) % n;
+        left -= count;
+    }
+}
+
+WallOutline WallFitter::footprint(std::size_t contour) const {
+    OutlineBuilder builder(options_);
+    for (const RingAreas::Ring& ring : areas_.rings(contour)) {
+        builder.begin_ring(ring.traced);
+        add_low(*ring.uses, builder);
+    }
+    return builder.finish();
+}
+
 ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options, const StopToken& stop) {
     ClusterOutlines result;
     WallFitter fitter(cluster, options, stop);
     fitter.resolve_conflicts();
-    const OutlineAssembler drawn = fitter.outlines();
     const bool own_footprints = has_higher_levels(cluster);
     for (std::size_t i = 0; i < cluster.contours.size(); ++i) {
         stop.check();
-        result.outlines.push_back(drawn.outline(i));
+        result.outlines.push_back(fitter.outline(i));
         if (own_footprints && cluster.contours[i]->key.level <= 1)
-            result.footprints.push_back(drawn.footprint(i));
+            result.footprints.push_back(fitter.footprint(i));
     }
     return result;
 }
@@ -468,46 +452,41 @@ RegularizedOutlines::RegularizedOutlines(const contours::ContourList& contours, 
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return clusters_[a].numbers.size() > clusters_[b].numbers.size();
     });
+    const auto spooled = [&](const WallOutline& drawn) {
+        return spool_outline(drawn.polygon, drawn.quality, *spool_);
+    };
     executor.for_each(order.size(), [&](std::size_t i) {
         const ClusterPlan& plan = clusters_[order[i]];
         const FetchedCluster fetched(contours, plan, executor.stop());
         const ClusterOutlines fitted = fit_walls(fetched.cluster(), options, executor.stop());
         for (std::size_t k = 0; k < plan.numbers.size(); ++k)
-            outlines_[plan.numbers[k]] = spool_outline(fitted.outlines[k]);
+            outlines_[plan.numbers[k]] = spooled(fitted.outlines[k]);
         for (std::size_t k = 0; k < fitted.footprints.size(); ++k)
-            footprints_[plan.numbers[k]] = spool_outline(fitted.footprints[k]);
+            footprints_[plan.numbers[k]] = spooled(fitted.footprints[k]);
     });
 }
 
-RegularizedOutlines::SpooledOutline RegularizedOutlines::spool_outline(const WallOutline& outline) {
-    ByteWriter writer;
-    save(outline.polygon, writer);
-    return {append(*spool_, writer), outline.quality};
-}
-
-FinePolygon RegularizedOutlines::fetch(const SpooledOutline& kept) const {
-    return load_outline(*spool_, kept.place);
-}
-
-std::shared_ptr<const CornerIndex> RegularizedOutlines::corners(std::uint32_t cluster) const {
+std::shared_ptr<const NodedRings> RegularizedOutlines::rings(std::uint32_t cluster) const {
     constexpr std::size_t large = 64;  // contours
     {
         const std::lock_guard lock(large_clusters_->mutex);
-        if (const auto known = large_clusters_->corners.find(cluster);
-            known != large_clusters_->corners.end())
+        if (const auto known = large_clusters_->rings.find(cluster); known != large_clusters_->rings.end())
             return known->second;
     }
-    // Several threads may build the same index, because waiting for each other would take longer.
+    // Several threads may node the same cluster, because waiting for each other would take longer.
     const FetchedCluster fetched(contours_, clusters_[cluster]);
-    auto made = std::make_shared<const CornerIndex>(fetched.cluster().contours);
+    auto made = std::make_shared<const NodedRings>(fetched.cluster().contours);
     if (clusters_[cluster].numbers.size() < large)
         return made;
     const std::lock_guard lock(large_clusters_->mutex);
-    return large_clusters_->corners.try_emplace(cluster, made).first->second;
+    return large_clusters_->rings.try_emplace(cluster, made).first->second;
 }
 
 FinePolygon RegularizedOutlines::traced(std::size_t contour) const {
-    return fine(corners(cluster_of_[contour])->noded(traced_polygon(contours_.fetch(contour))));
+    const std::uint32_t cluster = cluster_of_[contour];
+    const std::vector<std::uint32_t>& numbers = clusters_[cluster].numbers;
+    const auto place = std::ranges::lower_bound(numbers, contour) - numbers.begin();
+    return fine(rings(cluster)->polygon(static_cast<std::size_t>(place)));
 }
 
 }  // namespace d2b::outline

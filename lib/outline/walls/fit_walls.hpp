@@ -12,21 +12,15 @@
 #include "core/lattice.hpp"
 #include "dem2buildings/spool.hpp"
 #include "outline/arc_graph.hpp"
+#include "outline/outline.hpp"
+#include "outline/packed_outline.hpp"
 #include "outline/walls/wall_clusters.hpp"
 
 namespace d2b::outline {
 
-/// Measures of the difference between a fitted outline and its trace.
-struct WallQuality {
-    double simplified_share = 0;  ///< share of the length of its rings that passes through midpoints of steps
-    double traced_share = 0;      ///< share of the length of its rings that keeps the trace
-    double deviation = 0;    ///< cells; upper bound of both Hausdorff distances between outline and trace
-    double area_change = 0;  ///< relative to the traced area
-};
-
 struct WallOutline {
     FinePolygon polygon;
-    WallQuality quality;
+    OutlineQuality quality;
 };
 
 /// Regularized outlines of the contours of a cluster.
@@ -54,7 +48,7 @@ struct ClusterOutlines {
 ///     WallFitter                      conflicting parts follow their trace more closely; repeat
 ///        |
 ///        v
-///     OutlineAssembler                outlines of the contours, assembled from the shared arcs
+///     OutlineBuilder                  outlines of the contours, assembled from the shared arcs
 ///
 /// Depends only on the cluster, so the results do not depend on threads or tiles. O(n log n) in the number of
 /// corners, plus some rounds for conflicts. @throws Cancelled
@@ -70,34 +64,32 @@ class RegularizedOutlines {
                         std::unique_ptr<Spool> spool, Executor& executor);
 
     /// Outline of a contour; neighbours and other levels share vertices exactly.
-    [[nodiscard]] FinePolygon polygon(std::size_t contour) const { return fetch(outlines_[contour]); }
-    [[nodiscard]] WallQuality quality(std::size_t contour) const { return outlines_[contour].quality; }
+    [[nodiscard]] FinePolygon polygon(std::size_t contour) const {
+        return load_outline(*spool_, outlines_[contour].place);
+    }
+    [[nodiscard]] OutlineQuality quality(std::size_t contour) const { return outlines_[contour].quality; }
     /// Outline of a contour of level 0 or 1 without vertices of higher levels.
-    [[nodiscard]] FinePolygon footprint(std::size_t contour) const { return fetch(low(contour)); }
-    [[nodiscard]] WallQuality footprint_quality(std::size_t contour) const { return low(contour).quality; }
+    [[nodiscard]] FinePolygon footprint(std::size_t contour) const {
+        return load_outline(*spool_, low(contour).place);
+    }
+    [[nodiscard]] OutlineQuality footprint_quality(std::size_t contour) const { return low(contour).quality; }
     /// Groups of contours whose walls were fitted together.
     [[nodiscard]] const std::vector<ClusterPlan>& clusters() const { return clusters_; }
     /// Traced outline of a contour, with every corner of other contours on it.
     [[nodiscard]] FinePolygon traced(std::size_t contour) const;
 
   private:
-    struct SpooledOutline {
-        SpoolEntry place;  // empty if there is none
-        WallQuality quality;
-    };
     [[nodiscard]] const SpooledOutline& low(std::size_t contour) const {
         return contour < footprints_.size() && footprints_[contour].place.size > 0 ? footprints_[contour]
                                                                                    : outlines_[contour];
     }
-    /// Caches the corners of large clusters on first use, because otherwise each contour that GEOS rejects
-    /// would load its whole cluster.
+    /// Caches the noded rings of large clusters on first use, because otherwise each contour that GEOS
+    /// rejects would load its whole cluster.
     struct LargeClusters {
         std::mutex mutex;
-        std::map<std::uint32_t, std::shared_ptr<const CornerIndex>> corners;
+        std::map<std::uint32_t, std::shared_ptr<const NodedRings>> rings;
     };
-    [[nodiscard]] std::shared_ptr<const CornerIndex> corners(std::uint32_t cluster) const;
-    [[nodiscard]] SpooledOutline spool_outline(const WallOutline& outline);
-    [[nodiscard]] FinePolygon fetch(const SpooledOutline& kept) const;
+    [[nodiscard]] std::shared_ptr<const NodedRings> rings(std::uint32_t cluster) const;
 
     const contours::ContourList& contours_;
     std::unique_ptr<Spool> spool_;

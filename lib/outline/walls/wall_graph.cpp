@@ -351,7 +351,7 @@ void Builder::find_components() {
 
 WallGraph build_wall_graph(const WallCluster& cluster, const StopToken& stop) {
     WallGraph walls;
-    walls.graph = build_arc_graph(cluster.contours, stop);
+    walls.graph = build_arc_graph(NodedRings(cluster.contours, stop), stop);
     Builder builder(cluster, walls, stop);
     for (const auto part : {&Builder::find_sides, &Builder::find_nodes, &Builder::pair_ends,
                             &Builder::find_chains, &Builder::find_owners, &Builder::find_components}) {
