@@ -167,7 +167,7 @@ surface::FlowMetric flow_metric(const Georeference& georeference, double x_stret
     const Position row = georeference.step(1, 0);
     const double area = std::abs(x_stretch * (col.x * row.y - col.y * row.x));
     const double scale = cell_size_m / std::sqrt(area) / FinePoint::steps;
-    return {scale * x_stretch * col.x, scale * col.y, scale * x_stretch * row.x, scale * row.y};
+    return {{scale * x_stretch * col.x, scale * col.y}, {scale * x_stretch * row.x, scale * row.y}};
 }
 
 std::vector<surface::FlowProblem> make_outlines_flow_ready(const contours::ContourList& contours,
@@ -175,14 +175,12 @@ std::vector<surface::FlowProblem> make_outlines_flow_ready(const contours::Conto
                                                            const surface::FlowLimits& limits,
                                                            Context& context) {
     const StageClock clock(context.report, Stage::outline);
-    const surface::FlowMetric& m = limits.metric;
-    const double cell =
-        FinePoint::steps * std::min(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
+    const double cell = FinePoint::steps * limits.metric.shorter_step();
     const double reach = 3 * std::max(limits.gap, limits.wall) / cell;
     const TerrainBorder border(contours, outliner, reach);
     const std::vector<Indices> clusters = flow_clusters(contours, outliner, reach, context.threads->stop());
     std::vector<surface::FlowProblem> problems;
-    std::set<std::tuple<surface::FlowProblemKind, FinePoint, bool>> known;
+    std::set<std::tuple<surface::FlowKind, FinePoint, bool>> known;
     const auto make_ready = [&](bool footprints) {
         const std::vector<Indices> drawn_numbers =
             footprints ? without_upper_levels(contours, clusters) : clusters;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/int128.hpp"
@@ -32,28 +33,23 @@ namespace d2b::outline {
     return twice > 0 ? 1 : (twice < 0 ? -1 : 0);
 }
 
-struct FineSegment {
-    FinePoint a;
-    FinePoint b;
-};
-
 [[nodiscard]] inline bool boxes_intersect(const FineSegment& s, const FineSegment& t) {
-    return std::max(s.a.row, s.b.row) >= std::min(t.a.row, t.b.row) &&
-           std::max(t.a.row, t.b.row) >= std::min(s.a.row, s.b.row) &&
-           std::max(s.a.col, s.b.col) >= std::min(t.a.col, t.b.col) &&
-           std::max(t.a.col, t.b.col) >= std::min(s.a.col, s.b.col);
+    return std::max(s.from.row, s.to.row) >= std::min(t.from.row, t.to.row) &&
+           std::max(t.from.row, t.to.row) >= std::min(s.from.row, s.to.row) &&
+           std::max(s.from.col, s.to.col) >= std::min(t.from.col, t.to.col) &&
+           std::max(t.from.col, t.to.col) >= std::min(s.from.col, s.to.col);
 }
 
 /// Returns true if two segments intersect, ends included. Exact.
 [[nodiscard]] inline bool segments_intersect(const FineSegment& s, const FineSegment& t) {
     if (!boxes_intersect(s, t))
         return false;
-    const int a = side(s.a, s.b, t.a);
-    const int b = side(s.a, s.b, t.b);
+    const int a = side(s.from, s.to, t.from);
+    const int b = side(s.from, s.to, t.to);
     // Collinear segments intersect if their boxes do.
     if (a == 0 && b == 0)
         return true;
-    return a * b <= 0 && side(t.a, t.b, s.a) * side(t.a, t.b, s.b) <= 0;
+    return a * b <= 0 && side(t.from, t.to, s.from) * side(t.from, t.to, s.to) <= 0;
 }
 
 /// Returns true if two segments from a common point share another point. Exact.
@@ -73,6 +69,29 @@ struct FineSegment {
         return p.row > from.row || (p.row == from.row && p.col < from.col) ? 0 : 1;
     };
     return half(to) != half(than) ? half(to) < half(than) : side(from, to, than) > 0;
+}
+
+/// Returns true for points in a closed triangle; a degenerate one is its longest side. Exact.
+[[nodiscard]] inline bool in_triangle(FinePoint a, FinePoint b, FinePoint c, FinePoint point) {
+    const int s = side(a, b, c);
+    if (s == 0) {
+        const auto [low_row, high_row] = std::minmax({a.row, b.row, c.row});
+        const auto [low_col, high_col] = std::minmax({a.col, b.col, c.col});
+        return side(a, b, point) == 0 && side(b, c, point) == 0 && side(c, a, point) == 0 &&
+               point.row >= low_row && point.row <= high_row && point.col >= low_col && point.col <= high_col;
+    }
+    return s * side(a, b, point) >= 0 && s * side(b, c, point) >= 0 && s * side(c, a, point) >= 0;
+}
+
+/// Point at a share of the way from one point to another, rounded to the lattice.
+[[nodiscard]] inline FinePoint point_between(FinePoint from, FinePoint to, double share) {
+    return {from.row + std::llround(share * static_cast<double>(to.row - from.row)),
+            from.col + std::llround(share * static_cast<double>(to.col - from.col))};
+}
+
+/// Distance in steps of the lattice.
+[[nodiscard]] inline double step_distance(FinePoint a, FinePoint b) {
+    return std::hypot(static_cast<double>(b.row - a.row), static_cast<double>(b.col - a.col));
 }
 
 }  // namespace d2b::outline

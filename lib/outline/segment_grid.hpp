@@ -80,8 +80,10 @@ class SegmentGrid {
     }
     [[nodiscard]] Box box_of(const FineSegment& s) const {
         const auto coarse = [](std::int64_t v) { return static_cast<std::int32_t>(v >> 4); };
-        return {coarse(std::min(s.a.row, s.b.row) - low_.row), coarse(std::max(s.a.row, s.b.row) - low_.row),
-                coarse(std::min(s.a.col, s.b.col) - low_.col), coarse(std::max(s.a.col, s.b.col) - low_.col)};
+        return {coarse(std::min(s.from.row, s.to.row) - low_.row),
+                coarse(std::max(s.from.row, s.to.row) - low_.row),
+                coarse(std::min(s.from.col, s.to.col) - low_.col),
+                coarse(std::max(s.from.col, s.to.col) - low_.col)};
     }
     template <typename Visit>
     void for_buckets(const FineSegment& segment, const Visit& visit) const;
@@ -98,9 +100,9 @@ class SegmentGrid {
 
 template <typename Visit>
 void SegmentGrid::for_buckets(const FineSegment& segment, const Visit& visit) const {
-    const bool down = segment.a.row < segment.b.row;
-    const FinePoint& upper = down ? segment.a : segment.b;
-    const FinePoint& lower = down ? segment.b : segment.a;
+    const bool down = segment.from.row < segment.to.row;
+    const FinePoint& upper = down ? segment.from : segment.to;
+    const FinePoint& lower = down ? segment.to : segment.from;
     const std::int64_t first_row = row_of(upper.row);
     const std::int64_t last_row = row_of(lower.row);
     const std::int64_t first_col = col_of(std::min(upper.col, lower.col));

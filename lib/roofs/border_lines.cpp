@@ -57,7 +57,7 @@ class BorderGraph {
                                grid_.index(row, col - 1), grid_.index(row, col)};
         return std::ranges::all_of(cells, [&](std::size_t cell) { return labels_.distances[cell] > 0; });
     }
-    [[nodiscard]] GridPoint point(std::uint32_t corner) const {
+    [[nodiscard]] Vec2 point(std::uint32_t corner) const {
         const std::uint32_t row = corner / width_;
         return {grid_.x(corner % width_), grid_.y(row)};
     }
@@ -141,35 +141,28 @@ class BorderGraph {
 
 /// Line through a point with a unit normal.
 struct FittedLine {
-    GridPoint through;
-    GridPoint normal;
+    Vec2 through;
+    Vec2 normal;
     double weight = 1;
 };
 
-double dot(const GridPoint& a, const GridPoint& b) {
-    return a.x * b.x + a.y * b.y;
-}
-GridPoint minus(const GridPoint& a, const GridPoint& b) {
-    return {a.x - b.x, a.y - b.y};
-}
-GridPoint middle(const GridPoint& a, const GridPoint& b) {
-    return {(a.x + b.x) / 2, (a.y + b.y) / 2};
+Vec2 middle(Vec2 a, Vec2 b) {
+    return 0.5 * (a + b);
 }
 
 /// Total least squares through points.
-FittedLine fit_line(std::span<const GridPoint> points) {
-    GridPoint mean;
-    for (const GridPoint& p : points) {
-        mean.x += p.x;
-        mean.y += p.y;
+FittedLine fit_line(std::span<const Vec2> points) {
+    Vec2 mean;
+    for (const Vec2& p : points) {
+        mean = mean + p;
     }
     mean.x /= static_cast<double>(points.size());
     mean.y /= static_cast<double>(points.size());
     double xx = 0;
     double xy = 0;
     double yy = 0;
-    for (const GridPoint& p : points) {
-        const GridPoint d = minus(p, mean);
+    for (const Vec2& p : points) {
+        const Vec2 d = p - mean;
         xx += d.x * d.x;
         xy += d.x * d.y;
         yy += d.y * d.y;
@@ -181,9 +174,9 @@ FittedLine fit_line(std::span<const GridPoint> points) {
 /// Sums of the middles of the sides of a chain, from which the error of a line along any stretch follows.
 class StretchSums {
   public:
-    explicit StretchSums(std::span<const GridPoint> points) : origin_(points.front()), sums_(points.size()) {
+    explicit StretchSums(std::span<const Vec2> points) : origin_(points.front()), sums_(points.size()) {
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            const GridPoint m = minus(middle(points[i], points[i + 1]), origin_);
+            const Vec2 m = middle(points[i], points[i + 1]) - origin_;
             const Sums& s = sums_[i];
             sums_[i + 1] = {s.x + m.x, s.y + m.y, s.xx + m.x * m.x, s.xy + m.x * m.y, s.yy + m.y * m.y};
         }
@@ -205,14 +198,14 @@ class StretchSums {
     struct Sums {
         double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
     };
-    GridPoint origin_;
+    Vec2 origin_;
     std::vector<Sums> sums_;
 };
 
 /// Divides a stretch of a chain into lines with the least sum of squared distances and of a price per line,
 /// by dynamic programming (Perez and Vidal 1994). Appends the ends of the lines but the last.
 /// @param price squared cells
-void divide_into_lines(std::span<const GridPoint> points, std::size_t first, std::size_t last, double price,
+void divide_into_lines(std::span<const Vec2> points, std::size_t first, std::size_t last, double price,
                        std::vector<std::size_t>& ends) {
     constexpr std::size_t longest = 400;  // sides
     // Square cells per side that a slanted straight line is off its staircase; without it, high steps would
@@ -247,7 +240,7 @@ struct Run {
 
 /// Difference of the planes beside a chain.
 struct PlaneDifference {
-    GridPoint slope;
+    Vec2 slope;
     double z0 = 0;
     double steepness = 0;  ///< metres per cell
 
@@ -255,11 +248,11 @@ struct PlaneDifference {
         : slope{a.slope_x - b.slope_x, a.slope_y - b.slope_y},
           z0(a.z0 - b.z0),
           steepness(std::hypot(slope.x, slope.y)) {}
-    [[nodiscard]] double at(const GridPoint& p) const { return dot(slope, p) + z0; }
+    [[nodiscard]] double at(const Vec2& p) const { return dot(slope, p) + z0; }
     /// Line in which the planes meet.
     [[nodiscard]] FittedLine line() const {
         const double scale = -z0 / (steepness * steepness);
-        return {{slope.x * scale, slope.y * scale}, {slope.x / steepness, slope.y / steepness}};
+        return {scale * slope, {slope.x / steepness, slope.y / steepness}};
     }
 };
 
@@ -277,16 +270,15 @@ class LineDrawing {
     /// Node of a junction; a corner has one node.
     [[nodiscard]] std::uint32_t node(std::uint32_t corner);
     void add_line(std::uint32_t from, std::uint32_t to, const std::optional<FittedLine>& line);
-    void add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run,
+    void add_step(const Chain& chain, std::span<const Vec2> points, const Run& run,
                   const PlaneDifference& difference);
-    [[nodiscard]] std::vector<bool> crease_sides(std::span<const GridPoint> points,
+    [[nodiscard]] std::vector<bool> crease_sides(std::span<const Vec2> points,
                                                  const PlaneDifference& difference) const;
-    [[nodiscard]] std::vector<Run> runs(std::span<const GridPoint> points,
+    [[nodiscard]] std::vector<Run> runs(std::span<const Vec2> points,
                                         const PlaneDifference& difference) const;
-    [[nodiscard]] static bool spans(std::span<const GridPoint> points, const Run& run,
+    [[nodiscard]] static bool spans(std::span<const Vec2> points, const Run& run,
                                     const PlaneDifference& difference);
-    [[nodiscard]] static GridPoint place(const GridPoint& mean, const std::vector<FittedLine>& lines,
-                                         double max_move);
+    [[nodiscard]] static Vec2 place(const Vec2& mean, const std::vector<FittedLine>& lines, double max_move);
 
     struct Line {
         std::uint32_t from;
@@ -297,7 +289,7 @@ class LineDrawing {
     const std::vector<Plane>& planes_;
     const BorderOptions& options_;
     std::unordered_map<std::uint32_t, std::uint32_t> nodes_;  ///< by corner
-    std::vector<GridPoint> corners_;                          ///< by node
+    std::vector<Vec2> corners_;                               ///< by node
     std::vector<bool> is_outside_;                            ///< by node
     std::vector<std::vector<FittedLine>> through_;            ///< by node: lines that should pass it
     DisjointSets merged_;                                     ///< nodes of collapsed chains
@@ -324,13 +316,11 @@ void LineDrawing::add_line(std::uint32_t from, std::uint32_t to, const std::opti
 }
 
 /// True if a crease runs along the line in which the planes meet and not across it.
-bool LineDrawing::spans(std::span<const GridPoint> points, const Run& run,
-                        const PlaneDifference& difference) {
+bool LineDrawing::spans(std::span<const Vec2> points, const Run& run, const PlaneDifference& difference) {
     constexpr double least_share = 0.6;
-    const GridPoint along{-difference.slope.y / difference.steepness,
-                          difference.slope.x / difference.steepness};
-    GridPoint low = points[run.first];
-    GridPoint high = low;
+    const Vec2 along{-difference.slope.y / difference.steepness, difference.slope.x / difference.steepness};
+    Vec2 low = points[run.first];
+    Vec2 high = low;
     double from = dot(along, low);
     double to = from;
     for (std::size_t i = run.first; i <= run.end; ++i) {
@@ -343,7 +333,7 @@ bool LineDrawing::spans(std::span<const GridPoint> points, const Run& run,
 }
 
 /// Finds the sides of a chain that lie near the line in which the planes meet; the majority of five decides.
-std::vector<bool> LineDrawing::crease_sides(std::span<const GridPoint> points,
+std::vector<bool> LineDrawing::crease_sides(std::span<const Vec2> points,
                                             const PlaneDifference& difference) const {
     constexpr double least_bend = 0.08;      // difference of slopes
     constexpr double crease_distance = 1.5;  // cells from the line in which the planes meet
@@ -372,8 +362,7 @@ std::vector<bool> LineDrawing::crease_sides(std::span<const GridPoint> points,
 }
 
 /// Divides a chain into creases and steps. Short runs join their neighbours.
-std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points,
-                                   const PlaneDifference& difference) const {
+std::vector<Run> LineDrawing::runs(std::span<const Vec2> points, const PlaneDifference& difference) const {
     constexpr std::size_t shortest = 4;  // sides
     const std::vector<bool> crease = crease_sides(points, difference);
     std::vector<Run> runs;
@@ -401,7 +390,7 @@ std::vector<Run> LineDrawing::runs(std::span<const GridPoint> points,
 }
 
 /// Mean square of the step between two planes along a stretch.
-double squared_height(std::span<const GridPoint> points, const Run& run, const PlaneDifference& difference) {
+double squared_height(std::span<const Vec2> points, const Run& run, const PlaneDifference& difference) {
     double sum = 0;
     for (std::size_t i = run.first; i < run.end; ++i) {
         const double step = difference.at(middle(points[i], points[i + 1]));
@@ -410,7 +399,7 @@ double squared_height(std::span<const GridPoint> points, const Run& run, const P
     return sum / static_cast<double>(run.end - run.first);
 }
 
-void LineDrawing::add_step(const Chain& chain, std::span<const GridPoint> points, const Run& run,
+void LineDrawing::add_step(const Chain& chain, std::span<const Vec2> points, const Run& run,
                            const PlaneDifference& difference) {
     constexpr double weight = 0.3;       // of a step line beside creases
     constexpr std::size_t shortest = 4;  // sides of a line that is fitted
@@ -427,7 +416,7 @@ void LineDrawing::add_step(const Chain& chain, std::span<const GridPoint> points
         // A closed chain has two ends that are far from each other.
         double most = -1;
         for (std::size_t i = run.first; i < run.end; ++i) {
-            const GridPoint d = minus(points[i], points[run.first]);
+            const Vec2 d = points[i] - points[run.first];
             if (const double distance = std::hypot(d.x, d.y); distance > most) {
                 most = distance;
                 far = i;
@@ -441,7 +430,7 @@ void LineDrawing::add_step(const Chain& chain, std::span<const GridPoint> points
     for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
         std::optional<FittedLine> line;
         if (kept[k + 1] - kept[k] >= shortest) {
-            std::vector<GridPoint> middles;
+            std::vector<Vec2> middles;
             for (std::size_t i = kept[k]; i < kept[k + 1]; ++i)
                 middles.push_back(middle(points[i], points[i + 1]));
             line = fit_line(middles);
@@ -462,7 +451,7 @@ void LineDrawing::add(const Chain& chain) {
         merged_.join(from, node(last));
         return;
     }
-    std::vector<GridPoint> points;
+    std::vector<Vec2> points;
     for (const std::uint32_t corner : chain.corners)
         points.push_back(graph_.point(corner));
     const PlaneDifference difference(planes_[static_cast<std::size_t>(chain.low)],
@@ -480,15 +469,15 @@ void LineDrawing::add(const Chain& chain) {
 }
 
 /// Moves a node to the lines that should pass it.
-GridPoint LineDrawing::place(const GridPoint& mean, const std::vector<FittedLine>& lines, double max_move) {
+Vec2 LineDrawing::place(const Vec2& mean, const std::vector<FittedLine>& lines, double max_move) {
     constexpr double stay = 0.02;  // weight of not moving
     double xx = stay;
     double xy = 0;
     double yy = stay;
-    GridPoint pull;
+    Vec2 pull;
     for (const FittedLine& line : lines) {
-        const GridPoint& n = line.normal;
-        const double distance = dot(n, minus(line.through, mean));
+        const Vec2& n = line.normal;
+        const double distance = dot(n, line.through - mean);
         xx += line.weight * n.x * n.x;
         xy += line.weight * n.x * n.y;
         yy += line.weight * n.y * n.y;
@@ -496,26 +485,24 @@ GridPoint LineDrawing::place(const GridPoint& mean, const std::vector<FittedLine
         pull.y += line.weight * n.y * distance;
     }
     const double determinant = xx * yy - xy * xy;
-    const GridPoint move{(pull.x * yy - pull.y * xy) / determinant,
-                         (pull.y * xx - pull.x * xy) / determinant};
+    const Vec2 move{(pull.x * yy - pull.y * xy) / determinant, (pull.y * xx - pull.x * xy) / determinant};
     const double length = std::hypot(move.x, move.y);
     const double share = length > max_move ? max_move / length : 1;
-    return {mean.x + share * move.x, mean.y + share * move.y};
+    return mean + share * move;
 }
 
 std::vector<BorderLine> LineDrawing::lines() {
     struct Group {
-        GridPoint sum;
+        Vec2 sum;
         double count = 0;
         std::vector<FittedLine> lines;
-        GridPoint at;
+        Vec2 at;
         bool outside = false;
     };
     std::vector<Group> groups(corners_.size());
     for (std::uint32_t i = 0; i < corners_.size(); ++i) {
         Group& group = groups[merged_.find(i)];
-        group.sum.x += corners_[i].x;
-        group.sum.y += corners_[i].y;
+        group.sum = group.sum + corners_[i];
         ++group.count;
         group.outside = group.outside || is_outside_[i];
         group.lines.insert(group.lines.end(), through_[i].begin(), through_[i].end());

@@ -9,8 +9,8 @@ namespace d2b::roofs {
 
 /// Straight line between two faces.
 struct BorderLine {
-    GridPoint from;
-    GridPoint to;
+    Vec2 from;
+    Vec2 to;
 };
 
 struct BorderOptions {

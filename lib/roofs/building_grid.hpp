@@ -7,14 +7,9 @@
 #include "contours/merge_regions.hpp"
 #include "core/grid.hpp"
 #include "core/lattice.hpp"
+#include "geometry/vec2.hpp"
 
 namespace d2b::roofs {
-
-/// Point of a building's grid, in cells from its centre.
-struct GridPoint {
-    double x = 0;
-    double y = 0;
-};
 
 /// Cells of one building on the rectangle around it, with their elevations in metres above its first valid
 /// cell. Positions are in cells from the centre of the rectangle, x along a row and y down a column.
@@ -38,7 +33,7 @@ struct BuildingGrid {
     [[nodiscard]] double x(double col) const { return (col - 0.5 * cols) * x_step; }
     [[nodiscard]] double y(double row) const { return (row - 0.5 * rows) * y_step; }
     /// Centre of a cell.
-    [[nodiscard]] GridPoint centre(std::size_t cell) const {
+    [[nodiscard]] Vec2 centre(std::size_t cell) const {
         const std::size_t at_row = cell / static_cast<std::size_t>(cols);
         const std::size_t at_col = cell % static_cast<std::size_t>(cols);
         return {x(static_cast<double>(at_col) + 0.5), y(static_cast<double>(at_row) + 0.5)};

@@ -60,7 +60,7 @@ FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, 
         const double z = grid.elevation(cell);
         if (std::isnan(z))
             continue;
-        const GridPoint p = grid.centre(cell);
+        const Vec2 p = grid.centre(cell);
         const double residual = z - plane.at(p.x, p.y);
         squares += residual * residual;
         near += std::abs(residual) <= near_points_m ? 1 : 0;
@@ -76,7 +76,7 @@ FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, 
 /// Upper end of a face, along the contour.
 struct UpperEnd {
     double taper = 1;  ///< length near its top as a share of the longest one below
-    double top = std::numeric_limits<double>::infinity();  ///< its length, in the unit of GridPoint
+    double top = std::numeric_limits<double>::infinity();  ///< its length, in the unit of Vec2
 };
 
 /// Measures lengths at several heights, because a narrow part may reach farther down than the eaves.
@@ -90,25 +90,23 @@ UpperEnd upper_end(const RoofFace& face, const Plane& plane, const RoofLattice& 
     const auto length = [&](double z) {
         std::vector<double> crossings;
         std::size_t first = 0;
-        const auto cross = [&](const FineRing& ring) {
+        const auto add_crossings = [&](const FineRing& ring) {
             for (std::size_t i = 0; i < ring.size(); ++i) {
                 const std::size_t j = i + 1 < ring.size() ? i + 1 : 0;
                 const double a = face.elevations[first + i];
                 const double b = face.elevations[first + j];
                 if ((a < z) == (b < z))
                     continue;
-                const GridPoint p = lattice.position(ring[i]);
-                const GridPoint q = lattice.position(ring[j]);
+                const Vec2 p = lattice.position(ring[i]);
+                const Vec2 q = lattice.position(ring[j]);
                 const double share = (z - a) / (b - a);
-                const double x = p.x + share * (q.x - p.x);
-                const double y = p.y + share * (q.y - p.y);
-                crossings.push_back((plane.slope_x * y - plane.slope_y * x) / slope);
+                crossings.push_back(cross({plane.slope_x, plane.slope_y}, p + share * (q - p)) / slope);
             }
             first += ring.size();
         };
-        cross(face.outline.exterior);
+        add_crossings(face.outline.exterior);
         for (const FineRing& ring : face.outline.interiors)
-            cross(ring);
+            add_crossings(ring);
         std::ranges::sort(crossings);
         double sum = 0;
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
@@ -155,11 +153,11 @@ void summarize(Roof& roof, const std::vector<FacePlane>& planes, const RoofLatti
 double roundness_of(const FineRing& ring, const RoofLattice& lattice) {
     double twice = 0;
     double length = 0;
-    const GridPoint origin = lattice.position(ring.front());
+    const Vec2 origin = lattice.position(ring.front());
     for (std::size_t i = 0; i < ring.size(); ++i) {
-        const GridPoint a = lattice.position(ring[i]);
-        const GridPoint b = lattice.position(ring[i + 1 < ring.size() ? i + 1 : 0]);
-        twice += (a.x - origin.x) * (b.y - origin.y) - (b.x - origin.x) * (a.y - origin.y);
+        const Vec2 a = lattice.position(ring[i]);
+        const Vec2 b = lattice.position(ring[i + 1 < ring.size() ? i + 1 : 0]);
+        twice += cross(a - origin, b - origin);
         length += std::hypot(b.x - a.x, b.y - a.y);
     }
     return 2 * std::numbers::pi * std::abs(twice) / (length * length);

@@ -42,7 +42,7 @@ void for_corners(const FinePolygon& polygon, const Use& use) {
 
 /// Normal equations of a face about its own centre: the unknowns are its slopes and the elevation there.
 struct Normal {
-    GridPoint centre;
+    Vec2 centre;
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     double squares = 0;
@@ -50,7 +50,7 @@ struct Normal {
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 
-    void add(const GridPoint& p, double z, double weight) {
+    void add(const Vec2& p, double z, double weight) {
         const Eigen::Vector3d row(p.x - centre.x, p.y - centre.y, 1);
         matrix += weight * row * row.transpose();
         right += weight * z * row;
@@ -75,7 +75,7 @@ class PlaneSystem {
     struct Meeting {
         std::int32_t one;
         std::int32_t other;
-        GridPoint at;
+        Vec2 at;
         double weight = 1;
 
         /// Step in m between the two planes.
@@ -102,7 +102,7 @@ class PlaneSystem {
     const BuildingGrid& grid_;
     const std::vector<std::vector<std::size_t>>& cells_;
     std::vector<Normal> normals_;
-    std::vector<std::vector<GridPoint>> corners_;  ///< by face
+    std::vector<std::vector<Vec2>> corners_;  ///< by face
 };
 
 PlaneSystem::PlaneSystem(const std::vector<LabelledFace>& faces, const std::vector<Plane>& first,
@@ -120,7 +120,7 @@ void PlaneSystem::set_normal(std::size_t face, const Plane& plane) {
     constexpr double far_weight = 0.02;
     Normal& normal = normals_[face];
     normal = {};
-    for (const GridPoint& p : corners_[face]) {
+    for (const Vec2& p : corners_[face]) {
         normal.centre.x += p.x / static_cast<double>(corners_[face].size());
         normal.centre.y += p.y / static_cast<double>(corners_[face].size());
     }
@@ -128,7 +128,7 @@ void PlaneSystem::set_normal(std::size_t face, const Plane& plane) {
         const double z = grid_.elevation(cell);
         if (std::isnan(z))
             continue;
-        const GridPoint p = grid_.centre(cell);
+        const Vec2 p = grid_.centre(cell);
         normal.add(p, z, std::abs(z - plane.at(p.x, p.y)) < near_m ? 1 : far_weight);
         normal.low = std::min(normal.low, z);
         normal.high = std::max(normal.high, z);
@@ -176,8 +176,8 @@ void PlaneSystem::solve(std::span<const Meeting> meetings, std::vector<FacePlane
         right.segment<3>(at) = vector;
     }
     for (const Meeting& meeting : meetings) {
-        const GridPoint& a = normals_[static_cast<std::size_t>(meeting.one)].centre;
-        const GridPoint& b = normals_[static_cast<std::size_t>(meeting.other)].centre;
+        const Vec2& a = normals_[static_cast<std::size_t>(meeting.one)].centre;
+        const Vec2& b = normals_[static_cast<std::size_t>(meeting.other)].centre;
         const Eigen::Vector3d one(meeting.at.x - a.x, meeting.at.y - a.y, 1);
         const Eigen::Vector3d other(meeting.at.x - b.x, meeting.at.y - b.y, 1);
         add_block(3 * meeting.one, 3 * meeting.one, meeting.weight * one * one.transpose());
@@ -196,7 +196,7 @@ void PlaneSystem::solve(std::span<const Meeting> meetings, std::vector<FacePlane
             plane.slope_x = solution[at];
             plane.slope_y = solution[at + 1];
         }
-        const GridPoint& c = normals_[i].centre;
+        const Vec2& c = normals_[i].centre;
         plane.z0 = solution[at + 2] - plane.slope_x * c.x - plane.slope_y * c.y;
     }
 }
@@ -211,7 +211,7 @@ double PlaneSystem::plausible_slope(std::size_t face, const Plane& plane) const 
     const double spare = outside_m + slope;
     const double middle = plane.at(normal.centre.x, normal.centre.y);
     double share = 1;
-    for (const GridPoint& p : corners_[face]) {
+    for (const Vec2& p : corners_[face]) {
         const double rise = plane.at(p.x, p.y) - middle;
         const double room = rise > 0 ? normal.high + spare - middle : middle - (normal.low - spare);
         if (std::abs(rise) > room)
@@ -260,7 +260,7 @@ std::vector<PlaneSystem::Meeting> meetings_of(const std::vector<FaceEdge>& edges
         const double largest =
             std::min(crease_step_m, std::max(small_step_m, crease_distance * bend_between(a, b)));
         for (const FinePoint& end : {edge.from, edge.to}) {
-            const GridPoint p = lattice.position(end);
+            const Vec2 p = lattice.position(end);
             if (std::abs(a.at(p.x, p.y) - b.at(p.x, p.y)) >= largest)
                 continue;
             if (seen.emplace(one, other, end).second)
@@ -334,10 +334,10 @@ std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
         if (edge.left < 0 || edge.right < 0)
             continue;
         Border& border = borders[std::minmax(edge.left, edge.right)];
-        const GridPoint from = lattice.position(edge.from);
-        const GridPoint to = lattice.position(edge.to);
+        const Vec2 from = lattice.position(edge.from);
+        const Vec2 to = lattice.position(edge.to);
         border.length += std::hypot(to.x - from.x, to.y - from.y);
-        for (const GridPoint& p : {from, to})
+        for (const Vec2& p : {from, to})
             border.highest = std::max(
                 border.highest, std::abs(planes[static_cast<std::size_t>(edge.left)].plane.at(p.x, p.y) -
                                          planes[static_cast<std::size_t>(edge.right)].plane.at(p.x, p.y)));
@@ -346,7 +346,7 @@ std::vector<std::int32_t> merged_faces(const std::vector<FaceEdge>& edges,
     for (std::size_t i = 0; i < planes.size(); ++i)
         for (const std::size_t cell : cells[i])
             if (const double z = grid.elevation(cell); !std::isnan(z)) {
-                const GridPoint p = grid.centre(cell);
+                const Vec2 p = grid.centre(cell);
                 moments[i].add(p.x, p.y, z);
             }
     DisjointSets sets(static_cast<std::uint32_t>(planes.size()));
@@ -384,7 +384,7 @@ std::vector<std::vector<double>> corner_elevations(const std::vector<LabelledFac
     for (std::size_t i = 0; i < faces.size(); ++i) {
         std::size_t index = 0;
         for_corners(faces[i].outline, [&](FinePoint p) {
-            const GridPoint at = lattice.position(p);
+            const Vec2 at = lattice.position(p);
             corners.push_back({p, i, index++, planes[i].plane.at(at.x, at.y)});
         });
         elevations[i].resize(index);

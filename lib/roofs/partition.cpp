@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/box_tree.hpp"
+#include "outline/fine_geometry.hpp"
 #include "raster/row_spans.hpp"
 
 namespace d2b::roofs {
@@ -27,10 +28,6 @@ void for_edges(const FinePolygon& polygon, const Use& use) {
     for_edges(polygon.exterior, use);
     for (const FineRing& ring : polygon.interiors)
         for_edges(ring, use);
-}
-
-double length_of(FinePoint a, FinePoint b) {
-    return std::hypot(static_cast<double>(b.row - a.row), static_cast<double>(b.col - a.col));
 }
 
 /// Share of a segment at which it crosses another.
@@ -78,11 +75,9 @@ std::vector<FineSegment> through_corners(const FinePolygon& footprint, const std
             const std::optional<double> share = crossing(line, a, b);
             if (!share)
                 return;
-            const FinePoint at{
-                line.from.row + std::llround(*share * static_cast<double>(line.to.row - line.from.row)),
-                line.from.col + std::llround(*share * static_cast<double>(line.to.col - line.from.col))};
-            const FinePoint near = length_of(at, a) < length_of(at, b) ? a : b;
-            if (length_of(at, near) < corner_reach * steps_per_cell)
+            const FinePoint at = outline::point_between(line.from, line.to, *share);
+            const FinePoint near = outline::step_distance(at, a) < outline::step_distance(at, b) ? a : b;
+            if (outline::step_distance(at, near) < corner_reach * steps_per_cell)
                 stops.emplace_back(*share, near);
         });
         std::ranges::sort(stops);
@@ -131,7 +126,7 @@ void label_all(const std::vector<FaceEdge>& edges, std::vector<LabelledFace>& fa
         for (const FaceEdge& edge : edges) {
             if (edge.left < 0 || edge.right < 0)
                 continue;
-            const double length = length_of(edge.from, edge.to);
+            const double length = outline::step_distance(edge.from, edge.to);
             const auto left = static_cast<std::size_t>(edge.left);
             const auto right = static_cast<std::size_t>(edge.right);
             beside[left][faces[right].label] += length;
@@ -200,12 +195,12 @@ double area_in_cells(const FinePolygon& polygon) {
     return std::abs(twice) / 2 / (steps_per_cell * steps_per_cell);
 }
 
-FinePoint RoofLattice::point(const GridPoint& p) const {
+FinePoint RoofLattice::point(const Vec2& p) const {
     return {std::llround((grid_.row(p.y) + grid_.first_row + shift_) * steps_per_cell),
             std::llround((grid_.col(p.x) + grid_.first_col + shift_) * steps_per_cell)};
 }
 
-GridPoint RoofLattice::position(FinePoint p) const {
+Vec2 RoofLattice::position(FinePoint p) const {
     return {grid_.x(static_cast<double>(p.col) / steps_per_cell - grid_.first_col - shift_),
             grid_.y(static_cast<double>(p.row) / steps_per_cell - grid_.first_row - shift_)};
 }

@@ -39,8 +39,8 @@ class RoofLattice {
   public:
     RoofLattice(const BuildingGrid& grid, double cell_centre) : grid_(grid), shift_(cell_centre - 0.5) {}
 
-    [[nodiscard]] FinePoint point(const GridPoint& p) const;
-    [[nodiscard]] GridPoint position(FinePoint p) const;
+    [[nodiscard]] FinePoint point(const Vec2& p) const;
+    [[nodiscard]] Vec2 position(FinePoint p) const;
     /// Point on the lattice of outlines, relative to the grid, as row_spans() takes it.
     [[nodiscard]] FinePoint in_grid(FinePoint p) const;
 

@@ -35,7 +35,10 @@ Int128 twice_area(const Ring& ring, const PlanarPartition& plan) {
 class FaceTracer {
   public:
     explicit FaceTracer(const PlanarPartition& plan)
-        : plan_(plan), stars_(plan), done_(plan.edges.size()), place_(plan.nodes.size(), nowhere) {}
+        : plan_(plan),
+          around_(edges_around_nodes(plan)),
+          done_(plan.edges.size()),
+          place_(plan.nodes.size(), nowhere) {}
 
     [[nodiscard]] std::vector<OwnedRing> rings() {
         for (std::uint32_t e = 0; e < plan_.edges.size(); ++e)
@@ -53,7 +56,7 @@ class FaceTracer {
     void split(const Ring& walked, std::int32_t owner);
 
     const PlanarPartition& plan_;
-    NodeStars stars_;
+    std::vector<std::vector<IncidentEdge>> around_;
     std::vector<std::array<bool, 2>> done_;
     std::vector<std::size_t> place_;  // position of a node in the current ring
     std::vector<OwnedRing> rings_;
@@ -68,7 +71,7 @@ Ring FaceTracer::walk(std::uint32_t e, bool forwards) {
         const std::uint32_t node = forwards ? edge.to : edge.from;
         // The next half-edge is the clockwise neighbour of the one arrived on, because the face is on the
         // left.
-        const std::vector<IncidentEdge>& arms = stars_.around(node);
+        const std::vector<IncidentEdge>& arms = around_[node];
         const auto here = std::ranges::find(arms, e, &IncidentEdge::edge);
         const IncidentEdge& next = here == arms.begin() ? arms.back() : *(here - 1);
         e = next.edge;

@@ -79,7 +79,9 @@ class FlowFaults::Finder {
                                                      const std::vector<IncidentEdge>& arms) const;
     [[nodiscard]] bool runs_on(std::uint32_t node) const;
     [[nodiscard]] bool ends_a_gap(const PartitionEdge& edge) const;
-    [[nodiscard]] bool is_above(std::int32_t contour, std::int32_t floor) const;
+    [[nodiscard]] bool is_above(std::int32_t contour, std::int32_t floor) const {
+        return contour != floor && is_on(contour, floor, contours_);
+    }
     [[nodiscard]] bool is_seen(const FlowFault& narrow) const;
     [[nodiscard]] double angle(FinePoint node, FinePoint first, FinePoint second) const;
 
@@ -92,23 +94,11 @@ class FlowFaults::Finder {
     double reach_ = 0;
 };
 
-bool FlowFaults::Finder::is_above(std::int32_t contour, std::int32_t floor) const {
-    while (contour != open_ground && contour != floor) {
-        contour = contours_[static_cast<std::size_t>(contour)].parent;
-        if (contour == floor)
-            return true;
-    }
-    return false;
-}
-
 /// Degrees from the first direction to the second, counter-clockwise on the ground.
 double FlowFaults::Finder::angle(FinePoint node, FinePoint first, FinePoint second) const {
-    const FlowMetric& m = limits_.metric;
-    const double x1 = m.x(node, first);
-    const double y1 = m.y(node, first);
-    const double x2 = m.x(node, second);
-    const double y2 = m.y(node, second);
-    return std::abs(std::atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2)) * 180 / std::numbers::pi;
+    const Vec2 a = limits_.metric.way(node, first);
+    const Vec2 b = limits_.metric.way(node, second);
+    return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
 }
 
 /// Returns true if a wall goes straight on at a node, apart from rounding.
@@ -232,11 +222,7 @@ std::optional<FlowFault> FlowFaults::Finder::narrow_to(std::uint32_t edge, std::
     if (std::ranges::none_of(
             arms, [&](const IncidentEdge& arm) { return arm.left == e.left || arm.left == e.right; }))
         return std::nullopt;  // no sector of the node faces it
-    const double along =
-        (m.x(a, p) * m.x(a, b) + m.y(a, p) * m.y(a, b)) / (m.x(a, b) * m.x(a, b) + m.y(a, b) * m.y(a, b));
-    const double share = std::clamp(along, 0.0, 1.0);
-    const FinePoint place{a.row + std::llround(share * static_cast<double>(b.row - a.row)),
-                          a.col + std::llround(share * static_cast<double>(b.col - a.col))};
+    const FinePoint place = outline::point_between(a, b, m.nearest_share(p, a, b));
     const double width = m.distance(p, place);
     if (!(width < std::max(limits_.gap, limits_.wall)) || place == p)
         return std::nullopt;
@@ -352,7 +338,7 @@ void FlowFaults::update(std::span<const std::pair<std::uint32_t, std::uint32_t>>
         is_old_node[from] = is_old_node[to] = true;
     }
     constexpr double rounding = 2;  // steps
-    const double more = rounding * std::max(std::hypot(m.col_x, m.col_y), std::hypot(m.row_x, m.row_y));
+    const double more = rounding * m.longer_step();
     for (std::uint32_t node = 0; node < plan_.nodes().size(); ++node) {
         if (node % 1024 == 0)
             stop_.check();

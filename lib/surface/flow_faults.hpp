@@ -13,13 +13,15 @@
 namespace d2b::surface {
 
 enum class FlowKind {
-    wall,   ///< an edge that is too short
-    angle,  ///< between two consecutive edges around a node
-    gap,    ///< between a node and an edge with a lower place between them
-    neck    ///< between a node and an edge of one contour, on which nothing stands there: a narrow part
+    wall,     ///< an edge that is too short
+    angle,    ///< between two consecutive edges around a node
+    gap,      ///< between a node and an edge with a lower place between them
+    neck,     ///< between a node and an edge of one contour, on which nothing stands there: a narrow part
+    touch,    ///< outlines that touch in a corner
+    crossing  ///< outlines that cross
 };
 
-/// A place that is too short, sharp or narrow for a flow solver.
+/// A place of a partition that is too short, sharp or narrow for a flow solver.
 struct FlowFault {
     FlowKind kind = FlowKind::wall;
     std::uint32_t node = 0;
@@ -30,11 +32,9 @@ struct FlowFault {
     FinePoint place;          ///< gap and neck: of the edge, nearest to the node
 };
 
-enum class FlowProblemKind { wall, angle, gap, neck, touch, crossing };
-
 /// A fault of the outlines and its outcome.
 struct FlowProblem {
-    FlowProblemKind kind = FlowProblemKind::wall;
+    FlowKind kind = FlowKind::wall;
     double before = 0;  ///< m; degrees for angles
     double after = 0;
     bool changed = false;

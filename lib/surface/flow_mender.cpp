@@ -8,6 +8,7 @@
 
 #include "core/disjoint_sets.hpp"
 #include "outline/fine_geometry.hpp"
+#include "surface/nonmanifold_vertices.hpp"
 
 namespace d2b::surface {
 namespace {
@@ -134,9 +135,7 @@ bool FlowMender::try_to(const Mend& mend) {
 FinePoint FlowMender::along(std::uint32_t from, std::uint32_t to, double metres) const {
     const FinePoint a = plan_.at(from);
     const FinePoint b = plan_.at(to);
-    const double share = metres / limits_.metric.distance(a, b);
-    return {a.row + std::llround(share * static_cast<double>(b.row - a.row)),
-            a.col + std::llround(share * static_cast<double>(b.col - a.col))};
+    return outline::point_between(a, b, metres / limits_.metric.distance(a, b));
 }
 
 /// Returns a node on an edge at or near a place.
@@ -170,7 +169,7 @@ bool FlowMender::ends_a_narrow_place(std::uint32_t gone, std::uint32_t stays, st
     const FinePoint to = plan_.at(next);
     const auto runs_beside = [&](const IncidentEdge& arm) {
         const FinePoint end = plan_.at(arm.end);
-        const double along = m.x(a, to) * m.x(b, end) + m.y(a, to) * m.y(b, end);
+        const double along = dot(m.way(a, to), m.way(b, end));
         return arm.end != gone && along > side_by_side * m.distance(a, to) * m.distance(b, end) &&
                outline::side(a, b, to) * outline::side(a, b, end) >= 0;
     };
@@ -274,9 +273,7 @@ bool FlowMender::cut_off(const FlowFault& fault) {
         const auto edge = plan_.edge_between(fault.node, end);
         if (!edge)
             return false;
-        const FinePoint place{tip.row + std::llround(share * static_cast<double>(to.row - tip.row)),
-                              tip.col + std::llround(share * static_cast<double>(to.col - tip.col))};
-        const auto node = place_on(*edge, place);
+        const auto node = place_on(*edge, outline::point_between(tip, to, share));
         if (!node || *node == fault.node)
             return false;
         ends.push_back(*node);
@@ -293,10 +290,8 @@ bool FlowMender::mend_angle(const FlowFault& fault) {
         std::swap(near, far);
     const FinePoint a = plan_.at(near);
     const FinePoint b = plan_.at(far);
-    const double along =
-        (m.x(tip, a) * m.x(tip, b) + m.y(tip, a) * m.y(tip, b)) / std::pow(m.distance(tip, b), 2);
-    const FinePoint foot{tip.row + std::llround(along * static_cast<double>(b.row - tip.row)),
-                         tip.col + std::llround(along * static_cast<double>(b.col - tip.col))};
+    const double share = dot(m.way(tip, a), m.way(tip, b)) / std::pow(m.distance(tip, b), 2);
+    const FinePoint foot = outline::point_between(tip, b, share);
     const auto edge = plan_.edge_between(fault.node, far);
     if (!edge)
         return false;
@@ -312,10 +307,7 @@ bool FlowMender::mend_angle(const FlowFault& fault) {
 /// Moves a corner to a place away from all other walls.
 bool FlowMender::move(std::uint32_t node, FinePoint place) {
     const std::vector<IncidentEdge> arms = plan_.around(node);
-    std::vector<std::int32_t> contours;
-    contours.reserve(arms.size());
-    for (const IncidentEdge& arm : arms)
-        contours.push_back(arm.left);
+    const std::vector<std::int32_t> contours = contours_of(arms);
     // Not a structured binding, because clang 14 cannot capture one.
     const Swept swept = swept_by(node, place);
     if (is_frozen(node) || !budget_.allows(contours, swept.outside, swept.inside) ||
@@ -380,16 +372,16 @@ bool FlowMender::mend(const FlowFault& fault) {
             return mend_gap(fault);
         case FlowKind::neck:
             return mend_neck(fault);
+        case FlowKind::touch:
+        case FlowKind::crossing:
+            break;  // are no faults of a partition
     }
     return false;
 }
 
 FlowProblem problem_of(const FlowFault& fault, const PartitionEditor& plan) {
     FlowProblem problem;
-    problem.kind = fault.kind == FlowKind::wall    ? FlowProblemKind::wall
-                   : fault.kind == FlowKind::angle ? FlowProblemKind::angle
-                   : fault.kind == FlowKind::gap   ? FlowProblemKind::gap
-                                                   : FlowProblemKind::neck;
+    problem.kind = fault.kind;
     problem.before = problem.after = fault.size;
     problem.place = plan.at(fault.node);
     const auto add = [&](std::int32_t contour) {

@@ -32,39 +32,20 @@ struct PlanOutlines {
 PlanOutlines plan_outlines(const PlanarPartition& plan, std::span<const PartitionContour> contours,
                            const StopToken& stop) {
     // Edges per contour that have it, or a contour on top of it, on one side alone.
-    std::vector<PlanarPartition> parts(contours.size());
+    std::vector<std::vector<PartitionEdge>> edges(contours.size());
     const auto parent = [&](std::int32_t contour) {
         return contours[static_cast<std::size_t>(contour)].parent;
-    };
-    const auto is_on = [&](std::int32_t contour, std::int32_t below) {
-        while (contour != open_ground && contour != below)
-            contour = parent(contour);
-        return contour == below;
     };
     for (const PartitionEdge& edge : plan.edges)
         for (const auto& [from, to, in, out] : {std::tuple(edge.from, edge.to, edge.left, edge.right),
                                                 std::tuple(edge.to, edge.from, edge.right, edge.left)})
-            for (std::int32_t c = in; c != open_ground && !is_on(out, c); c = parent(c))
-                parts[static_cast<std::size_t>(c)].edges.push_back({from, to, c, open_ground});
+            for (std::int32_t c = in; c != open_ground && !is_on(out, c, contours); c = parent(c))
+                edges[static_cast<std::size_t>(c)].push_back({from, to, c, open_ground});
     PlanOutlines result;
-    for (std::uint32_t c = 0; c < parts.size(); ++c) {
+    for (std::uint32_t c = 0; c < edges.size(); ++c) {
         stop.check();
-        PlanarPartition& part = parts[c];
-        // Renumbers its own nodes, because copying all nodes per contour would take quadratic time.
-        std::vector<std::uint32_t> used;
-        for (const PartitionEdge& edge : part.edges)
-            used.insert(used.end(), {edge.from, edge.to});
-        std::ranges::sort(used);
-        used.erase(std::unique(used.begin(), used.end()), used.end());
-        for (const std::uint32_t node : used)
-            part.nodes.push_back(plan.nodes[node]);
-        const auto number = [&](std::uint32_t node) {
-            return static_cast<std::uint32_t>(std::ranges::lower_bound(used, node) - used.begin());
-        };
-        for (PartitionEdge& edge : part.edges) {
-            edge.from = number(edge.from);
-            edge.to = number(edge.to);
-        }
+        // With its own nodes, because copying all nodes per contour would take quadratic time.
+        const PlanarPartition part = plan_of(std::move(edges[c]), plan.nodes);
         std::vector<OwnedFace> faces = partition_faces(part);
         std::erase_if(faces, [](const OwnedFace& face) { return face.owner == open_ground; });
         if (faces.size() == 1)
@@ -117,14 +98,12 @@ class FlowPasses {
 constexpr int most_rounds = 12;
 
 std::int64_t steps_of(double metres, const FlowMetric& metric) {
-    const double step =
-        std::min(std::hypot(metric.col_x, metric.col_y), std::hypot(metric.row_x, metric.row_y));
-    return static_cast<std::int64_t>(std::ceil(metres / step)) + 1;
+    return static_cast<std::int64_t>(std::ceil(metres / metric.shorter_step())) + 1;
 }
 
 CellSize cell_of(const FlowMetric& metric) {
-    const double across = std::hypot(metric.col_x, metric.col_y);
-    const double down = std::hypot(metric.row_x, metric.row_y);
+    const double across = std::hypot(metric.col.x, metric.col.y);
+    const double down = std::hypot(metric.row.x, metric.row.y);
     return {across * FinePoint::steps, down * FinePoint::steps, metric.area() / (across * down)};
 }
 
@@ -160,7 +139,7 @@ bool FlowPasses::take_apart(std::span<const PartitionContour> leveled, const Sto
     };
     const ResolvedVertices taken = resolve_nonmanifold_vertices(plan_, leveled, reach, stop);
     for (const VertexRepair& mend : taken.repairs)
-        problems_.push_back({FlowProblemKind::touch, 0, limits_.metric.distance(mend.place, mend.moved), true,
+        problems_.push_back({FlowKind::touch, 0, limits_.metric.distance(mend.place, mend.moved), true,
                              mend.place, mend.contours});
     return taken.unresolved.empty();
 }
@@ -255,7 +234,7 @@ FlowReady make_flow_ready(std::span<const PartitionContour> contours, const Flow
     FlowReady result;
     PartitionResult partition = make_partition(contours, stop);
     for (const std::uint32_t c : std::set(partition.conflicting.begin(), partition.conflicting.end()))
-        result.problems.push_back({FlowProblemKind::crossing,
+        result.problems.push_back({FlowKind::crossing,
                                    0,
                                    0,
                                    false,
@@ -272,7 +251,7 @@ FlowReady make_flow_ready(std::span<const PartitionContour> contours, const Flow
         PlanarPartition touching = partition.plan;
         const ResolvedVertices touches = resolve_nonmanifold_vertices(touching, leveled);
         for (const VertexRepair& mend : touches.repairs)
-            result.problems.push_back({FlowProblemKind::touch, 0, 0, false, mend.place, mend.contours});
+            result.problems.push_back({FlowKind::touch, 0, 0, false, mend.place, mend.contours});
         touches_itself = !touches.repairs.empty();
     }
     if (!result.problems.empty())
@@ -287,9 +266,7 @@ FlowReady make_flow_ready(std::span<const PartitionContour> contours, const Flow
 
 void take_needless_corners(PartitionEditor& plan, const FlowMetric& metric,
                            const std::function<bool(std::uint32_t)>& may_go) {
-    const double step =
-        std::max(std::hypot(metric.col_x, metric.col_y), std::hypot(metric.row_x, metric.row_y));
-    const double limit = std::max(straight_m, step);
+    const double limit = std::max(straight_m, metric.longer_step());
     std::vector<double> moved(plan.edges().size());  // distance per edge from the corners that it lost, m
     for (std::uint32_t node = 0; node < plan.nodes().size(); ++node) {
         if (plan.degree(node) != 2 || !may_go(node))

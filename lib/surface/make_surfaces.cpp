@@ -52,22 +52,11 @@ struct Extrusion {
     std::vector<WallFace> walls;     ///< sorted like the edges
 };
 
-[[nodiscard]] Extrusion extrude(const ExtrusionInput& standing);
-
-/// Builds a surface of polygons. @param ids of the buildings, by index
-[[nodiscard]] SurfacePart assemble_faces(const Extrusion& extrusion, const ExtrusionInput& standing,
-                                         std::span<const std::int64_t> ids);
-
 /// Surface of triangles, or the buildings with a face that could not be triangulated.
 struct AssembledTriangles {
     SurfacePart part;
     std::vector<std::int32_t> failed;  ///< ascending; if not empty, the part is unusable
 };
-[[nodiscard]] AssembledTriangles assemble_triangles(const Extrusion& extrusion,
-                                                    const ExtrusionInput& standing,
-                                                    std::span<const std::int64_t> ids,
-                                                    const Triangulate& triangulate);
-
 namespace {
 
 class Extruder {
@@ -268,6 +257,42 @@ void add_cover(const CoverFace& cover, FaceKind kind, const std::vector<Partitio
         });
         builder.building(cover.building).triangles.push_back(made);
     }
+}
+
+/// Builds a surface of polygons. @param ids of the buildings, by index
+SurfacePart assemble_faces(const Extrusion& extrusion, const ExtrusionInput& standing,
+                           std::span<const std::int64_t> ids) {
+    PartBuilder builder(standing.plan, ids);
+    for (const CoverFace& roof : extrusion.roofs)
+        builder.building(roof.building).faces.push_back(cover_face(roof, FaceKind::roof, standing, builder));
+    for (const WallFace& wall : extrusion.walls)
+        builder.building(wall.building).faces.push_back(wall_face(wall, builder));
+    for (const CoverFace& ground : extrusion.grounds)
+        builder.building(ground.building)
+            .faces.push_back(cover_face(ground, FaceKind::ground, standing, builder));
+    return builder.take();
+}
+
+AssembledTriangles assemble_triangles(const Extrusion& extrusion, const ExtrusionInput& standing,
+                                      std::span<const std::int64_t> ids, const Triangulate& triangulate) {
+    PartBuilder builder(standing.plan, ids);
+    FaceTriangles faces(standing.plan, triangulate);
+    AssembledTriangles result;
+    const auto add = [&](const CoverFace& cover, FaceKind kind) {
+        if (const auto& triangles = faces.of(cover.face))
+            add_cover(cover, kind, *triangles, standing, builder);
+        else
+            result.failed.push_back(cover.building);
+    };
+    for (const CoverFace& roof : extrusion.roofs)
+        add(roof, FaceKind::roof);
+    for (const WallFace& wall : extrusion.walls)
+        add_wall(wall, builder);
+    for (const CoverFace& ground : extrusion.grounds)
+        add(ground, FaceKind::ground);
+    std::ranges::sort(result.failed);
+    result.part = builder.take();
+    return result;
 }
 
 using Places = std::vector<std::int32_t>;  ///< indices of buildings
@@ -529,7 +554,7 @@ void SurfaceMaker::make_solids() {
             continue;
         stop_.check();
         const ExtrusionInput alone = standing(edges[i], each, i);
-        Extrusion extrusion = extrude(alone);
+        Extrusion extrusion = Extruder(alone).make();
         if (roofs_.are_slanted())
             divide_twisted_roofs(extrusion, alone);
         SurfacePart& part = attempt_.made.solids.emplace_back(assemble_faces(extrusion, alone, ids_));
@@ -549,7 +574,7 @@ void SurfaceMaker::make_shell() {
             continue;
         stop_.check();
         const ExtrusionInput together = standing(edges[i], block, i);
-        AssembledTriangles made = assemble_triangles(extrude(together), together, ids_, triangulate_);
+        AssembledTriangles made = assemble_triangles(Extruder(together).make(), together, ids_, triangulate_);
         attempt_.obstructing.insert(attempt_.obstructing.end(), made.failed.begin(), made.failed.end());
         if (roofs_.are_slanted() && made.failed.empty() && !is_closed(made.part))
             for (std::uint32_t building = 0; building < block.size(); ++building)
@@ -570,45 +595,6 @@ Attempt SurfaceMaker::make() {
 }
 
 }  // namespace
-
-Extrusion extrude(const ExtrusionInput& standing) {
-    return Extruder(standing).make();
-}
-
-SurfacePart assemble_faces(const Extrusion& extrusion, const ExtrusionInput& standing,
-                           std::span<const std::int64_t> ids) {
-    PartBuilder builder(standing.plan, ids);
-    for (const CoverFace& roof : extrusion.roofs)
-        builder.building(roof.building).faces.push_back(cover_face(roof, FaceKind::roof, standing, builder));
-    for (const WallFace& wall : extrusion.walls)
-        builder.building(wall.building).faces.push_back(wall_face(wall, builder));
-    for (const CoverFace& ground : extrusion.grounds)
-        builder.building(ground.building)
-            .faces.push_back(cover_face(ground, FaceKind::ground, standing, builder));
-    return builder.take();
-}
-
-AssembledTriangles assemble_triangles(const Extrusion& extrusion, const ExtrusionInput& standing,
-                                      std::span<const std::int64_t> ids, const Triangulate& triangulate) {
-    PartBuilder builder(standing.plan, ids);
-    FaceTriangles faces(standing.plan, triangulate);
-    AssembledTriangles result;
-    const auto add = [&](const CoverFace& cover, FaceKind kind) {
-        if (const auto& triangles = faces.of(cover.face))
-            add_cover(cover, kind, *triangles, standing, builder);
-        else
-            result.failed.push_back(cover.building);
-    };
-    for (const CoverFace& roof : extrusion.roofs)
-        add(roof, FaceKind::roof);
-    for (const WallFace& wall : extrusion.walls)
-        add_wall(wall, builder);
-    for (const CoverFace& ground : extrusion.grounds)
-        add(ground, FaceKind::ground);
-    std::ranges::sort(result.failed);
-    result.part = builder.take();
-    return result;
-}
 
 MadeSurfaces make_surfaces(const SurfaceCluster& cluster, const SurfaceForms& forms,
                            const Triangulate& triangulate, const StopToken& stop) {

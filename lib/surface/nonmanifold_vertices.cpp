@@ -131,11 +131,9 @@ Cut DistancePlanner::cut_at(std::uint32_t node, std::vector<IncidentEdge> arms, 
     Cut cut;
     for (const IncidentEdge& arm : arms) {
         FinePoint end = editor_.at(arm.end);
-        const double length =
-            std::hypot(static_cast<double>(end.row - from.row), static_cast<double>(end.col - from.col));
+        const double length = outline::step_distance(from, end);
         if (along < longest_share * length)
-            end = {from.row + std::llround(along / length * static_cast<double>(end.row - from.row)),
-                   from.col + std::llround(along / length * static_cast<double>(end.col - from.col))};
+            end = outline::point_between(from, end, along / length);
         cut.ends.push_back(end);
         cut.area.add(arm, end, from, place);
     }

@@ -176,13 +176,10 @@ void Partitioner::add_edge(std::span<const Piece> alike) {
 
 /// Checks that consecutive edges around each node agree on the sector between them.
 void Partitioner::look_around_nodes() {
-    const NodeStars stars(result_.plan);
-    for (std::uint32_t node = 0; node < result_.plan.nodes.size(); ++node) {
-        const std::vector<IncidentEdge>& arms = stars.around(node);
+    for (const std::vector<IncidentEdge>& arms : edges_around_nodes(result_.plan))
         for (std::size_t i = 0; i < arms.size(); ++i)
             if (const IncidentEdge& next = arms[i + 1 == arms.size() ? 0 : i + 1]; arms[i].left != next.right)
                 refuse(arms[i].left, next.right);
-    }
 }
 
 PartitionResult Partitioner::make() {

@@ -31,19 +31,6 @@ std::optional<Cols> cols_between(FinePoint a, FinePoint b, double low_row, doubl
     return Cols{std::min(first, last), std::max(first, last)};
 }
 
-bool is_within(FinePoint a, FinePoint b, FinePoint c, FinePoint point) {
-    const int s = outline::side(a, b, c);
-    if (s == 0) {
-        const auto [low_row, high_row] = std::minmax({a.row, b.row, c.row});
-        const auto [low_col, high_col] = std::minmax({a.col, b.col, c.col});
-        return outline::side(a, b, point) == 0 && outline::side(b, c, point) == 0 &&
-               outline::side(c, a, point) == 0 && point.row >= low_row && point.row <= high_row &&
-               point.col >= low_col && point.col <= high_col;
-    }
-    return s * outline::side(a, b, point) >= 0 && s * outline::side(b, c, point) >= 0 &&
-           s * outline::side(c, a, point) >= 0;
-}
-
 }  // namespace
 
 EdgeGrid::Range EdgeGrid::rows_of(FinePoint a, FinePoint b, FinePoint c, std::int64_t more) {
@@ -85,22 +72,14 @@ PartitionEditor::PartitionEditor(PlanarPartition plan)
 std::vector<IncidentEdge> PartitionEditor::at_node(std::uint32_t node) const {
     std::vector<IncidentEdge> arms;
     arms.reserve(at_node_[node].size());
-    for (const std::uint32_t e : at_node_[node]) {
-        const PartitionEdge& edge = edges_[e];
-        if (edge.from == node)
-            arms.push_back({e, edge.to, edge.left, edge.right});
-        else
-            arms.push_back({e, edge.from, edge.right, edge.left});
-    }
+    for (const std::uint32_t e : at_node_[node])
+        arms.push_back(seen_from(node, e, edges_[e]));
     return arms;
 }
 
 std::vector<IncidentEdge> PartitionEditor::around(std::uint32_t node) const {
     std::vector<IncidentEdge> arms = at_node(node);
-    const FinePoint from = nodes_[node];
-    std::ranges::sort(arms, [&](const IncidentEdge& a, const IncidentEdge& b) {
-        return outline::precedes_ccw(from, nodes_[a.end], nodes_[b.end]);
-    });
+    sort_around(nodes_, node, arms);
     return arms;
 }
 
@@ -155,7 +134,8 @@ bool PartitionEditor::is_sweep_clear(std::uint32_t node, std::uint32_t into, std
         if (edge.from != node && edge.to != node && !is_disjoint_from(e, into, x))
             return false;
         return std::ranges::none_of(std::array{edge.from, edge.to}, [&](std::uint32_t other) {
-            return other != node && other != into && other != end && is_within(a, b, x, nodes_[other]);
+            return other != node && other != into && other != end &&
+                   outline::in_triangle(a, b, x, nodes_[other]);
         });
     });
 }
@@ -172,21 +152,14 @@ void PartitionEditor::remove(std::uint32_t edge) {
 
 /// Combines two edges between the same nodes, which removes the area between them.
 bool PartitionEditor::combine(std::uint32_t gone, std::uint32_t stays, std::uint32_t from) {
-    const auto sides = [&](std::uint32_t e, std::uint32_t first) {
-        const PartitionEdge& edge = edges_[e];
-        return edge.from == first ? std::pair(edge.left, edge.right) : std::pair(edge.right, edge.left);
-    };
-    const std::uint32_t to = other_end(stays, from);
-    const auto [left, right] = sides(stays, from);
-    // Oriented from its far end, because its near end has not been moved yet.
-    const auto [far_left, far_right] = sides(gone, to);
-    const std::int32_t gone_left = far_right;
-    const std::int32_t gone_right = far_left;
+    const IncidentEdge stay = seen_from(from, stays, edges_[stays]);
+    // Seen from its far end, because its near end has not been moved yet.
+    const IncidentEdge go = seen_from(stay.end, gone, edges_[gone]);
     PartitionEdge& edge = edges_[stays];
-    if (gone_right == left)
-        edge = {from, to, gone_left, right};
-    else if (right == gone_left)
-        edge = {from, to, left, gone_right};
+    if (go.left == stay.left)
+        edge = {from, stay.end, go.right, stay.right};
+    else if (stay.right == go.right)
+        edge = {from, stay.end, stay.left, go.left};
     else
         return false;
     if (edge.left == edge.right)
@@ -293,7 +266,8 @@ bool PartitionEditor::may_split(std::uint32_t edge, FinePoint place) const {
         const PartitionEdge& other = edges_[e];
         return is_disjoint_from(e, whole.from, place) && is_disjoint_from(e, whole.to, place) &&
                std::ranges::none_of(std::array{other.from, other.to}, [&](std::uint32_t end) {
-                   return end != whole.from && end != whole.to && is_within(a, b, place, nodes_[end]);
+                   return end != whole.from && end != whole.to &&
+                          outline::in_triangle(a, b, place, nodes_[end]);
                });
     });
 }
@@ -304,20 +278,16 @@ std::optional<std::uint32_t> PartitionEditor::split(std::uint32_t edge, FinePoin
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     const auto rest = static_cast<std::uint32_t>(edges_.size());
     nodes_.push_back(place);
-    const auto length = [&](std::uint32_t end) {
-        return std::hypot(static_cast<double>(nodes_[end].row - place.row),
-                          static_cast<double>(nodes_[end].col - place.col));
-    };
     // The longer half keeps the number and the buckets, because repeated splits of a long edge would
     // otherwise cost its length each time.
     PartitionEdge& kept = edges_[edge];
     const std::uint32_t from = kept.from;
     const std::uint32_t to = kept.to;
-    const bool keeps_start = length(from) >= length(to);
+    const bool keeps_start =
+        outline::step_distance(place, nodes_[from]) >= outline::step_distance(place, nodes_[to]);
     const std::uint32_t far = keeps_start ? to : from;
     const double off = std::abs(static_cast<double>(outline::turn(nodes_[from], nodes_[to], place)));
-    const bool is_beside = off > std::hypot(static_cast<double>(nodes_[to].row - nodes_[from].row),
-                                            static_cast<double>(nodes_[to].col - nodes_[from].col));
+    const bool is_beside = off > outline::step_distance(nodes_[from], nodes_[to]);
     edges_.push_back(keeps_start ? PartitionEdge{node, to, kept.left, kept.right}
                                  : PartitionEdge{from, node, kept.left, kept.right});
     (keeps_start ? edges_[edge].to : edges_[edge].from) = node;
@@ -346,18 +316,9 @@ void PartitionEditor::undo_splits(std::size_t nodes) {
 }
 
 PlanarPartition PartitionEditor::plan() const {
-    PlanarPartition plan;
-    std::vector<std::uint32_t> number(nodes_.size());
-    for (std::uint32_t node = 0; node < nodes_.size(); ++node)
-        if (!at_node_[node].empty()) {
-            number[node] = static_cast<std::uint32_t>(plan.nodes.size());
-            plan.nodes.push_back(nodes_[node]);
-        }
-    for (std::uint32_t e = 0; e < edges_.size(); ++e)
-        if (is_edge(e))
-            plan.edges.push_back(
-                {number[edges_[e].from], number[edges_[e].to], edges_[e].left, edges_[e].right});
-    return plan;
+    std::vector<PartitionEdge> left = edges_;
+    std::erase_if(left, [](const PartitionEdge& edge) { return edge.from == edge.to; });
+    return plan_of(std::move(left), nodes_);
 }
 
 }  // namespace d2b::surface

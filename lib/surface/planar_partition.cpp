@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "outline/fine_geometry.hpp"
 
@@ -23,21 +24,44 @@ GapTolerances gap_tolerances(const CellSize& cell) {
             lattice_distance(GapTolerances::corner_m, cell), 2};
 }
 
-void sort_around(const PlanarPartition& plan, std::uint32_t node, std::vector<IncidentEdge>& arms) {
-    const FinePoint from = plan.nodes[node];
+void sort_around(const std::vector<FinePoint>& nodes, std::uint32_t node, std::vector<IncidentEdge>& arms) {
+    const FinePoint from = nodes[node];
     std::ranges::sort(arms, [&](const IncidentEdge& a, const IncidentEdge& b) {
-        return outline::precedes_ccw(from, plan.nodes[a.end], plan.nodes[b.end]);
+        return outline::precedes_ccw(from, nodes[a.end], nodes[b.end]);
     });
 }
 
-NodeStars::NodeStars(const PlanarPartition& plan) : arms_(plan.nodes.size()) {
-    for (std::uint32_t e = 0; e < plan.edges.size(); ++e) {
-        const PartitionEdge& edge = plan.edges[e];
-        arms_[edge.from].push_back({e, edge.to, edge.left, edge.right});
-        arms_[edge.to].push_back({e, edge.from, edge.right, edge.left});
-    }
-    for (std::uint32_t node = 0; node < arms_.size(); ++node)
-        sort_around(plan, node, arms_[node]);
+std::vector<std::vector<IncidentEdge>> edges_around_nodes(const PlanarPartition& plan) {
+    std::vector<std::vector<IncidentEdge>> around(plan.nodes.size());
+    for (std::uint32_t e = 0; e < plan.edges.size(); ++e)
+        for (const std::uint32_t node : {plan.edges[e].from, plan.edges[e].to})
+            around[node].push_back(seen_from(node, e, plan.edges[e]));
+    for (std::uint32_t node = 0; node < around.size(); ++node)
+        sort_around(plan.nodes, node, around[node]);
+    return around;
+}
+
+PlanarPartition plan_of(std::vector<PartitionEdge> edges, const std::vector<FinePoint>& nodes) {
+    std::vector<std::uint32_t> used;
+    used.reserve(2 * edges.size());
+    for (const PartitionEdge& edge : edges)
+        used.insert(used.end(), {edge.from, edge.to});
+    std::ranges::sort(used);
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    PlanarPartition plan{{}, std::move(edges)};
+    plan.nodes.reserve(used.size());
+    for (const std::uint32_t node : used)
+        plan.nodes.push_back(nodes[node]);
+    for (PartitionEdge& edge : plan.edges)
+        for (std::uint32_t* node : {&edge.from, &edge.to})
+            *node = static_cast<std::uint32_t>(std::ranges::lower_bound(used, *node) - used.begin());
+    return plan;
+}
+
+bool is_on(std::int32_t contour, std::int32_t below, std::span<const PartitionContour> contours) {
+    while (contour != open_ground && contour != below)
+        contour = contours[static_cast<std::size_t>(contour)].parent;
+    return contour == below;
 }
 
 namespace {
@@ -112,26 +136,16 @@ void straighten(PlanarPartition& plan, Straighten what, std::span<const FinePoin
 PlanarPartition extract_partition(const PlanarPartition& plan, std::span<const std::uint32_t> edges,
                                   const std::function<bool(std::int32_t)>& belongs,
                                   std::span<const FinePoint> kept) {
-    PlanarPartition part;
-    std::vector<std::uint32_t> nodes;
+    std::vector<PartitionEdge> own;
     for (const std::uint32_t e : edges) {
         PartitionEdge edge = plan.edges[e];
         for (std::int32_t* contour : {&edge.left, &edge.right})
             if (*contour != open_ground && !belongs(*contour))
                 *contour = open_ground;
-        if (edge.left == edge.right)
-            continue;
-        part.edges.push_back(edge);
-        nodes.push_back(edge.from);
-        nodes.push_back(edge.to);
+        if (edge.left != edge.right)
+            own.push_back(edge);
     }
-    std::ranges::sort(nodes);
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    for (const std::uint32_t node : nodes)
-        part.nodes.push_back(plan.nodes[node]);
-    for (PartitionEdge& edge : part.edges)
-        for (std::uint32_t* node : {&edge.from, &edge.to})
-            *node = static_cast<std::uint32_t>(std::ranges::lower_bound(nodes, *node) - nodes.begin());
+    PlanarPartition part = plan_of(std::move(own), plan.nodes);
     straighten(part, Straighten::all, kept);
     return part;
 }

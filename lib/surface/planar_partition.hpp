@@ -107,19 +107,25 @@ struct IncidentEdge {
     std::int32_t right = open_ground;
 };
 
-/// Edges around each node of a plan, counter-clockwise (y up).
-class NodeStars {
-  public:
-    explicit NodeStars(const PlanarPartition& plan);
+/// Returns an edge as seen from one of its ends. @param e its number
+[[nodiscard]] inline IncidentEdge seen_from(std::uint32_t node, std::uint32_t e, const PartitionEdge& edge) {
+    return edge.from == node ? IncidentEdge{e, edge.to, edge.left, edge.right}
+                             : IncidentEdge{e, edge.from, edge.right, edge.left};
+}
 
-    [[nodiscard]] const std::vector<IncidentEdge>& around(std::uint32_t node) const { return arms_[node]; }
+/// Sorts the edges at a node counter-clockwise (y up). @param arms in any order
+void sort_around(const std::vector<FinePoint>& nodes, std::uint32_t node, std::vector<IncidentEdge>& arms);
 
-  private:
-    std::vector<std::vector<IncidentEdge>> arms_;
-};
+/// Returns the edges around each node of a plan, counter-clockwise.
+[[nodiscard]] std::vector<std::vector<IncidentEdge>> edges_around_nodes(const PlanarPartition& plan);
 
-/// Sorts the edges at one node counter-clockwise. @param arms in any order
-void sort_around(const PlanarPartition& plan, std::uint32_t node, std::vector<IncidentEdge>& arms);
+/// Returns a plan of edges between nodes of another plan, whose other nodes are left out. O(n log n) in the
+/// number of edges.
+[[nodiscard]] PlanarPartition plan_of(std::vector<PartitionEdge> edges, const std::vector<FinePoint>& nodes);
+
+/// True if a contour is, or stands on, another one; all stand on open_ground.
+[[nodiscard]] bool is_on(std::int32_t contour, std::int32_t below,
+                         std::span<const PartitionContour> contours);
 
 enum class Straighten {
     all,    ///< every node between two collinear edges

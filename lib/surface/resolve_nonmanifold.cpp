@@ -75,14 +75,14 @@ std::vector<FinePoint> border_of(const LatticeDistance& half) {
 }
 
 /// Returns true if a segment meets the interior of a box around a point. Exact.
-bool comes_near(const outline::FineSegment& segment, FinePoint place, const LatticeDistance& gap) {
+bool comes_near(const FineSegment& segment, FinePoint place, const LatticeDistance& gap) {
     const FinePoint low{place.row - gap.rows + 1, place.col - gap.cols + 1};
     const FinePoint high{place.row + gap.rows - 1, place.col + gap.cols - 1};
     if (!outline::boxes_intersect(segment, {low, high}))
         return false;
     int sides = 0;
     for (const FinePoint corner : {low, high, FinePoint{low.row, high.col}, FinePoint{high.row, low.col}})
-        sides += outline::side(segment.a, segment.b, corner);
+        sides += outline::side(segment.from, segment.to, corner);
     return std::abs(sides) < 4;
 }
 
@@ -107,9 +107,7 @@ class NonmanifoldResolver {
         : plan_(plan), contours_(contours), wanted_(wanted), stop_(stop) {
         if (wanted.steps > std::max(wanted.gaps.pinch.rows, wanted.gaps.pinch.cols))
             planned_ = plan_distances(plan, contours, wanted, stop);
-        const NodeStars stars(plan);
-        for (std::uint32_t node = 0; node < plan.nodes.size(); ++node)
-            around_.push_back(stars.around(node));
+        around_ = edges_around_nodes(plan);
     }
 
     [[nodiscard]] ResolvedVertices take();
@@ -151,11 +149,6 @@ class NonmanifoldResolver {
 bool NonmanifoldResolver::is_free(std::uint32_t node, const std::vector<IncidentEdge>& arms,
                                   FinePoint place) const {
     const FinePoint from = plan_.nodes[node];
-    const auto in_triangle = [&](FinePoint a, FinePoint point) {
-        const int s = outline::side(from, place, a);
-        return s * outline::side(from, place, point) >= 0 && s * outline::side(place, a, point) >= 0 &&
-               s * outline::side(a, from, point) >= 0;
-    };
     if (std::ranges::any_of(arms, [&](const IncidentEdge& arm) {
             return outline::side(from, place, plan_.nodes[arm.end]) == 0;
         }))
@@ -169,7 +162,8 @@ bool NonmanifoldResolver::is_free(std::uint32_t node, const std::vector<Incident
                 outline::segments_intersect({plan_.nodes[edge.from], plan_.nodes[edge.to]}, {from, place}))
                 return false;
             return std::ranges::none_of(std::array{edge.from, edge.to}, [&](std::uint32_t end) {
-                return end != node && end != arm.end && in_triangle(far, plan_.nodes[end]);
+                return end != node && end != arm.end &&
+                       outline::in_triangle(from, place, far, plan_.nodes[end]);
             });
         });
     });
@@ -237,8 +231,7 @@ SweptArea NonmanifoldResolver::least_swept(std::uint32_t node, const std::vector
     std::optional<SweptArea> least;
     for (const IncidentEdge& arm : arms) {
         const FinePoint along = plan_.nodes[arm.end];
-        const double length =
-            std::hypot(static_cast<double>(along.row - from.row), static_cast<double>(along.col - from.col));
+        const double length = outline::step_distance(from, along);
         const SweptArea area = swept_area(node, arms, along);
         const SweptArea here{rounded / length * area.outside, rounded / length * area.inside};
         least = least
@@ -287,8 +280,8 @@ void NonmanifoldResolver::move(std::uint32_t node, const SectorRun& run, FinePoi
         arms.push_back({edge, node, right, left});
     }
     around_.push_back(std::move(arms));
-    sort_around(plan_, node, around_[node]);
-    sort_around(plan_, moved, around_[moved]);
+    sort_around(plan_.nodes, node, around_[node]);
+    sort_around(plan_.nodes, moved, around_[moved]);
 }
 
 /// Moves by the planned distance, or by the largest smaller one that fits and is allowed.

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "outline/fine_geometry.hpp"
 #include "surface/partition_editor.hpp"
 
 namespace d2b::surface {
@@ -202,9 +203,7 @@ std::vector<FinePoint> split_crossings(PlanarPartition& plan, std::span<const Pa
         const double share = before / (before + static_cast<double>(std::abs(difference.to)));
         const FinePoint a = plan.nodes[edge.from];
         const FinePoint b = plan.nodes[edge.to];
-        crossings.push_back({e,
-                             {a.row + std::llround(share * static_cast<double>(b.row - a.row)),
-                              a.col + std::llround(share * static_cast<double>(b.col - a.col))}});
+        crossings.emplace_back(e, outline::point_between(a, b, share));
     }
     if (crossings.empty())
         return {};

@@ -174,13 +174,13 @@ bool is_level(std::int32_t contour, const std::vector<PartitionContour>& contour
 
 /// Returns pairs of level contours that share a node and differ in height by less than a gap, lower one
 /// first.
-std::vector<std::pair<std::size_t, std::size_t>> steps_between(const NodeStars& stars, std::size_t nodes,
-                                                               const std::vector<PartitionContour>& contours,
-                                                               std::int64_t gap) {
+std::vector<std::pair<std::size_t, std::size_t>> steps_between(
+    const std::vector<std::vector<IncidentEdge>>& around, const std::vector<PartitionContour>& contours,
+    std::int64_t gap) {
     std::vector<std::pair<std::size_t, std::size_t>> steps;
-    for (std::uint32_t node = 0; node < nodes; ++node)
-        for (const IncidentEdge& low : stars.around(node))
-            for (const IncidentEdge& high : stars.around(node))
+    for (const std::vector<IncidentEdge>& arms : around)
+        for (const IncidentEdge& low : arms)
+            for (const IncidentEdge& high : arms)
                 if (is_level(low.left, contours) && is_level(high.left, contours) &&
                     is_step(contours[static_cast<std::size_t>(low.left)].top,
                             contours[static_cast<std::size_t>(high.left)].top, gap))
@@ -241,10 +241,10 @@ void level_near_roofs(const PlanarPartition& plan, std::vector<PartitionContour>
                       std::int64_t gap) {
     if (!has_step(contours, gap))
         return;
-    const NodeStars stars(plan);
+    const std::vector<std::vector<IncidentEdge>> around = edges_around_nodes(plan);
     // Terminates, because each round raises a roof to the height of an existing one.
-    for (auto steps = steps_between(stars, plan.nodes.size(), contours, gap); !steps.empty();
-         steps = steps_between(stars, plan.nodes.size(), contours, gap))
+    for (auto steps = steps_between(around, contours, gap); !steps.empty();
+         steps = steps_between(around, contours, gap))
         for (const auto& [low, high] : steps)
             contours[low].top = std::max(contours[low].top, contours[high].top);
 }

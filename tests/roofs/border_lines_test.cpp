@@ -30,7 +30,7 @@ TEST(BorderLines, ARidgeLiesWhereItsPlanesMeet) {
     double right = lines[0].to.x;
     if (left > right)
         std::swap(left, right);
-    for (const GridPoint& end : {lines[0].from, lines[0].to})
+    for (const Vec2& end : {lines[0].from, lines[0].to})
         EXPECT_NEAR(grid.row(end.y) + grid.first_row, 15.8, 0.05);
     // It crosses the outline on both sides.
     EXPECT_LT(grid.col(left) + grid.first_col, MadeRoof::first_col);
@@ -44,7 +44,7 @@ TEST(BorderLines, AStepLiesBetweenTheCells) {
     const std::vector<Plane> planes{plane_of(grid, 0, 0, 6, 0, 0), plane_of(grid, 0, 0, 9, 0, 0)};
     const auto lines = lines_of(grid, planes, [](double, double col) { return col < 29 ? 0 : 1; });
     ASSERT_EQ(lines.size(), 1U);
-    for (const GridPoint& end : {lines[0].from, lines[0].to})
+    for (const Vec2& end : {lines[0].from, lines[0].to})
         EXPECT_NEAR(grid.col(end.x) + grid.first_col, 29, 0.05);
 }
 
@@ -60,7 +60,7 @@ TEST(BorderLines, AnObliqueStepIsOneLine) {
         ASSERT_GE(lines.size(), 1U);
         ASSERT_LE(lines.size(), 3U) << slope;
         for (const BorderLine& line : lines)
-            for (const GridPoint& end : {line.from, line.to}) {
+            for (const Vec2& end : {line.from, line.to}) {
                 const double row = grid.row(end.y) + grid.first_row;
                 if (row < 11 || row > 27)
                     continue;

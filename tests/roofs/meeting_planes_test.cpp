@@ -61,7 +61,7 @@ TEST(MeetingPlanes, MeetAlongTheRidge) {
     // All corners of a face are on its plane.
     for (std::size_t face = 0; face < 2; ++face)
         for (std::size_t i = 0; i < 4; ++i) {
-            const GridPoint at = two.lattice.position(two.faces[face].outline.exterior[i]);
+            const Vec2 at = two.lattice.position(two.faces[face].outline.exterior[i]);
             EXPECT_NEAR(two.elevations[face][i], two.planes[face].plane.at(at.x, at.y), 1e-3);
         }
 }

@@ -54,7 +54,7 @@ class Partition : public testing::Test {
         Geos geos;
         return partition(footprint, lines, labels, grid, lattice, geos);
     }
-    [[nodiscard]] GridPoint at(double row, double col) const {
+    [[nodiscard]] Vec2 at(double row, double col) const {
         return {grid.x(col - grid.first_col), grid.y(row - grid.first_row)};
     }
 

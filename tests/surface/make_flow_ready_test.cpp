@@ -26,7 +26,7 @@ FlowLimits limits(double gap, double wall) {
     FlowLimits limits;
     limits.gap = gap;
     limits.wall = wall;
-    limits.metric = {0.01, 0, 0, -0.01};
+    limits.metric = {{0.01, 0}, {0, -0.01}};
     return limits;
 }
 
@@ -61,7 +61,7 @@ double area(const FinePolygon& polygon) {
     return sum;
 }
 
-std::size_t changed(const FlowReady& ready, FlowProblemKind kind) {
+std::size_t changed(const FlowReady& ready, FlowKind kind) {
     return static_cast<std::size_t>(std::ranges::count_if(
         ready.problems, [&](const FlowProblem& p) { return p.changed && p.kind == kind; }));
 }
@@ -89,7 +89,7 @@ TEST(FlowReady, aShortWallGoes) {
     // A triangle of 0.2 x 5 m.
     EXPECT_NEAR(std::abs(area(ready.outlines[0]) - 597), 0.5, 1e-9);
     ASSERT_EQ(ready.problems.size(), 1U);
-    EXPECT_EQ(ready.problems[0].kind, FlowProblemKind::wall);
+    EXPECT_EQ(ready.problems[0].kind, FlowKind::wall);
     EXPECT_DOUBLE_EQ(ready.problems[0].before, 0.2);
     EXPECT_EQ(ready.problems[0].after, 0);
     EXPECT_EQ(ready.problems[0].contours, (std::vector<std::int32_t>{0}));
@@ -129,9 +129,9 @@ TEST(FlowReady, allChangesTogetherAreWithinTheShare) {
     wanted.share = 0.01;
     const FlowReady some = make_flow_ready(town, wanted);
     ASSERT_EQ(some.outlines.size(), 1U);
-    EXPECT_GT(changed(some, FlowProblemKind::wall), 2U);
+    EXPECT_GT(changed(some, FlowKind::wall), 2U);
     EXPECT_GT(left(some), 2U);
-    EXPECT_EQ(left(some) + changed(some, FlowProblemKind::wall), 11U);
+    EXPECT_EQ(left(some) + changed(some, FlowKind::wall), 11U);
     const double house_m2 = area(town[0].outline);
     EXPECT_NEAR(area(some.outlines[0]), house_m2, 0.01 * house_m2);
 }
@@ -144,7 +144,7 @@ TEST(FlowReady, aCornerNearAWallIsCutOff) {
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
-    EXPECT_EQ(changed(ready, FlowProblemKind::gap), 1U);
+    EXPECT_EQ(changed(ready, FlowKind::gap), 1U);
     EXPECT_EQ(ready.outlines[0].exterior.size(), 4U);
     ASSERT_EQ(ready.outlines[1].exterior.size(), 5U);
     for (const FinePoint& corner : ready.outlines[1].exterior)
@@ -186,7 +186,7 @@ TEST(FlowReady, aGapIsClosed) {
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
-    EXPECT_GE(changed(ready, FlowProblemKind::gap), 1U);
+    EXPECT_GE(changed(ready, FlowKind::gap), 1U);
     EXPECT_NEAR(area(ready.outlines[0]) + area(ready.outlines[1]), 40 * 80, 0.01);
     const auto has = [&](const FinePolygon& polygon, FinePoint point) {
         return std::ranges::find(polygon.exterior, point) != polygon.exterior.end();
@@ -212,7 +212,7 @@ TEST(FlowReady, aCourtyardThatIsTooLargeIsLeft) {
     EXPECT_EQ(left(closed), 0U);
     const FlowReady kept = make_flow_ready(with_yard(1800), limits(1, 0.4));
     EXPECT_GT(left(kept), 0U);
-    EXPECT_EQ(changed(kept, FlowProblemKind::gap), 0U);
+    EXPECT_EQ(changed(kept, FlowKind::gap), 0U);
 }
 
 /// Two squares of 20 x 20 m joined by a part of half a metre that is `length` cm long.
@@ -229,7 +229,7 @@ TEST(FlowReady, aNarrowPartIsWidened) {
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 1U);
     EXPECT_EQ(left(ready), 0U);
-    EXPECT_GE(changed(ready, FlowProblemKind::neck), 1U);
+    EXPECT_GE(changed(ready, FlowKind::neck), 1U);
     EXPECT_EQ(ready.problems[0].before, 0.5);
     EXPECT_NEAR(area(ready.outlines[0]), 801.5 + 1.56, 0.02);
     EXPECT_EQ(ready.outlines[0].exterior.size(), 12U);
@@ -252,7 +252,7 @@ TEST(FlowReady, aNarrowPartThatIsTooLongIsLeft) {
     EXPECT_TRUE(ready.outlines.empty());
     ASSERT_FALSE(ready.problems.empty());
     for (const FlowProblem& problem : ready.problems) {
-        EXPECT_EQ(problem.kind, FlowProblemKind::neck);
+        EXPECT_EQ(problem.kind, FlowKind::neck);
         EXPECT_FALSE(problem.changed);
         EXPECT_EQ(problem.after, 0.5);
         EXPECT_EQ(problem.contours, (std::vector<std::int32_t>{0}));
@@ -276,7 +276,7 @@ TEST(FlowReady, theWallAcrossANotchYields) {
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
-    EXPECT_EQ(changed(ready, FlowProblemKind::neck), 1U);
+    EXPECT_EQ(changed(ready, FlowKind::neck), 1U);
     const FineRing& walls = ready.outlines[0].exterior;
     EXPECT_EQ(walls.size(), 10U);
     EXPECT_NE(std::ranges::find(walls, FinePoint{42, 0}), walls.end());
@@ -290,7 +290,7 @@ TEST(FlowReady, housesThatTouchInACorner) {
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     ASSERT_EQ(ready.outlines.size(), 2U);
     EXPECT_EQ(left(ready), 0U);
-    ASSERT_EQ(changed(ready, FlowProblemKind::touch), 1U);
+    ASSERT_EQ(changed(ready, FlowKind::touch), 1U);
     for (const FinePoint& corner : ready.outlines[0].exterior)
         EXPECT_EQ(std::ranges::count(ready.outlines[1].exterior, corner), 0);
     // The part cut off is a corner: the walls stand beyond three metres.
@@ -309,10 +309,9 @@ TEST(FlowReady, smallHousesThatTouchInACorner) {
     }
     for (const FinePoint& corner : ready.outlines[0].exterior)
         EXPECT_EQ(std::ranges::count(ready.outlines[1].exterior, corner), 0);
-    ASSERT_GE(changed(ready, FlowProblemKind::touch), 1U);
+    ASSERT_GE(changed(ready, FlowKind::touch), 1U);
     const auto is_narrow = [](const FlowProblem& problem) {
-        return problem.kind == FlowProblemKind::gap && !problem.changed && problem.after > 0.4 &&
-               problem.after < 1;
+        return problem.kind == FlowKind::gap && !problem.changed && problem.after > 0.4 && problem.after < 1;
     };
     EXPECT_TRUE(std::ranges::any_of(ready.problems, is_narrow));
 }
@@ -324,7 +323,7 @@ TEST(FlowReady, aSharpCornerIsCutOff) {
     const FlowReady ready = make_flow_ready(town, limits(0.5, 0.5));
     ASSERT_EQ(ready.outlines.size(), 1U);
     EXPECT_EQ(left(ready), 0U);
-    EXPECT_EQ(changed(ready, FlowProblemKind::angle), 1U);
+    EXPECT_EQ(changed(ready, FlowKind::angle), 1U);
     EXPECT_NEAR(area(ready.outlines[0]), 900, 5);
 }
 
@@ -345,7 +344,7 @@ TEST(FlowReady, outlinesThatCrossAreLeft) {
     const FlowReady ready = make_flow_ready(town, limits(1, 1));
     EXPECT_TRUE(ready.outlines.empty());
     ASSERT_EQ(ready.problems.size(), 1U);
-    EXPECT_EQ(ready.problems[0].kind, FlowProblemKind::crossing);
+    EXPECT_EQ(ready.problems[0].kind, FlowKind::crossing);
     EXPECT_FALSE(ready.problems[0].changed);
 }
 
@@ -383,7 +382,7 @@ void expect_little_changed(const SurfaceCluster& cluster, const FlowReady& ready
 void expect_ready(const SurfaceCluster& cluster, double cell_m, const std::string& what) {
     FlowLimits wanted;
     wanted.gap = wanted.wall = 1;
-    wanted.metric = {cell_m / 1024, 0, 0, -cell_m / 1024};
+    wanted.metric = {{cell_m / 1024, 0}, {0, -cell_m / 1024}};
     const FlowReady ready = make_flow_ready(cluster.contours, wanted);
     std::vector<PartitionContour> contours = cluster.contours;
     if (!ready.outlines.empty()) {
@@ -443,7 +442,7 @@ TEST(FlowFaults, followChanges) {
         FlowLimits wanted;
         wanted.gap = i % 3 == 0 ? 1 : 2.5;
         wanted.wall = i % 3 == 1 ? 0 : 1.5;
-        wanted.metric = {0.7 / 1024, 0, 0, -0.7 / 1024};
+        wanted.metric = {{0.7 / 1024, 0}, {0, -0.7 / 1024}};
         PartitionEditor plan(make_partition(cluster.contours).plan);
         FlowFaults known(plan, cluster.contours, wanted, stop);
         for (int step = 0; step < 12 && !plan.edges().empty(); ++step) {
@@ -483,7 +482,7 @@ TEST(FlowReady, endsWhereThatIsAskedFor) {
     const SurfaceCluster cluster = blocks_of(grid, {10});
     FlowLimits wanted;
     wanted.gap = wanted.wall = 2;
-    wanted.metric = {0.2 / 1024, 0, 0, -0.2 / 1024};
+    wanted.metric = {{0.2 / 1024, 0}, {0, -0.2 / 1024}};
     int asked = 0;
     static_cast<void>(make_flow_ready(cluster.contours, wanted, {}, StopToken([&] {
                                           ++asked;
@@ -502,7 +501,7 @@ TEST(FlowReady, endsWhereThatIsAskedFor) {
 /// Half a millimetre is straight, two millimetres are not, and where another wall begins the corner stays.
 /// Many corners that go do not bend a wall by more.
 TEST(FlowReady, cornersInStraightWallsGo) {
-    FlowMetric metric{0.0001, 0, 0, -0.0001};
+    FlowMetric metric{{0.0001, 0}, {0, -0.0001}};
     const std::vector<PartitionContour> town{
         house(
             {{0, 0}, {1000, 0}, {20000, -5}, {30000, 0}, {35000, 20}, {40000, 0}, {40000, 40000}, {0, 40000}},
@@ -560,13 +559,13 @@ TEST(FlowReady, aContourThatWouldBreakStays) {
     std::ranges::sort(walls);
     std::ranges::sort(before);
     EXPECT_EQ(walls, before);
-    EXPECT_EQ(changed(ready, FlowProblemKind::wall), 1U);
+    EXPECT_EQ(changed(ready, FlowKind::wall), 1U);
     // A triangle of 0.2 x 5 m of 30 x 40 m less 0.2 x 25 m.
     EXPECT_NEAR(std::abs(area(ready.outlines[0]) - 1195), 0.5, 1e-9);
     // Each wall of the hut is left and named.
     EXPECT_EQ(std::ranges::count_if(ready.problems,
                                     [](const FlowProblem& p) {
-                                        return !p.changed && p.kind == FlowProblemKind::wall &&
+                                        return !p.changed && p.kind == FlowKind::wall &&
                                                std::abs(p.after - 0.6) < 1e-9;
                                     }),
               4);
@@ -593,7 +592,7 @@ LetterGrid with_houses(LetterGrid grid, int count) {
 int work_of(const LetterGrid& grid) {
     FlowLimits wanted;
     wanted.gap = wanted.wall = 1;
-    wanted.metric = {0.4 / 1024, 0, 0, -0.4 / 1024};
+    wanted.metric = {{0.4 / 1024, 0}, {0, -0.4 / 1024}};
     int asked = 0;
     const FlowReady ready = make_flow_ready(stacks_of(grid).contours, wanted, {}, StopToken([&] {
                                                 ++asked;

@@ -117,10 +117,10 @@ TEST(EdgeGrid, findsAllThatMeets) {
     };
     for (const std::int64_t size : {3000, 30000, 300000}) {
         EdgeGrid grid;
-        std::vector<outline::FineSegment> edges;
+        std::vector<FineSegment> edges;
         for (std::uint32_t e = 0; e < 200; ++e) {
             edges.push_back({point(size), point(size)});
-            grid.add(e, edges.back().a, edges.back().b);
+            grid.add(e, edges.back().from, edges.back().to);
         }
         for (int i = 0; i < 100; ++i) {
             const FinePoint a = point(size);
@@ -135,7 +135,7 @@ TEST(EdgeGrid, findsAllThatMeets) {
                 if (outline::segments_intersect(edges[e], {a, b}) ||
                     outline::segments_intersect(edges[e], {b, c}) ||
                     outline::segments_intersect(edges[e], {c, a}) ||
-                    (outline::side(a, b, c) != 0 && is_in_triangle(a, b, c, edges[e].a))) {
+                    (outline::side(a, b, c) != 0 && is_in_triangle(a, b, c, edges[e].from))) {
                     ASSERT_TRUE(found.contains(e)) << size << ' ' << i << ' ' << e;
                 }
         }

@@ -118,12 +118,12 @@ constexpr double conflict_radius = 1.5;    // cells from a conflict
 bool steps_near(const CellShape& shape, const FineSegment& edge, const FineSegment& other, std::size_t& first,
                 std::size_t& last) {
     const auto place = [&](FinePoint p) {
-        return shape.from_cells(static_cast<double>(p.row - edge.a.row) / FinePoint::steps,
-                                static_cast<double>(p.col - edge.a.col) / FinePoint::steps);
+        return shape.from_cells(static_cast<double>(p.row - edge.from.row) / FinePoint::steps,
+                                static_cast<double>(p.col - edge.from.col) / FinePoint::steps);
     };
-    const Vec2 along = place(edge.b);
-    const Vec2 from = place(other.a);
-    const Vec2 to = place(other.b);
+    const Vec2 along = place(edge.to);
+    const Vec2 from = place(other.from);
+    const Vec2 to = place(other.to);
     const std::size_t steps = last - first;
     std::size_t low = last;
     std::size_t high = first;
@@ -283,7 +283,7 @@ WallFitter::StepRange WallFitter::near(Edge e, Edge other) const {
     std::size_t last = steps_[e.arc][e.index + 1];
     if (first > last) {
         std::swap(first, last);
-        std::swap(own.a, own.b);
+        std::swap(own.from, own.to);
     }
     steps_near(options_.shape, own, segment(other), first, last);
     return {graph_.chain_of[e.arc], first, std::max(last, first + 1)};

@@ -28,7 +28,7 @@ PlacedPolyline::PlacedPolyline(ChainPolyline drawn, const Chain& chain, const Ch
     begins_.reserve(vertices_.size() + 1);
     begins_.push_back(0);
     for (std::size_t k = 0; k + (closed() ? 0 : 1) < vertices_.size(); ++k)
-        begins_.push_back(begins_.back() + outline::length(vertex(k + 1) - vertex(k)));
+        begins_.push_back(begins_.back() + length(vertex(k + 1) - vertex(k)));
     nodes_.resize(chain.nodes.size() - (closed() ? 1 : 0));
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
         nodes_[k].step = chain.node_steps[k];
@@ -83,11 +83,10 @@ double PlacedPolyline::preferred_position(const PlacedNode& node, const std::opt
     for (std::size_t v = edge > 0 ? edge - 1 : 0; v < std::min(edge + 3, edges()); ++v) {
         const auto parallel = [&](std::size_t e) {
             const Vec2 along = vertex(e + 1) - vertex(e);
-            return std::abs(cross(along, wall->along)) < 0.3 * outline::length(along);
+            return std::abs(cross(along, wall->along)) < 0.3 * length(along);
         };
         const bool inner = v > 0 && (parallel(v - 1) != parallel(v));
-        if (inner &&
-            outline::length(vertex(v) - at_trace) < std::min(max_corner_displacement, max_displacement_))
+        if (inner && length(vertex(v) - at_trace) < std::min(max_corner_displacement, max_displacement_))
             return begins_[v];
     }
     double best = foot_on(edge);
@@ -96,10 +95,10 @@ double PlacedPolyline::preferred_position(const PlacedNode& node, const std::opt
         const Vec2 from = vertex(e);
         const Vec2 along = vertex(e + 1) - from;
         const double sine = cross(along, wall->along);
-        if (std::abs(sine) < 0.3 * outline::length(along))
+        if (std::abs(sine) < 0.3 * length(along))
             continue;
         const double share = cross(wall->through - from, wall->along) / sine;
-        const double away = outline::length(from + share * along - at_trace);
+        const double away = length(from + share * along - at_trace);
         if (share >= 0 && share <= 1 && away < nearest) {
             nearest = away;
             best = begins_[e] + share * (begins_[e + 1] - begins_[e]);
@@ -161,8 +160,7 @@ void PlacedPolyline::place(std::size_t k, const std::optional<Line2>& wall) {
     if (std::abs(*(vertex_at - 1) - at) <= std::abs(*vertex_at - at))
         --vertex_at;
     const auto v = static_cast<std::size_t>(vertex_at - begins_.begin());
-    if (std::abs(*vertex_at - at) < snap_distance &&
-        outline::length(vertex(v) - traced(node)) < max_displacement_)
+    if (std::abs(*vertex_at - at) < snap_distance && length(vertex(v) - traced(node)) < max_displacement_)
         at = *vertex_at;
     set_position(node, std::max(low, std::min(high, at)));
     placed_.insert(k);

@@ -8,8 +8,9 @@ namespace {
 
 /// Returns true if edge a lies east of edge b. Both run downwards across a common row and do not cross.
 bool east_of(const FineSegment& a, const FineSegment& b) {
-    const int above = a.a.row >= b.a.row ? sign(turn(b.a, b.b, a.a)) : -sign(turn(a.a, a.b, b.a));
-    const int below = a.b.row <= b.b.row ? sign(turn(b.a, b.b, a.b)) : -sign(turn(a.a, a.b, b.b));
+    const int above =
+        a.from.row >= b.from.row ? sign(turn(b.from, b.to, a.from)) : -sign(turn(a.from, a.to, b.from));
+    const int below = a.to.row <= b.to.row ? sign(turn(b.from, b.to, a.to)) : -sign(turn(a.from, a.to, b.to));
     return above + below > 0;
 }
 
@@ -76,23 +77,23 @@ std::pair<std::optional<ContainmentCheck::Edge>, std::int32_t> ContainmentCheck:
         grid_.visit_bucket(row, col, [&](Edge edge) {
             const FineSegment s = grid_.segment(edge);
             // Edges that cross the line just below the row of the point, west of it.
-            if ((s.a.row <= place.row) == (s.b.row <= place.row))
+            if ((s.from.row <= place.row) == (s.to.row <= place.row))
                 return;
-            const FineSegment down = s.a.row <= place.row ? s : FineSegment{s.b, s.a};
-            if (turn(down.a, down.b, place) > 0 && (!nearest || east_of(down, best))) {
+            const FineSegment down = s.from.row <= place.row ? s : FineSegment{s.to, s.from};
+            if (turn(down.from, down.to, place) > 0 && (!nearest || east_of(down, best))) {
                 nearest = edge;
                 best = down;
             }
         });
         // The edge may cross the row farther west than this bucket.
-        if (nearest && turn(best.a, best.b, {place.row, grid_.bucket_start(col)}) <= 0)
+        if (nearest && turn(best.from, best.to, {place.row, grid_.bucket_start(col)}) <= 0)
             break;
     }
     if (!nearest)
         return {{}, -1};
     // East of a downward edge is its left side.
     const WallGraph::Sides& sides = graph_.sides[nearest->arc];
-    return {nearest, grid_.segment(*nearest).a == best.a ? sides.left : sides.right};
+    return {nearest, grid_.segment(*nearest).from == best.from ? sides.left : sides.right};
 }
 
 void ContainmentCheck::find_westernmost() {
@@ -211,22 +212,22 @@ bool WallCheck::share_node(Edge e, Edge f) const {
             return graph_.ends[edge.arc][1];
         return WallGraph::none;
     };
-    const FinePoint common = s.a == t.a || s.a == t.b ? s.a : s.b;
+    const FinePoint common = s.from == t.from || s.from == t.to ? s.from : s.to;
     const std::uint32_t node = node_at(e, common);
     return node != WallGraph::none && node == node_at(f, common);
 }
 
 bool WallCheck::conflict(Edge e, const FineSegment& s, Edge f, const FineSegment& t) const {
     if (e.arc == f.arc && e.index + 1 == f.index)
-        return overlap_from(s.b, s.a, t.b);  // the most frequent case
+        return overlap_from(s.to, s.from, t.to);  // the most frequent case
     if (!segments_intersect(s, t))
         return false;
-    const int shared =
-        (s.a == t.a ? 1 : 0) + (s.a == t.b ? 1 : 0) + (s.b == t.a ? 1 : 0) + (s.b == t.b ? 1 : 0);
-    if (shared != 1 || s.a == s.b || t.a == t.b || !share_node(e, f))
+    const int shared = (s.from == t.from ? 1 : 0) + (s.from == t.to ? 1 : 0) + (s.to == t.from ? 1 : 0) +
+                       (s.to == t.to ? 1 : 0);
+    if (shared != 1 || s.from == s.to || t.from == t.to || !share_node(e, f))
         return true;
-    const FinePoint common = s.a == t.a || s.a == t.b ? s.a : s.b;
-    return overlap_from(common, s.a == common ? s.b : s.a, t.a == common ? t.b : t.a);
+    const FinePoint common = s.from == t.from || s.from == t.to ? s.from : s.to;
+    return overlap_from(common, s.from == common ? s.to : s.from, t.from == common ? t.to : t.from);
 }
 
 void WallCheck::check_arc(std::uint32_t arc, WallConflicts& found) {
@@ -234,7 +235,7 @@ void WallCheck::check_arc(std::uint32_t arc, WallConflicts& found) {
         stop_.check();
         const Edge e{arc, i};
         const FineSegment s = grid_.segment(e);
-        if (s.a == s.b) {
+        if (s.from == s.to) {
             found.emplace_back(e, e);
             mark_conflicting(arc);
         }
