@@ -35,13 +35,13 @@ void CleanRows::add(const BuildingCells& cells) {
         const std::size_t slab = slabs_.index(cells.runs[i].row);
         ByteWriter writer;
         for (; i < cells.runs.size() && slabs_.index(cells.runs[i].row) == slab; ++i) {
-            const BuildingCells::Run& run = cells.runs[i];
+            const RowSpan& run = cells.runs[i];
             for (std::int32_t begin = run.begin; begin < run.end;) {
                 const double elevation = cells.elevations[cell];
                 std::int32_t end = begin;
                 for (; end < run.end && same(cells.elevations[cell], elevation); ++end)
                     ++cell;
-                writer.put(Run{run.row, begin - first_col_, end - first_col_, 0, elevation});
+                writer.put(CleanRun{run.row, begin - first_col_, end - first_col_, 0, elevation});
                 begin = end;
             }
         }

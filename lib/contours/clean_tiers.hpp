@@ -28,36 +28,31 @@ class CleanRows {
 
     /// Run of cells of one building with the same clean elevation; NaN if not valid.
     struct CleanRun {
-        std::int32_t row;    ///< row of the band
+        std::int32_t row;
         std::int32_t begin;  ///< first column of the band
         std::int32_t end;
+        std::int32_t unused = 0;  ///< in the spool
         double elevation;
     };
-    /// Calls use(run) for all runs of a band, in no particular order. Thread-safe after the last add().
+    /// Calls use(run) for all runs of a band, with the row of the band, in no particular order. Thread-safe
+    /// after the last add().
     /// @throws OutputError if the spool cannot be read
     template <typename Use>
     void for_runs(const BandShape& band, const Use& use) const {
         slabs_.for_band(band, [&](const std::vector<SpoolEntry>& entries) {
             for (const SpoolEntry& entry : entries) {
                 ByteReader reader(*spool_, entry);
-                for (std::size_t i = 0; i < entry.size / sizeof(Run); ++i) {
-                    const Run run = reader.take<Run>();
-                    if (run.row >= band.first_row && run.row < band.first_row + band.rows)
-                        use(CleanRun{run.row - band.first_row, run.begin, run.end, run.elevation});
+                for (std::size_t i = 0; i < entry.size / sizeof(CleanRun); ++i) {
+                    auto run = reader.take<CleanRun>();
+                    run.row -= band.first_row;
+                    if (run.row >= 0 && run.row < band.rows)
+                        use(run);
                 }
             }
         });
     }
 
   private:
-    struct Run {
-        std::int32_t row;
-        std::int32_t begin;
-        std::int32_t end;
-        std::int32_t unused = 0;
-        double elevation;
-    };
-
     std::unique_ptr<Spool> spool_;
     std::int32_t first_col_;
     std::unique_ptr<std::mutex> mutex_ = std::make_unique<std::mutex>();  ///< guards the slabs

@@ -1,7 +1,6 @@
 #include "contours/contour_archive.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -10,14 +9,36 @@ namespace {
 
 constexpr std::int64_t dropped_parent = -2;  // marks a dropped parent
 
+/// Removes dropped contours, sorts the others by key, and numbers their parents and buildings.
+/// @param entries their parents are indices of entries
+void sort_by_key(std::vector<StoredContours::Entry>& entries) {
+    // Until the contours are sorted, `building` holds their original index.
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        entries[i].head.building = static_cast<std::int64_t>(i);
+    std::vector<std::uint32_t> place(entries.size());
+    std::erase_if(entries,
+                  [](const StoredContours::Entry& entry) { return entry.head.parent == dropped_parent; });
+    std::ranges::sort(entries, {}, [](const StoredContours::Entry& entry) { return entry.head.key; });
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        place[static_cast<std::size_t>(entries[i].head.building)] = static_cast<std::uint32_t>(i);
+    std::int64_t buildings = 0;
+    // The parent of a contour has a lower level, so it comes first.
+    for (StoredContours::Entry& entry : entries) {
+        ContourHead& head = entry.head;
+        if (head.parent >= 0)
+            head.parent = place[static_cast<std::size_t>(head.parent)];
+        head.building = head.key.level == 1 ? buildings++
+                        : head.parent >= 0  ? entries[static_cast<std::size_t>(head.parent)].head.building
+                                            : -1;
+    }
+}
+
 }  // namespace
 
 StoredContours::Stored StoredContours::fetch_stored(std::size_t contour) const {
     const Entry& entry = entries_[contour];
     ByteReader reader(*spool_, entry.place);
-    Stored stored{load_contour(reader), {}};
-    if (entry.head.key.level == 1)
-        stored.roof = reader.take<RoofElevations>();
+    Stored stored = load_stored(entry.head.key.level, reader);
     stored.contour.key = entry.head.key;
     stored.contour.label = entry.head.label;
     stored.contour.parent = entry.head.parent;
@@ -129,35 +150,6 @@ void ContourArchive::drop_children_of_noise() {
     all_.holes.resize(kept_holes);
 }
 
-/// Sorts contours by key.
-void ContourArchive::sort() {
-    // Until the contours are sorted, `building` holds their original index.
-    for (std::size_t i = 0; i < all_.entries.size(); ++i)
-        all_.entries[i].head.building = static_cast<std::int64_t>(i);
-    std::vector<std::uint32_t> place(all_.entries.size());
-    std::erase_if(all_.entries,
-                  [](const StoredContours::Entry& entry) { return entry.head.parent == dropped_parent; });
-    std::ranges::sort(all_.entries, {}, [](const StoredContours::Entry& entry) { return entry.head.key; });
-    for (std::size_t i = 0; i < all_.entries.size(); ++i)
-        place[static_cast<std::size_t>(all_.entries[i].head.building)] = static_cast<std::uint32_t>(i);
-    for (StoredContours::Entry& entry : all_.entries)
-        if (entry.head.parent >= 0)
-            entry.head.parent = place[static_cast<std::size_t>(entry.head.parent)];
-}
-
-void ContourArchive::number_buildings() {
-    std::int64_t buildings = 0;
-    for (StoredContours::Entry& entry : all_.entries) {
-        ContourHead& head = entry.head;
-        if (head.key.level == 0)
-            head.building = -1;
-        else if (head.key.level == 1)
-            head.building = buildings++;
-        else
-            head.building = all_.entries[static_cast<std::size_t>(head.parent)].head.building;
-    }
-}
-
 std::vector<bool> ContourArchive::fill() {
     std::vector<ContourKey> keys;
     std::vector<std::uint32_t> owner(all_.holes.size());
@@ -196,8 +188,7 @@ std::vector<bool> ContourArchive::fill() {
 
 std::unique_ptr<StoredContours> ContourArchive::finish() {
     drop_children_of_noise();
-    sort();
-    number_buildings();
+    sort_by_key(all_.entries);
     std::vector<bool> filled = fill();
     std::ranges::stable_sort(all_.rejected, {}, &StoredContours::Rejected::key);
     return std::make_unique<StoredContours>(std::move(spool_), std::exchange(all_.entries, {}),
@@ -226,25 +217,8 @@ void ContourMerger::add(const ContourHead& head, const StoredContours::Stored& s
 }
 
 std::unique_ptr<StoredContours> ContourMerger::finish() {
-    std::vector<std::size_t> order(entries_.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, [&](std::size_t i) { return entries_[i].head.key; });
-    std::vector<std::int64_t> place(entries_.size());
-    std::vector<StoredContours::Entry> sorted;
-    sorted.reserve(entries_.size());
-    std::int64_t buildings = 0;
-    // The parent of a contour has a lower level, so it comes first.
-    for (const std::size_t i : order) {
-        place[i] = static_cast<std::int64_t>(sorted.size());
-        ContourHead& head = sorted.emplace_back(entries_[i]).head;
-        if (head.parent >= 0)
-            head.parent = place[static_cast<std::size_t>(head.parent)];
-        head.building = head.key.level == 1 ? buildings++
-                        : head.parent >= 0  ? sorted[static_cast<std::size_t>(head.parent)].head.building
-                                            : -1;
-    }
-    entries_.clear();
-    return std::make_unique<StoredContours>(std::move(spool_), std::move(sorted),
+    sort_by_key(entries_);
+    return std::make_unique<StoredContours>(std::move(spool_), std::exchange(entries_, {}),
                                             std::vector<bool>(std::exchange(holes_, 0)),
                                             std::vector<StoredContours::Rejected>());
 }

@@ -119,8 +119,6 @@ class ContourArchive : public ContourSink {
 
   private:
     void drop_children_of_noise();
-    void sort();
-    void number_buildings();
     [[nodiscard]] std::vector<bool> fill();
 
     ArchiveSettings settings_;

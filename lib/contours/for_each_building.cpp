@@ -18,7 +18,7 @@ constexpr std::int64_t points_at_once = std::int64_t{1} << 23;
 
 /// Cells of buildings in a batch of rows, in scan order.
 struct GatheredRows {
-    std::vector<std::pair<Label, BuildingCells::Run>> runs;
+    std::vector<std::pair<Label, RowSpan>> runs;
     std::vector<double> elevations;
     std::vector<std::size_t> spires;
 };

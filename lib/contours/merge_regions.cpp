@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "contours/region_adjacency_graph.hpp"
@@ -21,7 +20,7 @@ class NeighbourScan {
     /// @param stop checked at each run, because one building may fill a whole raster
     NeighbourScan(const BuildingCells& cells, const StopToken& stop) : cells_(cells), stop_(stop) {
         std::int32_t end = 0;
-        for (const BuildingCells::Run& run : cells.runs) {
+        for (const RowSpan& run : cells.runs) {
             first_ = std::min(first_, run.begin);
             end = std::max(end, run.end);
         }
@@ -32,7 +31,7 @@ class NeighbourScan {
     template <typename Use>
     void for_each(const Use& use) {
         std::uint32_t cell = 0;
-        for (const BuildingCells::Run& run : cells_.runs) {
+        for (const RowSpan& run : cells_.runs) {
             stop_.check();
             std::uint32_t left = none;
             std::uint32_t up_left = run.begin > first_ ? above(run.row, run.begin - 1) : none;
@@ -92,7 +91,6 @@ using TierGraph = RegionAdjacencyGraph<MeanRegion>;
 
 namespace {
 
-// Prices rise to the requested one, so that the most similar regions are merged first.
 constexpr std::array<double, 8> shares_of_price{1.0 / 256, 1.0 / 64, 1.0 / 16, 1.0 / 8,
                                                 1.0 / 4,   1.0 / 2,  3.0 / 4,  1.0};
 // Limit of rounds. Rounds are repeated, because two narrow regions may form a wide one together.
@@ -233,10 +231,7 @@ TierRegions numbered(Image& image) {
 
 TierRegions merge_regions(const BuildingCells& cells, const RegionOptions& options, const StopToken& stop) {
     Image image = first_image(cells, options, stop);
-    std::vector<std::uint32_t> roots(image.graph.size());
-    std::iota(roots.begin(), roots.end(), 0U);
-    for (const double share : shares_of_price)
-        merge_up_to(image.graph, share * options.price, roots, stop);
+    merge_with_rising_prices(image.graph, shares_of_price, options.price, stop);
     merge_narrow(cells, image, options.least_width, stop);
     return numbered(image);
 }

@@ -31,13 +31,18 @@ void OpenChains::free_end(std::uint32_t chain_end) {
     free_end_ = chain_end;
 }
 
-OpenChains::Pair OpenChains::open(Corner tail, Corner head) {
-    const std::uint32_t last = add_node(head, no_index);
-    const std::uint32_t first = add_node(tail, last);
+/// @param first, last nodes of a chain
+OpenChains::Pair OpenChains::add_ends(std::uint32_t first, std::uint32_t last) {
     const Pair pair{add_end(first), add_end(last)};
     ends_[pair.tail].mate = pair.head;
     ends_[pair.head].mate = pair.tail;
     return pair;
+}
+
+OpenChains::Pair OpenChains::open(Corner tail, Corner head) {
+    const std::uint32_t last = add_node(head, no_index);
+    const std::uint32_t first = add_node(tail, last);
+    return add_ends(first, last);
 }
 
 void OpenChains::extend_head(std::uint32_t chain_end, Corner turn, Corner down) {
@@ -84,10 +89,7 @@ std::span<const Corner> OpenChains::connect(std::uint32_t head, std::uint32_t ta
 OpenChains::Sides OpenChains::open_above(LatticePoint left, LatticePoint right) {
     const auto side = [this](LatticePoint at) {
         const std::uint32_t node = add_node({at}, no_index);
-        const Pair pair{add_end(node), add_end(node)};
-        ends_[pair.tail].mate = pair.head;
-        ends_[pair.head].mate = pair.tail;
-        return pair;
+        return add_ends(node, node);
     };
     const Pair down = side(left);
     const Pair up = side(right);
@@ -99,9 +101,7 @@ OpenChains::Pair OpenChains::add(std::span<const Corner> corners, double tail_ou
     const std::uint32_t last = node;
     for (std::size_t i = corners.size() - 1; i-- > 0;)
         node = add_node(corners[i], node);
-    const Pair pair{add_end(node), add_end(last)};
-    ends_[pair.tail].mate = pair.head;
-    ends_[pair.head].mate = pair.tail;
+    const Pair pair = add_ends(node, last);
     add_outside(pair.tail, tail_outside);
     add_outside(pair.head, head_outside);
     return pair;

@@ -75,6 +75,7 @@ class OpenChains {
     };
     std::uint32_t add_node(const Corner& corner, std::uint32_t next);
     std::uint32_t add_end(std::uint32_t node);
+    Pair add_ends(std::uint32_t first, std::uint32_t last);
     void free_end(std::uint32_t chain_end);
     void set_outside(std::uint32_t node, double outside) { nodes_[node].corner.outside = outside; }
     std::span<const Corner> take_ring(std::uint32_t first, std::uint32_t last);

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -191,6 +193,17 @@ void merge_up_to(RegionAdjacencyGraph<Region>& graph, double price, std::vector<
         }
         roots.resize(kept);
     }
+}
+
+/// Merges regions at prices that rise to the requested one, so that the most similar ones are merged first.
+/// @param shares of the price, rising
+template <typename Region>
+void merge_with_rising_prices(RegionAdjacencyGraph<Region>& graph, std::span<const double> shares,
+                              double price, const StopToken& stop) {
+    std::vector<std::uint32_t> roots(graph.size());
+    std::iota(roots.begin(), roots.end(), 0U);
+    for (const double share : shares)
+        merge_up_to(graph, share * price, roots, stop);
 }
 
 }  // namespace d2b::contours

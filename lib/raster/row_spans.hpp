@@ -19,6 +19,7 @@ struct RowSpan {
     std::int32_t begin = 0;  ///< columns [begin, end)
     std::int32_t end = 0;
 
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end - begin); }
     friend bool operator==(const RowSpan&, const RowSpan&) = default;
 };
 

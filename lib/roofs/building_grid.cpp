@@ -12,7 +12,7 @@ BuildingGrid make_building_grid(const contours::BuildingCells& cells, const Latt
     std::int32_t first_col = box.low.col;
     std::int32_t end_row = box.high.row;
     std::int32_t end_col = box.high.col;
-    for (const contours::BuildingCells::Run& run : cells.runs) {
+    for (const RowSpan& run : cells.runs) {
         first_row = std::min(first_row, run.row);
         first_col = std::min(first_col, run.begin);
         end_row = std::max(end_row, run.row + 1);
@@ -32,7 +32,7 @@ BuildingGrid make_building_grid(const contours::BuildingCells& cells, const Latt
     const auto valid = std::ranges::find_if(cells.elevations, [](double z) { return !std::isnan(z); });
     grid.datum = valid == cells.elevations.end() ? 0 : *valid * metres;
     std::size_t next = 0;
-    for (const contours::BuildingCells::Run& run : cells.runs)
+    for (const RowSpan& run : cells.runs)
         for (std::int32_t col = run.begin; col < run.end; ++col, ++next) {
             const std::size_t i = grid.index(run.row - grid.first_row, col - grid.first_col);
             grid.inside[i] = 1;

@@ -172,7 +172,7 @@ PlaneSegments level_segments(const contours::BuildingCells& cells, const contour
         segments.planes.push_back({0, 0, tier.points > 0 ? tier.mean * metres - grid.datum : 0});
     segments.labels.assign(grid.size(), -1);
     std::size_t next = 0;
-    for (const contours::BuildingCells::Run& run : cells.runs)
+    for (const RowSpan& run : cells.runs)
         for (std::int32_t col = run.begin; col < run.end; ++col, ++next)
             segments.labels[grid.index(run.row - grid.first_row, col - grid.first_col)] =
                 static_cast<std::int32_t>(tiers.of_cell[next]);

@@ -262,7 +262,7 @@ void save(const contours::BuildingCells& cells, ByteWriter& writer) {
 
 contours::BuildingCells load_building_cells(ByteReader& reader) {
     contours::BuildingCells cells;
-    cells.runs = reader.take_list<contours::BuildingCells::Run>();
+    cells.runs = reader.take_list<RowSpan>();
     cells.elevations = reader.take_list<double>();
     require_elevations(cells.runs, cells.elevations);
     return cells;
