@@ -40,6 +40,17 @@ class DisjointSets {
         merge_roots(low, high);
         return low;
     }
+    struct Numbers {
+        std::vector<std::uint32_t> of;  ///< by element
+        std::uint32_t count = 0;        ///< of sets
+    };
+    /// Numbers the sets from 0, in the order of their smallest elements. @pre only join() has merged sets
+    [[nodiscard]] Numbers numbered() {
+        Numbers numbers{std::vector<std::uint32_t>(size()), 0};
+        for (std::uint32_t i = 0; i < size(); ++i)
+            numbers.of[i] = is_root(i) ? numbers.count++ : numbers.of[find(i)];
+        return numbers;
+    }
     /// Merges two sets given their roots. @param stays root of the merged set @param goes root of the other
     /// set
     void merge_roots(std::uint32_t stays, std::uint32_t goes) { parents_[goes] = stays; }

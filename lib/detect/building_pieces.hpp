@@ -36,7 +36,7 @@ class PieceAdjacencyGraph {
     /// visited, its piece at least doubles or vanishes, so the time is O(n log n) for n borders and pieces.
     void merge_small(std::int64_t min_cells);
     /// Returns consecutive numbers from 1 for the labels, one per remaining piece.
-    [[nodiscard]] std::vector<Label> numbered() { return sets_.numbered(); }
+    [[nodiscard]] std::vector<Label> numbered() { return sets_.numbered().of; }
 
   private:
     /// Merges duplicate borders with the same neighbour.
@@ -49,7 +49,7 @@ class PieceAdjacencyGraph {
 
     double below_length_;  ///< length of an edge between rows; an edge between columns has length 1
     std::vector<Piece> pieces_;
-    LabelSets sets_;
+    DisjointSets sets_{1};  ///< of labels; 0 is none
     std::vector<std::size_t>
         place_;  ///< scratch of merge_duplicate_borders(): 1 + index of a neighbour in the list, or 0
 };

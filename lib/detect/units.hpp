@@ -158,8 +158,8 @@ class UnitMerger {
     /// @param merged with objects and numbers
     void name_wholes(Merged& merged);
 
-    LabelSets sets_;
-    LabelSets wholes_;                ///< sets of labels that belong together
+    DisjointSets sets_{1};            ///< of labels; 0 is none
+    DisjointSets wholes_{1};          ///< sets of labels that belong together
     std::deque<SeenObject> seen_{1};  ///< by label; a deque, because there may be very many
 };
 

@@ -72,7 +72,7 @@ BandRegions label_band(RowBand band, std::int32_t cols, const LinksOfRow& links_
 }
 
 /// Joins the regions of two adjacent bands across their seam.
-void join(const BandRegions& above, const BandRegions& below, LabelSets& sets) {
+void join(const BandRegions& above, const BandRegions& below, DisjointSets& sets) {
     std::span<const RegionRun> upper = above.regions.row(above.regions.rows - 1);
     for (const RegionRun& run : below.regions.row(0))
         for (std::int32_t c = run.begin; c < run.end; ++c) {
@@ -88,7 +88,7 @@ void join(const BandRegions& above, const BandRegions& below, LabelSets& sets) {
 /// @param cells receives the number of cells per new label
 std::vector<Label> renumber_all(std::vector<BandRegions>& parts, std::int64_t min_cells,
                                 std::vector<std::int64_t>& cells) {
-    LabelSets sets;
+    DisjointSets sets(1);  // of labels; 0 is none
     for (std::size_t i = 0; i < parts.size(); ++i) {
         parts[i].before = i == 0 ? 0 : parts[i - 1].before + parts[i - 1].regions.count();
         for (Label k = 0; k < parts[i].regions.count(); ++k)
@@ -96,7 +96,7 @@ std::vector<Label> renumber_all(std::vector<BandRegions>& parts, std::int64_t mi
         if (i > 0)
             join(parts[i - 1], parts[i], sets);
     }
-    std::vector<Label> number = sets.numbered();
+    std::vector<Label> number = sets.numbered().of;
     std::vector<std::int64_t> sums(number.size(), 0);
     for (const BandRegions& part : parts)
         for (Label k = 1; k <= part.regions.count(); ++k)
@@ -343,9 +343,8 @@ void RegionBuilder::add_touching_row(std::span<const RegionRun> runs) {
 }
 
 Regions RegionBuilder::finish(std::int64_t min_cells) && {
-    std::vector<Label> number = sets_.numbered();
-    const Label count = *std::max_element(number.begin(), number.end());
-    std::vector<std::int64_t> cells(count + std::size_t{1}, 0);
+    auto [number, count] = sets_.numbered();
+    std::vector<std::int64_t> cells(count, 0);
     for (const RegionRun& run : regions_.runs)
         cells[number[run.label]] += run.end - run.begin;
     std::vector<bool> keep(cells.size(), min_cells <= 1);

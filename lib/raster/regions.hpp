@@ -34,31 +34,6 @@ void for_mask_runs(std::span<const std::uint8_t> row, std::uint8_t value, const 
     }
 }
 
-/// Disjoint sets of labels that turned out to be the same region. The smallest label represents its set.
-/// Label 0 is reserved.
-class LabelSets {
-  public:
-    LabelSets() : sets_(1) {}
-    Label add() { return sets_.add(); }
-    [[nodiscard]] Label find(Label label) { return sets_.find(label); }
-    /// @returns the label that represents both
-    Label join(Label a, Label b) { return sets_.join(a, b); }
-    /// Returns a table from labels to consecutive numbers from 1, one per set, in the order of the
-    /// representatives.
-    [[nodiscard]] std::vector<Label> numbered() {
-        std::vector<Label> number(sets_.size(), 0);
-        Label next = 0;
-        for (Label i = 1; i < sets_.size(); ++i) {
-            const Label first = sets_.find(i);
-            number[i] = first == i ? ++next : number[first];
-        }
-        return number;
-    }
-
-  private:
-    DisjointSets sets_;
-};
-
 /// Run of cells [begin, end) of one row that belong to one region.
 struct RegionRun {
     std::int32_t begin = 0;
@@ -223,7 +198,7 @@ class RegionBuilder {
     std::int32_t join_above(std::int32_t c, std::size_t& above, Label& label);
 
     Regions regions_;
-    LabelSets sets_;
+    DisjointSets sets_{1};  // of labels; 0 is none
 };
 
 /// Relabels runs and removes those that get 0. Regions::cells is not changed.

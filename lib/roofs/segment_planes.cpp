@@ -137,51 +137,38 @@ std::vector<std::int32_t> numbered(PlaneGraph& graph, const std::vector<std::uin
     return labels;
 }
 
-// Prices rise to the requested one, so that the most similar regions are merged first.
 constexpr std::array<double, 12> shares_of_price{1.0 / 16384, 1.0 / 4096, 1.0 / 1024, 1.0 / 256,
                                                  1.0 / 64,    1.0 / 32,   1.0 / 16,   1.0 / 8,
                                                  1.0 / 4,     1.0 / 2,    3.0 / 4,    1.0};
-
-void merge_with_rising_prices(PlaneGraph& graph, double price, const StopToken& stop) {
-    std::vector<std::uint32_t> roots(graph.size());
-    std::iota(roots.begin(), roots.end(), 0U);
-    for (const double share : shares_of_price)
-        contours::merge_up_to(graph, share * price, roots, stop);
-}
 
 std::vector<std::int32_t> merge_cells(const BuildingGrid& grid, const CellNumbers& numbers, double price,
                                       const StopToken& stop) {
     PlaneGraph graph(first_regions(grid, numbers));
     numbers.for_neighbours([&](std::uint32_t a, std::uint32_t b) { graph.add_border(a, b, 1); });
-    merge_with_rising_prices(graph, price, stop);
+    contours::merge_with_rising_prices(graph, shares_of_price, price, stop);
     std::vector<std::uint32_t> first(numbers.cells().size());
     std::iota(first.begin(), first.end(), 0U);
     return numbered(graph, first, numbers, grid.size());
 }
 
-/// Numbers the connected parts of equal labels from 0, by number of a cell.
-std::vector<std::uint32_t> connected_parts(const std::vector<std::int32_t>& labels,
-                                           const CellNumbers& numbers, std::uint32_t& count) {
+/// Numbers the connected parts of equal labels, by number of a cell.
+DisjointSets::Numbers connected_parts(const std::vector<std::int32_t>& labels, const CellNumbers& numbers) {
     DisjointSets sets(static_cast<std::uint32_t>(numbers.cells().size()));
     numbers.for_neighbours([&](std::uint32_t a, std::uint32_t b) {
         if (labels[numbers.cells()[a]] == labels[numbers.cells()[b]])
             sets.join(a, b);
     });
-    std::vector<std::uint32_t> parts(numbers.cells().size());
-    count = 0;
-    for (std::uint32_t n = 0; n < parts.size(); ++n)
-        parts[n] = sets.is_root(n) ? count++ : parts[sets.find(n)];
-    return parts;
+    return sets.numbered();
 }
 
 /// Merges small regions with the neighbours that suit them best, and then those that cost less than the
 /// price.
 void tidy(const BuildingGrid& grid, const CellNumbers& numbers, double price, double min_cells,
           std::vector<std::int32_t>& labels, const StopToken& stop) {
-    std::uint32_t count = 0;
-    const std::vector<std::uint32_t> parts = connected_parts(labels, numbers, count);
-    std::vector<PlaneRegion> regions(count);
-    std::vector<std::uint32_t> sizes(count);
+    const DisjointSets::Numbers connected = connected_parts(labels, numbers);
+    const std::vector<std::uint32_t>& parts = connected.of;
+    std::vector<PlaneRegion> regions(connected.count);
+    std::vector<std::uint32_t> sizes(connected.count);
     for (std::size_t n = 0; n < parts.size(); ++n) {
         const std::size_t i = numbers.cells()[n];
         ++sizes[parts[n]];
@@ -198,7 +185,7 @@ void tidy(const BuildingGrid& grid, const CellNumbers& numbers, double price, do
             graph.add_border(parts[a], parts[b], 1);
     });
     std::vector<std::uint32_t> small;
-    for (std::uint32_t part = 0; part < count; ++part)
+    for (std::uint32_t part = 0; part < connected.count; ++part)
         if (sizes[part] < min_cells)
             small.push_back(part);
     std::ranges::stable_sort(small, {}, [&](std::uint32_t part) { return sizes[part]; });
@@ -211,7 +198,7 @@ void tidy(const BuildingGrid& grid, const CellNumbers& numbers, double price, do
         const std::uint32_t both = sizes[part] + sizes[neighbour.region];
         sizes[graph.merge(part, neighbour.region)] = both;
     }
-    merge_with_rising_prices(graph, price, stop);
+    contours::merge_with_rising_prices(graph, shares_of_price, price, stop);
     labels = numbered(graph, parts, numbers, grid.size());
 }
 

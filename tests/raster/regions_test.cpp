@@ -157,15 +157,15 @@ TEST(Regions, LabelGridWritesTheNumbersGiven) {
               (std::vector<Label>{7, 0, 0}));
 }
 
-TEST(LabelSets, SmallestStandsForAll) {
-    LabelSets sets;
+TEST(DisjointSets, SmallestStandsForAll) {
+    DisjointSets sets(1);
     for (Label label = 1; label <= 5; ++label)
         EXPECT_EQ(sets.add(), label);
     EXPECT_EQ(sets.join(5, 4), 4U);
     EXPECT_EQ(sets.join(5, 2), 2U);
     EXPECT_EQ(sets.find(4), 2U);
     EXPECT_EQ(sets.join(4, 5), 2U);
-    EXPECT_EQ(sets.numbered(), (std::vector<Label>{0, 1, 2, 3, 2, 2}));
+    EXPECT_EQ(sets.numbered().of, (std::vector<Label>{0, 1, 2, 3, 2, 2}));
 }
 
 TEST(Holes, SmallOnesAreFilled) {

@@ -341,10 +341,9 @@ void Builder::find_components() {
         for (const std::uint32_t end : ends)
             components.join(walls_.chain_of[ends.front() / 2], walls_.chain_of[end / 2]);
     }
-    walls_.component_of.resize(components.size());
-    for (std::uint32_t c = 0; c < components.size(); ++c)
-        walls_.component_of[c] =
-            components.find(c) == c ? walls_.components++ : walls_.component_of[components.find(c)];
+    DisjointSets::Numbers numbers = components.numbered();
+    walls_.component_of = std::move(numbers.of);
+    walls_.components = numbers.count;
 }
 
 }  // namespace
