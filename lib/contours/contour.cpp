@@ -10,6 +10,13 @@ std::vector<Contour> fetch_all(const ContourList& contours) {
     return all;
 }
 
+LatticePolygon traced_polygon(const Contour& contour) {
+    LatticePolygon polygon{contour.exterior.corners(), {}};
+    for (const PackedRing& ring : contour.interiors)
+        polygon.interiors.push_back(ring.corners());
+    return polygon;
+}
+
 void save(const Contour& contour, ByteWriter& writer) {
     writer.put(contour.own);
     writer.put(contour.above);

@@ -91,6 +91,8 @@ class ContourList {
 /// Fetches all contours, for algorithms that need random access.
 [[nodiscard]] std::vector<Contour> fetch_all(const ContourList& contours);
 
+/// Outline of a contour, as traced.
+[[nodiscard]] LatticePolygon traced_polygon(const Contour& contour);
 /// Serializes rings and points, but not the head, which the caller stores.
 void save(const Contour& contour, ByteWriter& writer);
 [[nodiscard]] Contour load_contour(ByteReader& reader);

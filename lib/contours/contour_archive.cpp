@@ -49,17 +49,11 @@ StoredContours::Stored StoredContours::fetch_stored(std::size_t contour) const {
 
 LatticePolygon StoredContours::fetch(const Rejected& rejected) const {
     ByteReader reader(*spool_, rejected.place);
-    LatticePolygon polygon;
-    if (rejected.is_hole) {
-        // Rotate the hole's ring to the orientation of an exterior.
-        polygon.exterior = PackedRing::load(reader).corners();
-        std::reverse(polygon.exterior.begin() + 1, polygon.exterior.end());
-        return polygon;
-    }
-    const Contour contour = load_contour(reader);
-    polygon.exterior = contour.exterior.corners();
-    for (const PackedRing& ring : contour.interiors)
-        polygon.interiors.push_back(ring.corners());
+    if (!rejected.is_hole)
+        return traced_polygon(load_contour(reader));
+    // Rotate the hole's ring to the orientation of an exterior.
+    LatticePolygon polygon{PackedRing::load(reader).corners(), {}};
+    std::reverse(polygon.exterior.begin() + 1, polygon.exterior.end());
     return polygon;
 }
 

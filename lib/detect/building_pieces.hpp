@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/band.hpp"
+#include "core/disjoint_sets.hpp"
 #include "core/grid.hpp"
 #include "detect/detection.hpp"
 #include "raster/morphology.hpp"

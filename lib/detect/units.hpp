@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/band.hpp"
+#include "core/disjoint_sets.hpp"
 #include "core/executor.hpp"
 #include "core/grid.hpp"
 #include "dem2buildings/dem_source.hpp"

@@ -125,7 +125,7 @@ RejectedLayer::Drawn RejectedLayer::draw(std::size_t i, PolygonMaker& maker) con
     } else {
         const Changed& changed = changed_[i - rejected.size()];
         drawn.record = changed.record;
-        drawn.made = maker.as_traced(outline::traced_polygon(input_.contours.fetch(changed.contour)));
+        drawn.made = maker.as_traced(contours::traced_polygon(input_.contours.fetch(changed.contour)));
     }
     drawn.record.area_m2 = drawn.made.measure.area_m2;
     drawn.record.perimeter_m = drawn.made.measure.perimeter_m;

@@ -18,6 +18,13 @@ Box box_of(std::span<const Position> positions) {
     return box;
 }
 
+Box box_of(const FineSegment& segment) {
+    Box box;
+    for (const FinePoint& p : {segment.from, segment.to})
+        box.add(Position{static_cast<double>(p.col), static_cast<double>(p.row)});
+    return box;
+}
+
 Box box_of(std::span<const WorldPolygon> polygons) {
     Box box;
     for (const WorldPolygon& polygon : polygons)

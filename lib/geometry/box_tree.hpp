@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/lattice.hpp"
 #include "dem2buildings/world_polygon.hpp"
 
 namespace d2b {
@@ -41,6 +42,8 @@ struct Box {
 };
 
 [[nodiscard]] Box box_of(std::span<const Position> positions);
+/// In columns and rows. Exact, because lattices have far fewer than 2^53 steps.
+[[nodiscard]] Box box_of(const FineSegment& segment);
 [[nodiscard]] Box box_of(std::span<const WorldPolygon> polygons);
 
 /// Static index of boxes: Boost's R-tree, bulk-loaded. Thread-safe.

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/disjoint_sets.hpp"
+#include "core/for_rings.hpp"
 #include "dem2buildings/error.hpp"
 #include "geometry/box_tree.hpp"
 
@@ -115,8 +116,7 @@ std::optional<Position> disconnected_at(const WorldPolygon& polygon) {
             vertices.push_back({p, rings});
         ++rings;
     };
-    add(polygon.exterior);
-    std::ranges::for_each(polygon.interiors, add);
+    for_rings(polygon, add);
     std::ranges::sort(vertices, {}, &Vertex::key);
     DisjointSets touching(rings);
     for (std::size_t i = 1; i < vertices.size(); ++i) {

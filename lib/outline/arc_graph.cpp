@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/for_rings.hpp"
+
 namespace d2b::outline {
 
 namespace {
@@ -15,14 +17,6 @@ constexpr std::uint32_t sign_bit = 0x80000000U;
 std::uint64_t sort_key(std::int32_t first, std::int32_t second) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(first) ^ sign_bit) << 32 |
            (static_cast<std::uint32_t>(second) ^ sign_bit);
-}
-
-std::vector<const contours::Contour*> pointers_to(const std::vector<contours::Contour>& contours) {
-    std::vector<const contours::Contour*> all;
-    all.reserve(contours.size());
-    for (const contours::Contour& contour : contours)
-        all.push_back(&contour);
-    return all;
 }
 
 class ArcCutter {
@@ -95,23 +89,14 @@ LatticeRing assemble(const std::vector<ArcUse>& uses, const std::vector<Arc>& ar
 
 }  // namespace
 
-LatticePolygon traced_polygon(const contours::Contour& contour) {
-    LatticePolygon polygon{contour.exterior.corners(), {}};
-    for (const PackedRing& ring : contour.interiors)
-        polygon.interiors.push_back(ring.corners());
-    return polygon;
-}
-
-NodedRings::NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop)
+NodedRings::NodedRings(const std::vector<contours::Contour>& contours, const StopToken& stop)
     : first_ring_{0} {
     std::vector<LatticePoint> corners;
     std::vector<std::size_t> ends;
     std::size_t count = 0;
-    for (const contours::Contour* contour : contours) {
-        first_ring_.push_back(first_ring_.back() + 1 + contour->interiors.size());
-        count += contour->exterior.corner_count();
-        for (const PackedRing& ring : contour->interiors)
-            count += ring.corner_count();
+    for (const contours::Contour& contour : contours) {
+        first_ring_.push_back(first_ring_.back() + 1 + contour.interiors.size());
+        for_rings(contour, [&](const PackedRing& ring) { count += ring.corner_count(); });
     }
     corners.reserve(count);
     const auto add = [&](const PackedRing& packed) {
@@ -120,11 +105,8 @@ NodedRings::NodedRings(std::span<const contours::Contour* const> contours, const
         corners.insert(corners.end(), ring.begin(), ring.end());
         ends.push_back(corners.size());
     };
-    for (const contours::Contour* contour : contours) {
-        add(contour->exterior);
-        for (const PackedRing& ring : contour->interiors)
-            add(ring);
-    }
+    for (const contours::Contour& contour : contours)
+        for_rings(contour, add);
     stop.check();
     const std::vector<Vertex> numbers = number_corners(corners, stop);
     stop.check();
@@ -144,9 +126,6 @@ NodedRings::NodedRings(std::span<const contours::Contour* const> contours, const
     by_col_ = {};
     place_in_col_ = {};
 }
-
-NodedRings::NodedRings(const std::vector<contours::Contour>& contours, const StopToken& stop)
-    : NodedRings(pointers_to(contours), stop) {}
 
 LatticePolygon NodedRings::polygon(std::size_t contour) const {
     const auto points = [&](std::size_t r) {

@@ -23,7 +23,6 @@ class NodedRings {
     enum class Direction : std::uint8_t { east, south, west, north };
 
     /// @throws Cancelled
-    explicit NodedRings(std::span<const contours::Contour* const> contours, const StopToken& stop = {});
     explicit NodedRings(const std::vector<contours::Contour>& contours, const StopToken& stop = {});
 
     [[nodiscard]] std::size_t contours() const { return first_ring_.size() - 1; }
@@ -55,9 +54,6 @@ class NodedRings {
     std::vector<std::size_t> first_;        // per ring: its first vertex
     std::vector<std::size_t> first_ring_;   // per contour
 };
-
-/// Traced outline of a contour.
-[[nodiscard]] LatticePolygon traced_polygon(const contours::Contour& contour);
 
 /// A path of an outline between two junctions, or a ring without junctions (its first point is then repeated
 /// at the end). Neighbours and levels share the arc object, so an edit applies to all of them.

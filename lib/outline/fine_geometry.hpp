@@ -15,6 +15,14 @@ namespace d2b::outline {
            static_cast<Int128>(b.col - a.col) * (c.row - a.row);
 }
 
+/// Twice the signed area of a ring in fine squares, exact.
+[[nodiscard]] inline Int128 twice_area(const FineRing& ring) {
+    Int128 sum = 0;
+    for (std::size_t i = 2; i < ring.size(); ++i)
+        sum += turn(ring[0], ring[i - 1], ring[i]);
+    return sum;
+}
+
 [[nodiscard]] inline int sign(Int128 value) {
     return value > 0 ? 1 : (value < 0 ? -1 : 0);
 }

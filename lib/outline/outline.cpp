@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/for_rings.hpp"
 #include "dem2buildings/spool.hpp"
 #include "geometry/box_tree.hpp"
 #include "outline/arc_graph.hpp"
@@ -21,18 +22,9 @@ namespace d2b::outline {
 
 namespace {
 
-std::vector<const FineRing*> rings_of(const FinePolygon& polygon) {
-    std::vector<const FineRing*> rings{&polygon.exterior};
-    for (const FineRing& ring : polygon.interiors)
-        rings.push_back(&ring);
-    return rings;
-}
-
 double twice_area(const FinePolygon& polygon) {
     Int128 sum = 0;
-    for (const FineRing* ring : rings_of(polygon))
-        for (std::size_t i = 1; i + 1 < ring->size(); ++i)
-            sum += turn((*ring)[0], (*ring)[i], (*ring)[i + 1]);
+    for_rings(polygon, [&](const FineRing& ring) { sum += outline::twice_area(ring); });
     return static_cast<double>(sum);
 }
 
@@ -48,18 +40,17 @@ class EdgeIndex {
   private:
     std::vector<Box> boxes(const FinePolygon& polygon) {
         std::vector<Box> boxes;
-        for (const FineRing* ring : rings_of(polygon))
-            for (std::size_t i = 0; i < ring->size(); ++i) {
-                edges_.emplace_back((*ring)[i], (*ring)[i + 1 == ring->size() ? 0 : i + 1]);
-                Box& box = boxes.emplace_back();
-                for (const FinePoint& end : {edges_.back().first, edges_.back().second})
-                    box.add(Position{static_cast<double>(end.col), static_cast<double>(end.row)});
+        for_rings(polygon, [&](const FineRing& ring) {
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                edges_.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
+                boxes.push_back(box_of(edges_.back()));
             }
+        });
         return boxes;
     }
 
     const CellShape& shape_;
-    std::vector<std::pair<FinePoint, FinePoint>> edges_;
+    std::vector<FineSegment> edges_;
     BoxTree tree_;
 };
 
@@ -74,8 +65,8 @@ double EdgeIndex::distance_to(FinePoint point) const {
         const auto y = static_cast<double>(point.row);
         tree_.query({x - steps, y - steps, x + steps, y + steps}, [&](std::size_t i) {
             const Vec2 p = vec(point);
-            const Vec2 a = vec(edges_[i].first);
-            const Vec2 b = vec(edges_[i].second);
+            const Vec2 a = vec(edges_[i].from);
+            const Vec2 b = vec(edges_[i].to);
             least = std::min(least, length(p - (a + nearest_parameter(p, a, b) * (b - a))));
         });
         cells *= 4;
@@ -86,14 +77,14 @@ double EdgeIndex::distance_to(FinePoint point) const {
 /// Largest distance between the corners of one polygon that the other lacks and the other's edges.
 double directed_distance(const FinePolygon& from, const FinePolygon& to, const CellShape& shape) {
     std::set<FinePoint> known;
-    for (const FineRing* ring : rings_of(to))
-        known.insert(ring->begin(), ring->end());
+    for_rings(to, [&](const FineRing& ring) { known.insert(ring.begin(), ring.end()); });
     const EdgeIndex edges(to, shape);
     double most = 0;
-    for (const FineRing* corners : rings_of(from))
-        for (const FinePoint& corner : *corners)
+    for_rings(from, [&](const FineRing& ring) {
+        for (const FinePoint& corner : ring)
             if (!known.contains(corner))
                 most = std::max(most, edges.distance_to(corner));
+    });
     return most;
 }
 
@@ -258,7 +249,7 @@ FinePolygon Outliner::traced(std::size_t contour) const {
     if (impl_->walls)
         return impl_->walls->traced(contour);
     return fine(impl_->noded ? impl_->noded->polygon(contour)
-                             : traced_polygon(impl_->contours.fetch(contour)));
+                             : contours::traced_polygon(impl_->contours.fetch(contour)));
 }
 
 }  // namespace d2b::outline

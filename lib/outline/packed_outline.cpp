@@ -1,5 +1,7 @@
 #include "outline/packed_outline.hpp"
 
+#include "core/for_rings.hpp"
+
 namespace d2b::outline {
 namespace {
 
@@ -50,9 +52,7 @@ void save(const FinePolygon& polygon, ByteWriter& bytes) {
         }
     };
     writer.put(static_cast<std::int64_t>(polygon.interiors.size()));
-    put(polygon.exterior);
-    for (const FineRing& ring : polygon.interiors)
-        put(ring);
+    for_rings(polygon, put);
     writer.put(static_cast<std::int64_t>(polygon.arcs.size()));
     for (const CircularArc& span : polygon.arcs) {
         writer.put(span.ring);
@@ -75,9 +75,7 @@ FinePolygon load_outline(const Spool& spool, SpoolEntry entry) {
     };
     FinePolygon polygon;
     polygon.interiors.resize(reader.take_uint32());
-    take(polygon.exterior);
-    for (FineRing& ring : polygon.interiors)
-        take(ring);
+    for_rings(polygon, take);
     polygon.arcs.resize(reader.take_uint32());
     for (CircularArc& span : polygon.arcs)
         span = {reader.take_uint32(), reader.take_uint32(), reader.take_uint32()};

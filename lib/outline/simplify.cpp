@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "core/lattice.hpp"
+#include "outline/fine_geometry.hpp"
 
 namespace d2b::outline {
 
@@ -35,23 +36,6 @@ class VertexGrid {
 };
 
 namespace {
-
-/// Twice the signed area of a triangle; exact because rows and columns differ by less than 2^31.
-std::int64_t lattice_turn(LatticePoint a, LatticePoint b, LatticePoint c) {
-    const auto rows_b = static_cast<std::int64_t>(b.row) - a.row;
-    const auto cols_b = static_cast<std::int64_t>(b.col) - a.col;
-    const auto rows_c = static_cast<std::int64_t>(c.row) - a.row;
-    const auto cols_c = static_cast<std::int64_t>(c.col) - a.col;
-    return cols_b * rows_c - rows_b * cols_c;
-}
-
-/// Returns true for points in the closed triangle; a degenerate one is its longest side.
-bool inside(LatticePoint p, LatticePoint a, LatticePoint b, LatticePoint c) {
-    const std::int64_t ab = lattice_turn(a, b, p);
-    const std::int64_t bc = lattice_turn(b, c, p);
-    const std::int64_t ca = lattice_turn(c, a, p);
-    return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
-}
 
 /// Simplifies all arcs together.
 class ArcSimplifier {
@@ -217,7 +201,7 @@ bool VertexGrid::any_in_triangle(LatticePoint a, LatticePoint b, LatticePoint c)
                 continue;
             for (const LatticePoint p : found->second)
                 if (p != a && p != b && p != c && p.row >= low.row && p.col >= low.col && p.col <= high.col &&
-                    p.row <= high.row && inside(p, a, b, c))
+                    p.row <= high.row && in_triangle(fine(a), fine(b), fine(c), fine(p)))
                     return true;
         }
     return false;

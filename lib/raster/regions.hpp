@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "core/band.hpp"
-#include "core/disjoint_sets.hpp"
 #include "core/grid.hpp"
 
 namespace d2b {
@@ -180,26 +179,6 @@ struct CellBox {
 /// @param number value written per label; [0] is used for cells outside of regions
 [[nodiscard]] Grid<Label> label_grid(const Regions& regions, std::span<const Label> number,
                                      Executor& threads);
-
-/// Builds regions from links, row by row. State: the runs so far.
-class RegionBuilder {
-  public:
-    explicit RegionBuilder(std::int32_t cols);
-    /// @param links links of the next row; the first row has none upwards
-    void add_row(std::span<const std::uint8_t> links);
-    /// @param runs runs of the next row, connected by shared edges; their labels are ignored
-    void add_touching_row(std::span<const RegionRun> runs);
-    /// @param min_cells smaller regions are dropped unless they touch the first or last row
-    [[nodiscard]] Regions finish(std::int64_t min_cells) &&;
-
-  private:
-    /// Joins the run at `c` with the run above it.
-    /// @returns the end column of the latter
-    std::int32_t join_above(std::int32_t c, std::size_t& above, Label& label);
-
-    Regions regions_;
-    DisjointSets sets_{1};  // of labels; 0 is none
-};
 
 /// Relabels runs and removes those that get 0. Regions::cells is not changed.
 void relabel(Regions& regions, std::span<const Label> number);

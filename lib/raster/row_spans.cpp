@@ -3,6 +3,8 @@
 #include <compare>
 #include <cstddef>
 
+#include "core/for_rings.hpp"
+
 namespace d2b {
 namespace {
 
@@ -46,9 +48,7 @@ std::int32_t column_from(double fine_col) {
 
 std::vector<RowSpan> row_spans(const FinePolygon& polygon) {
     std::vector<Crossing> crossings;
-    cross_rows(polygon.exterior, crossings);
-    for (const FineRing& ring : polygon.interiors)
-        cross_rows(ring, crossings);
+    for_rings(polygon, [&](const FineRing& ring) { cross_rows(ring, crossings); });
     std::ranges::sort(crossings);
     std::vector<RowSpan> spans;
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/for_rings.hpp"
 #include "roofs/meeting_planes.hpp"
 
 namespace d2b::roofs {
@@ -104,9 +105,7 @@ UpperEnd upper_end(const RoofFace& face, const Plane& plane, const RoofLattice& 
             }
             first += ring.size();
         };
-        add_crossings(face.outline.exterior);
-        for (const FineRing& ring : face.outline.interiors)
-            add_crossings(ring);
+        for_rings(face.outline, add_crossings);
         std::ranges::sort(crossings);
         double sum = 0;
         for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
+#include "core/for_rings.hpp"
 #include "core/statistics.hpp"
 
 namespace d2b::roofs {
@@ -33,11 +34,7 @@ constexpr double max_cost_m2 = 0.04;  // mean squared error that meeting its nei
 
 template <typename Use>
 void for_corners(const FinePolygon& polygon, const Use& use) {
-    for (const FinePoint& p : polygon.exterior)
-        use(p);
-    for (const FineRing& ring : polygon.interiors)
-        for (const FinePoint& p : ring)
-            use(p);
+    for_rings(polygon, [&](const FineRing& ring) { std::ranges::for_each(ring, use); });
 }
 
 /// Normal equations of a face about its own centre: the unknowns are its slopes and the elevation there.

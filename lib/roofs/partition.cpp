@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/for_rings.hpp"
 #include "geometry/box_tree.hpp"
 #include "outline/fine_geometry.hpp"
 #include "raster/row_spans.hpp"
@@ -25,9 +26,15 @@ void for_edges(const FineRing& ring, const Use& use) {
 
 template <typename Use>
 void for_edges(const FinePolygon& polygon, const Use& use) {
-    for_edges(polygon.exterior, use);
-    for (const FineRing& ring : polygon.interiors)
-        for_edges(ring, use);
+    for_rings(polygon, [&](const FineRing& ring) { for_edges(ring, use); });
+}
+
+/// Returns a polygon with all its corners moved. @param move returns the new place of a corner
+template <typename Move>
+FinePolygon moved(const FinePolygon& polygon, const Move& move) {
+    FinePolygon result{polygon.exterior, polygon.interiors};
+    for_rings(result, [&](FineRing& ring) { std::ranges::transform(ring, ring.begin(), move); });
+    return result;
 }
 
 /// Share of a segment at which it crosses another.
@@ -48,13 +55,6 @@ std::optional<double> crossing(const FineSegment& segment, FinePoint a, FinePoin
     return along;
 }
 
-Box box_of(FinePoint a, FinePoint b) {
-    Box box;
-    for (const FinePoint& p : {a, b})
-        box.add(Position{static_cast<double>(p.col), static_cast<double>(p.row)});
-    return box;
-}
-
 /// Leads lines that cross a wall near a corner of the footprint through the corner: hips and valleys end
 /// there.
 std::vector<FineSegment> through_corners(const FinePolygon& footprint, const std::vector<FineSegment>& lines,
@@ -63,14 +63,14 @@ std::vector<FineSegment> through_corners(const FinePolygon& footprint, const std
     std::vector<Box> boxes;
     for_edges(footprint, [&](FinePoint a, FinePoint b) {
         walls.push_back({a, b});
-        boxes.push_back(box_of(a, b));
+        boxes.push_back(box_of(walls.back()));
     });
     const BoxTree tree(boxes);
     std::vector<FineSegment> result;
     for (const FineSegment& line : lines) {
         stop.check();
         std::vector<std::pair<double, FinePoint>> stops;
-        tree.query(box_of(line.from, line.to), [&](std::size_t i) {
+        tree.query(box_of(line), [&](std::size_t i) {
             const auto& [a, b] = walls[i];
             const std::optional<double> share = crossing(line, a, b);
             if (!share)
@@ -149,16 +149,7 @@ void label_all(const std::vector<FaceEdge>& edges, std::vector<LabelledFace>& fa
 }  // namespace
 
 FinePolygon refined(const FinePolygon& polygon) {
-    const auto ring = [](const FineRing& points) {
-        FineRing result;
-        for (const FinePoint& p : points)
-            result.push_back({p.row * roof_steps, p.col * roof_steps});
-        return result;
-    };
-    FinePolygon result{ring(polygon.exterior), {}};
-    for (const FineRing& interior : polygon.interiors)
-        result.interiors.push_back(ring(interior));
-    return result;
+    return moved(polygon, [](FinePoint p) { return FinePoint{p.row * roof_steps, p.col * roof_steps}; });
 }
 
 std::vector<LabelledFace> dissolve(std::vector<LabelledFace> faces, Geos& geos) {
@@ -213,15 +204,7 @@ FinePoint RoofLattice::in_grid(FinePoint p) const {
 
 std::vector<std::size_t> cells_of(const FinePolygon& face, const BuildingGrid& grid,
                                   const RoofLattice& lattice) {
-    const auto ring = [&](const FineRing& points) {
-        FineRing moved;
-        for (const FinePoint& p : points)
-            moved.push_back(lattice.in_grid(p));
-        return moved;
-    };
-    FinePolygon local{ring(face.exterior), {}};
-    for (const FineRing& interior : face.interiors)
-        local.interiors.push_back(ring(interior));
+    const FinePolygon local = moved(face, [&](FinePoint p) { return lattice.in_grid(p); });
     std::vector<std::size_t> cells;
     for (const RowSpan& span : row_spans(local))
         for (std::int32_t col = std::max(span.begin, 0); col < std::min(span.end, grid.cols); ++col)

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/for_rings.hpp"
 #include "dem2buildings/error.hpp"
 #include "outline/fine_geometry.hpp"
 
@@ -312,9 +313,7 @@ void add_ways(std::span<const std::uint32_t> ring, std::vector<Way>& ways) {
 /// Returns the directed edges of the face.
 std::vector<Way> border_of(const PartitionFace& face) {
     std::vector<Way> ways;
-    add_ways(face.exterior, ways);
-    for (const auto& ring : face.interiors)
-        add_ways(ring, ways);
+    for_rings(face, [&](const Ring& ring) { add_ways(ring, ways); });
     std::ranges::sort(ways);
     return ways;
 }
@@ -379,8 +378,7 @@ FinePolygon exchanged(FinePolygon polygon) {
         std::ranges::reverse(ring);
         std::ranges::transform(ring, ring.begin(), [](FinePoint p) { return exchanged(p); });
     };
-    exchange(polygon.exterior);
-    std::ranges::for_each(polygon.interiors, exchange);
+    for_rings(polygon, exchange);
     return polygon;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
+#include "core/for_rings.hpp"
 #include "surface/partition.hpp"
 #include "surface/roof_heights.hpp"
 #include "surface/vertex_snapping.hpp"
@@ -306,11 +307,8 @@ bool is_closed(const SurfacePart& part) {
             edges.emplace_back(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
     };
     for (const SurfaceBuilding& building : part.buildings) {
-        for (const SurfaceFace& face : building.faces) {
-            add(face.exterior);
-            for (const std::vector<std::uint32_t>& interior : face.interiors)
-                add(interior);
-        }
+        for (const SurfaceFace& face : building.faces)
+            for_rings(face, add);
         for (const SurfaceTriangle& triangle : building.triangles)
             add(triangle.corners);
     }

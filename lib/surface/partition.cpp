@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/for_rings.hpp"
 #include "geometry/box_tree.hpp"
 #include "outline/fine_geometry.hpp"
 
@@ -29,14 +30,6 @@ struct OutlineEdges {
 [[nodiscard]] OutlineEdges outline_edges(std::span<const PartitionContour> contours, const StopToken& stop);
 
 namespace {
-
-/// Exact, because lattices have far fewer than 2^53 steps.
-Box box_of(const OutlineEdge& side) {
-    Box box;
-    for (const FinePoint& point : {side.from, side.to})
-        box.add(Position{static_cast<double>(point.col), static_cast<double>(point.row)});
-    return box;
-}
 
 void add_ring(const FineRing& ring, std::uint32_t contour, std::vector<OutlineEdge>& sides) {
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -208,13 +201,12 @@ PartitionResult Partitioner::make() {
 OutlineEdges outline_edges(std::span<const PartitionContour> contours, const StopToken& stop) {
     OutlineEdges result;
     std::vector<OutlineEdge>& sides = result.sides;
-    for (std::uint32_t c = 0; c < contours.size(); ++c) {
-        add_ring(contours[c].outline.exterior, c, sides);
-        for (const FineRing& ring : contours[c].outline.interiors)
-            add_ring(ring, c, sides);
-    }
+    for (std::uint32_t c = 0; c < contours.size(); ++c)
+        for_rings(contours[c].outline, [&](const FineRing& ring) { add_ring(ring, c, sides); });
     std::vector<Box> boxes(sides.size());
-    std::ranges::transform(sides, boxes.begin(), [](const OutlineEdge& side) { return box_of(side); });
+    std::ranges::transform(sides, boxes.begin(), [](const OutlineEdge& side) {
+        return box_of({side.from, side.to});
+    });
     const BoxTree tree(boxes);
     result.cuts.resize(sides.size());
     for (std::size_t i = 0; i < sides.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <deque>
 #include <utility>
 
+#include "core/for_rings.hpp"
 #include "core/int128.hpp"
 #include "geometry/box_tree.hpp"
 #include "outline/fine_geometry.hpp"
@@ -61,11 +62,9 @@ class Corners {
 
 std::vector<FinePoint> Corners::points_of(const std::vector<PartitionContour>& contours) {
     std::vector<FinePoint> points;
-    for (const PartitionContour& contour : contours) {
-        points.insert(points.end(), contour.outline.exterior.begin(), contour.outline.exterior.end());
-        for (const FineRing& ring : contour.outline.interiors)
-            points.insert(points.end(), ring.begin(), ring.end());
-    }
+    for (const PartitionContour& contour : contours)
+        for_rings(contour.outline,
+                  [&](const FineRing& ring) { points.insert(points.end(), ring.begin(), ring.end()); });
     std::ranges::sort(points);
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;

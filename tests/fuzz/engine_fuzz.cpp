@@ -23,7 +23,7 @@ void compare(const ContourSet& set, const std::vector<ReferenceContour>& expecte
         demand(contour.squares() == static_cast<std::int64_t>(wanted.squares.size()), "squares are counted");
         demand(contour.exterior.points() == wanted.exterior_points, "points of the exterior are counted");
         demand(contour.interiors.size() == wanted.interiors, "holes are rings");
-        const FinePolygon polygon = fine(outline::traced_polygon(contour));
+        const FinePolygon polygon = fine(contours::traced_polygon(contour));
         demand(geos.invalidity({unit_grid.polygon(polygon)}).empty(), "polygons are valid");
         demand(planar_area(polygon) == static_cast<double>(contour.squares()), "areas are as counted");
         if (wanted.level == 0)

@@ -74,11 +74,11 @@ TEST(WallClusters, WhatStandsOnAHouseIsWithIt) {
     EXPECT_EQ(clusters[0].numbers, (std::vector<std::uint32_t>{0, 2}));
     EXPECT_EQ(clusters[0].parents, (std::vector<std::int32_t>{-1, 0}));
     EXPECT_EQ(clusters[1].numbers, (std::vector<std::uint32_t>{1}));
-    const FetchedCluster first(contours, clusters[0]);
-    EXPECT_EQ(first.cluster().contours[1]->key, contours.head(2).key);
-    EXPECT_EQ(first.cluster().parents, clusters[0].parents);
-    EXPECT_EQ(fit_walls(first.cluster(), usual).footprints.size(), 1U);
-    EXPECT_TRUE(fit_walls(FetchedCluster(contours, clusters[1]).cluster(), usual).footprints.empty());
+    const WallCluster first = fetch_cluster(contours, clusters[0]);
+    EXPECT_EQ(first.contours[1].key, contours.head(2).key);
+    EXPECT_EQ(first.parents, clusters[0].parents);
+    EXPECT_EQ(fit_walls(first, usual).footprints.size(), 1U);
+    EXPECT_TRUE(fit_walls(fetch_cluster(contours, clusters[1]), usual).footprints.empty());
 }
 
 /// Ragged houses of some levels all over a grid.

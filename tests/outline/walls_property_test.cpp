@@ -135,7 +135,7 @@ TEST_P(RandomWalls, StayNearTheirTraceAndKeepTheirAreas) {
     const Outliner outliner = draw();
     for (std::size_t i = 0; i < set_.contours.size(); ++i) {
         const FinePolygon drawn = outliner.outline(i);
-        const FinePolygon traced = fine(traced_polygon(set_.contours[i]));
+        const FinePolygon traced = fine(contours::traced_polygon(set_.contours[i]));
         const OutlineQuality quality = outliner.quality(i);
         ASSERT_EQ(drawn.interiors.size(), traced.interiors.size());
         EXPECT_LE(quality.deviation_cells, case_.rules.wall_tolerance + 0.5);

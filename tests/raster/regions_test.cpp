@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/disjoint_sets.hpp"
 #include "raster/morphology.hpp"
 #include "support/masks.hpp"
 #include "support/test_threads.hpp"

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/for_rings.hpp"
 #include "outline/fine_geometry.hpp"
 #include "outline/walls/chain_fitter.hpp"
 #include "outline/walls/chain_polyline.hpp"
@@ -103,14 +104,6 @@ class WallFitter {
 
 namespace {
 
-/// Twice the signed area in fine squares, exact.
-Int128 twice_area(const FineRing& ring) {
-    Int128 sum = 0;
-    for (std::size_t i = 2; i < ring.size(); ++i)
-        sum += turn(ring[0], ring[i - 1], ring[i]);
-    return sum;
-}
-
 constexpr int max_tightening_rounds = 60;  // rounds before conflicting components fall back to their trace
 constexpr double conflict_radius = 1.5;    // cells from a conflict
 
@@ -143,7 +136,7 @@ bool steps_near(const CellShape& shape, const FineSegment& edge, const FineSegme
 
 bool has_higher_levels(const WallCluster& cluster) {
     return std::ranges::any_of(cluster.contours,
-                               [](const contours::Contour* contour) { return contour->key.level > 1; });
+                               [](const contours::Contour& contour) { return contour.key.level > 1; });
 }
 
 }  // namespace
@@ -192,9 +185,8 @@ WallOutline OutlineBuilder::finish() {
     quality.status = quality.kept_traced > little                        ? OutlineStatus::kept_traced
                      : quality.simplified + quality.kept_traced > little ? OutlineStatus::simplified
                                                                          : OutlineStatus::regularized;
-    Int128 twice = twice_area(result_.polygon.exterior);
-    for (const FineRing& interior : result_.polygon.interiors)
-        twice += twice_area(interior);
+    Int128 twice = 0;
+    for_rings(result_.polygon, [&](const FineRing& ring) { twice += twice_area(ring); });
     constexpr double unit = 2.0 * FinePoint::steps * FinePoint::steps;
     quality.area_change = static_cast<double>(twice) / unit / static_cast<double>(traced_) - 1;
     return std::move(result_);
@@ -425,7 +417,7 @@ ClusterOutlines fit_walls(const WallCluster& cluster, const WallOptions& options
     for (std::size_t i = 0; i < cluster.contours.size(); ++i) {
         stop.check();
         result.outlines.push_back(fitter.outline(i));
-        if (own_footprints && cluster.contours[i]->key.level <= 1)
+        if (own_footprints && cluster.contours[i].key.level <= 1)
             result.footprints.push_back(fitter.footprint(i));
     }
     return result;
@@ -457,8 +449,8 @@ RegularizedOutlines::RegularizedOutlines(const contours::ContourList& contours, 
     };
     executor.for_each(order.size(), [&](std::size_t i) {
         const ClusterPlan& plan = clusters_[order[i]];
-        const FetchedCluster fetched(contours, plan, executor.stop());
-        const ClusterOutlines fitted = fit_walls(fetched.cluster(), options, executor.stop());
+        const WallCluster cluster = fetch_cluster(contours, plan, executor.stop());
+        const ClusterOutlines fitted = fit_walls(cluster, options, executor.stop());
         for (std::size_t k = 0; k < plan.numbers.size(); ++k)
             outlines_[plan.numbers[k]] = spooled(fitted.outlines[k]);
         for (std::size_t k = 0; k < fitted.footprints.size(); ++k)
@@ -474,8 +466,7 @@ std::shared_ptr<const NodedRings> RegularizedOutlines::rings(std::uint32_t clust
             return known->second;
     }
     // Several threads may node the same cluster, because waiting for each other would take longer.
-    const FetchedCluster fetched(contours_, clusters_[cluster]);
-    auto made = std::make_shared<const NodedRings>(fetched.cluster().contours);
+    auto made = std::make_shared<const NodedRings>(fetch_cluster(contours_, clusters_[cluster]).contours);
     if (clusters_[cluster].numbers.size() < large)
         return made;
     const std::lock_guard lock(large_clusters_->mutex);

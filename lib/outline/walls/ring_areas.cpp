@@ -30,7 +30,7 @@ RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const S
       stop_(stop),
       areas_(arcs.size()) {
     for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
-        const contours::Contour& contour = *cluster_.contours[c];
+        const contours::Contour& contour = cluster_.contours[c];
         const ArcGraph::Outline& outline = graph_.graph.outlines[c];
         first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
         rings_.push_back({&outline.exterior, contour.exterior.area(),
@@ -53,7 +53,7 @@ RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const S
 }
 
 void RingAreas::changed(std::uint32_t arc) {
-    const FinePoint origin = fine(cluster_.contours.front()->exterior.start());
+    const FinePoint origin = fine(cluster_.contours.front().exterior.start());
     Int128 twice = 0;
     for (std::size_t i = 0; i + 1 < arcs_[arc].size(); ++i)
         twice += turn(origin, arcs_[arc][i], arcs_[arc][i + 1]);

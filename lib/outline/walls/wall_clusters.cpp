@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
+#include "core/for_rings.hpp"
 
 namespace d2b::outline {
 namespace {
@@ -63,9 +64,7 @@ LatticeBox buffered(LatticePoint from, LatticePoint to, LatticePoint reach) {
 }
 
 void TraceEdgeGrid::add(const contours::Contour& contour, std::uint32_t number) {
-    add(contour.exterior, number);
-    for (const PackedRing& ring : contour.interiors)
-        add(ring, number);
+    for_rings(contour, [&](const PackedRing& ring) { add(ring, number); });
 }
 
 void TraceEdgeGrid::add(const PackedRing& packed, std::uint32_t number) {
@@ -206,16 +205,18 @@ std::vector<ClusterPlan> wall_clusters(const contours::ContourList& contours, co
     return clusters;
 }
 
-FetchedCluster::FetchedCluster(const contours::ContourList& contours, const ClusterPlan& plan,
-                               const StopToken& stop) {
-    contours_.reserve(plan.numbers.size());
+WallCluster fetch_cluster(const contours::ContourList& contours, const ClusterPlan& plan,
+                          const StopToken& stop) {
+    WallCluster cluster;
+    cluster.contours.reserve(plan.numbers.size());
+    cluster.tiers.reserve(plan.numbers.size());
     for (const std::uint32_t number : plan.numbers) {
         stop.check();
-        contours_.push_back(contours.fetch(number));
-        cluster_.contours.push_back(&contours_.back());
-        cluster_.tiers.push_back(contours.head(number).tier_z);
+        cluster.contours.push_back(contours.fetch(number));
+        cluster.tiers.push_back(contours.head(number).tier_z);
     }
-    cluster_.parents = plan.parents;
+    cluster.parents = plan.parents;
+    return cluster;
 }
 
 }  // namespace d2b::outline

@@ -24,10 +24,10 @@ struct WallOptions {
 
 /// Contours whose walls are fitted together.
 struct WallCluster {
-    std::vector<const contours::Contour*> contours;  ///< parents before children
+    std::vector<contours::Contour> contours;  ///< parents before children
     std::vector<std::int32_t>
-        parents;                     ///< index of the parent of each contour; -1 if it is not in the cluster
-    std::vector<double> tiers = {};  ///< tier_z of each contour; empty if heights do not matter
+        parents;                ///< index of the parent of each contour; -1 if it is not in the cluster
+    std::vector<double> tiers;  ///< tier_z of each contour
 };
 
 /// Indices of a cluster whose contours have not been fetched.
@@ -49,21 +49,8 @@ struct ClusterPlan {
                                                      const WallOptions& options, const StopToken& stop = {},
                                                      std::int64_t rows_per_strip = 4096);
 
-/// Contours of a cluster in memory.
-class FetchedCluster {
-  public:
-    /// @throws Cancelled
-    FetchedCluster(const contours::ContourList& contours, const ClusterPlan& plan,
-                   const StopToken& stop = {});
-    FetchedCluster(const FetchedCluster&) = delete;
-    FetchedCluster& operator=(const FetchedCluster&) = delete;
-    ~FetchedCluster() = default;
-
-    [[nodiscard]] const WallCluster& cluster() const { return cluster_; }
-
-  private:
-    std::vector<contours::Contour> contours_;
-    WallCluster cluster_;
-};
+/// @throws Cancelled
+[[nodiscard]] WallCluster fetch_cluster(const contours::ContourList& contours, const ClusterPlan& plan,
+                                        const StopToken& stop = {});
 
 }  // namespace d2b::outline

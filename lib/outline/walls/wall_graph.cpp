@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
+#include "core/for_rings.hpp"
 
 namespace d2b::outline {
 
@@ -184,14 +185,12 @@ void Builder::find_sides() {
     std::vector<std::array<SideContours, 2>> users(arcs());
     for (std::size_t c = 0; c < cluster_.contours.size(); ++c) {
         stop_.check();
-        const int level = cluster_.contours[c]->key.level;
+        const int level = cluster_.contours[c].key.level;
         const auto add = [&](const std::vector<ArcUse>& ring) {
             for (const ArcUse& use : ring)
                 users[use.arc][use.reversed ? 1 : 0].add(static_cast<std::int32_t>(c), level);
         };
-        add(walls_.graph.outlines[c].exterior);
-        for (const auto& ring : walls_.graph.outlines[c].interiors)
-            add(ring);
+        for_rings(walls_.graph.outlines[c], add);
     }
     walls_.sides.reserve(arcs());
     walls_.ranks.reserve(arcs());
@@ -257,7 +256,7 @@ void Builder::pair_ends() {
 int Builder::higher_side(const Chain& chain) const {
     const auto own = [&](std::int32_t contour) {
         return contour >= 0 &&
-               2 * cluster_.contours[static_cast<std::size_t>(contour)]->key.level >= chain.rank - 1;
+               2 * cluster_.contours[static_cast<std::size_t>(contour)].key.level >= chain.rank - 1;
     };
     const ArcUse first = chain.arcs.front();
     const WallGraph::Sides& sides = walls_.sides[first.arc];
@@ -265,8 +264,6 @@ int Builder::higher_side(const Chain& chain) const {
 }
 
 double Builder::mean_step(const Chain& chain) const {
-    if (cluster_.tiers.empty())
-        return 0;
     double squares = 0;
     double steps = 0;
     for (std::size_t k = 0; k < chain.arcs.size(); ++k) {

@@ -28,7 +28,7 @@ class FootprintGroups {
     FootprintGroups(const WallGraph& graph, const WallCluster& cluster)
         : graph_(graph), sets_(static_cast<std::uint32_t>(cluster.contours.size())) {
         for (std::uint32_t i = 0; i < sets_.size(); ++i)
-            if (cluster.contours[i]->key.level > 1 && cluster.parents[i] >= 0)
+            if (cluster.contours[i].key.level > 1 && cluster.parents[i] >= 0)
                 sets_.join(i, static_cast<std::uint32_t>(cluster.parents[i]));
         for (std::uint32_t c = 0; c < graph.chains.size(); ++c)
             if (graph.chains[c].rank <= WallGraph::highest_low_rank)
@@ -64,7 +64,7 @@ std::size_t most_frames_of(const ChainFitter& chain, Walls walls) {
 std::uint32_t footprint_chain(const WallGraph& graph, const WallCluster& cluster, std::uint32_t arc) {
     const WallGraph::Sides& sides = graph.sides[arc];
     auto contour = static_cast<std::int64_t>(std::max(sides.left, sides.right));
-    while (contour >= 0 && cluster.contours[static_cast<std::size_t>(contour)]->key.level > 1)
+    while (contour >= 0 && cluster.contours[static_cast<std::size_t>(contour)].key.level > 1)
         contour = cluster.parents[static_cast<std::size_t>(contour)];
     if (contour < 0)
         return WallGraph::none;
