@@ -200,7 +200,7 @@ WallFitter::WallFitter(const WallCluster& cluster, const WallOptions& options, c
       arcs_(graph_.graph.arcs.size()),
       steps_(arcs_.size()),
       deviations_(arcs_.size()),
-      in_conflict_(graph_.components),
+      in_conflict_(graph_.arcs_of.size()),
       areas_(cluster, graph_, arcs_, layout_, options.inset, stop),
       check_(graph_, arcs_, options.tolerance, stop) {}
 
@@ -354,7 +354,7 @@ bool WallFitter::use_trace_around(const StepRange& a, const StepRange& b) {
 
 void WallFitter::revert_to_trace(std::uint32_t component) {
     in_conflict_[component] = true;
-    for (const std::uint32_t arc : check_.arcs_of_component(component))
+    for (const std::uint32_t arc : graph_.arcs_of[component])
         layout_.use_trace(graph_.chain_of[arc]);
 }
 
@@ -380,7 +380,7 @@ bool WallFitter::needs_low_vertex(const ArcUse& before, const ArcUse& after) con
     const auto is_low = [&](std::uint32_t end) {
         return graph_.ranks[end / 2] <= WallGraph::highest_low_rank;
     };
-    return std::ranges::count_if(graph_.ends_at(node), is_low) != 2;
+    return std::ranges::count_if(graph_.ends_at[node], is_low) != 2;
 }
 
 void WallFitter::add_low(const std::vector<ArcUse>& uses, OutlineBuilder& builder) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace d2b::outline {
@@ -40,16 +39,11 @@ RingAreas::RingAreas(const WallCluster& cluster, const WallGraph& graph, const S
                               static_cast<double>(contour.interiors[i].points()), contour.key.level});
     }
     first_ring_.push_back(static_cast<std::uint32_t>(rings_.size()));
-    first_of_arc_.assign(arcs_.size() + 1, 0);
-    for (const Ring& ring : rings_)
-        for (const ArcUse& use : *ring.uses)
-            ++first_of_arc_[use.arc + 1];
-    std::partial_sum(first_of_arc_.begin(), first_of_arc_.end(), first_of_arc_.begin());
-    rings_of_.resize(first_of_arc_.back());
-    std::vector<std::uint32_t> next = first_of_arc_;
-    for (std::uint32_t r = 0; r < rings_.size(); ++r)
-        for (const ArcUse& use : *rings_[r].uses)
-            rings_of_[next[use.arc]++] = r;
+    rings_of_ = GroupedIndices(arcs_.size(), [&](const auto& add) {
+        for (std::uint32_t r = 0; r < rings_.size(); ++r)
+            for (const ArcUse& use : *rings_[r].uses)
+                add(use.arc, r);
+    });
 }
 
 void RingAreas::changed(std::uint32_t arc) {
@@ -58,8 +52,8 @@ void RingAreas::changed(std::uint32_t arc) {
     for (std::size_t i = 0; i + 1 < arcs_[arc].size(); ++i)
         twice += turn(origin, arcs_[arc][i], arcs_[arc][i + 1]);
     areas_[arc] = twice;
-    for (std::uint32_t k = first_of_arc_[arc]; k < first_of_arc_[arc + 1]; ++k)
-        enqueue(rings_of_[k]);
+    for (const std::uint32_t ring : rings_of_[arc])
+        enqueue(ring);
 }
 
 void RingAreas::enqueue(std::uint32_t ring) {

@@ -64,8 +64,7 @@ class RingAreas {
     std::vector<Int128> areas_;  // per arc: twice the area between it and the origin, in fine squares
     std::vector<Ring> rings_;    // grouped by contour: exterior, then interiors
     std::vector<std::uint32_t> first_ring_;  // per contour
-    std::vector<std::uint32_t> rings_of_;    // rings grouped by arc
-    std::vector<std::uint32_t> first_of_arc_;
+    GroupedIndices rings_of_;                // per arc
     std::vector<std::uint32_t> pending_rings_;
     std::set<Wall> moved_;  // walls moved in this round
 };

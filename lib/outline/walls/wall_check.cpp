@@ -41,19 +41,8 @@ ContainmentCheck::ContainmentCheck(const WallGraph& graph, const SegmentGrid::Ar
       grid_(grid),
       tolerance_(tolerance),
       stop_(stop),
-      first_of_component_(graph.components + 1),
-      component_changed_(graph.components, 1),
-      westernmost_(graph.components) {
-    const auto component = [&](std::uint32_t arc) { return graph_.component_of[graph_.chain_of[arc]]; };
-    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
-        ++first_of_component_[component(arc) + 1];
-    for (std::uint32_t p = 0; p < graph.components; ++p)
-        first_of_component_[p + 1] += first_of_component_[p];
-    component_arcs_.resize(arcs.size());
-    std::vector<std::uint32_t> next = first_of_component_;
-    for (std::uint32_t arc = 0; arc < arcs.size(); ++arc)
-        component_arcs_[next[component(arc)]++] = arc;
-}
+      component_changed_(graph.arcs_of.size(), 1),
+      westernmost_(graph.arcs_of.size()) {}
 
 /// Returns true if no arc of another component is so near that the component could have moved to its other
 /// side.
@@ -97,18 +86,16 @@ std::pair<std::optional<ContainmentCheck::Edge>, std::int32_t> ContainmentCheck:
 }
 
 void ContainmentCheck::find_westernmost() {
-    for (std::uint32_t component = 0; component < graph_.components; ++component) {
+    for (std::uint32_t component = 0; component < graph_.arcs_of.size(); ++component) {
         if (std::exchange(component_changed_[component], std::uint8_t{0}) == 0)
             continue;
         Westernmost& w = westernmost_[component] = {};
-        for (std::uint32_t k = first_of_component_[component]; k < first_of_component_[component + 1]; ++k) {
-            const std::uint32_t arc = component_arcs_[k];
+        for (const std::uint32_t arc : graph_.arcs_of[component])
             for (std::uint32_t i = 0; i < arcs_[arc].size(); ++i) {
                 const FinePoint p = arcs_[arc][i];
                 if (p.col < w.at.col || (p.col == w.at.col && p.row > w.at.row))
                     w = {p, arc, i};
             }
-        }
     }
 }
 
@@ -120,18 +107,18 @@ std::int32_t ContainmentCheck::outer_side(const Westernmost& w) const {
         return forward ? graph_.sides[w.arc].right : graph_.sides[w.arc].left;
     }
     const std::uint32_t node = graph_.ends[w.arc][w.index == 0 ? 0 : 1];
-    std::uint32_t first = graph_.ends_at(node).front();
-    for (const std::uint32_t end : graph_.ends_at(node))
+    std::uint32_t first = graph_.ends_at[node].front();
+    for (const std::uint32_t end : graph_.ends_at[node])
         if (precedes_ccw(w.at, next_from(arcs_, end), next_from(arcs_, first)))
             first = end;
     return graph_.side_before(first);
 }
 
 void ContainmentCheck::check(WallConflicts& found) {
-    if (graph_.components == 1)
+    if (graph_.arcs_of.size() == 1)
         return;  // it cannot lie in another component
     find_westernmost();
-    for (std::uint32_t component = 0; component < graph_.components; ++component) {
+    for (std::uint32_t component = 0; component < graph_.arcs_of.size(); ++component) {
         stop_.check();
         const Westernmost& w = westernmost_[component];
         if (is_isolated(w.at, component))
@@ -271,7 +258,7 @@ void WallCheck::check_nodes(WallConflicts& found) {
 }
 
 void WallCheck::check_node(std::uint32_t node, WallConflicts& found) {
-    const auto ends = graph_.ends_at(node);
+    const auto ends = graph_.ends_at[node];
     ends_.assign(ends.begin(), ends.end());
     const auto& first = arcs_[ends_.front() / 2];
     const FinePoint at = ends_.front() % 2 == 0 ? first.front() : first.back();

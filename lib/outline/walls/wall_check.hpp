@@ -34,11 +34,6 @@ class ContainmentCheck {
 
     void changed(std::uint32_t component) { component_changed_[component] = 1; }
     void check(WallConflicts& found);
-    [[nodiscard]] std::span<const std::uint32_t> arcs_of(std::uint32_t component) const {
-        return std::span(component_arcs_)
-            .subspan(first_of_component_[component],
-                     first_of_component_[component + 1] - first_of_component_[component]);
-    }
 
   private:
     using Edge = SegmentGrid::Edge;
@@ -61,8 +56,6 @@ class ContainmentCheck {
     const SegmentGrid& grid_;
     double tolerance_;
     const StopToken& stop_;
-    std::vector<std::uint32_t> component_arcs_;  // arcs grouped by component
-    std::vector<std::uint32_t> first_of_component_;
     std::vector<std::uint8_t> component_changed_;  // changed since its westernmost vertex was found
     std::vector<Westernmost> westernmost_;         // per component
 };
@@ -87,9 +80,6 @@ class WallCheck {
     /// @param changed sorted
     /// @return sorted @throws Cancelled
     [[nodiscard]] WallConflicts conflicts(const std::vector<std::uint32_t>& changed);
-    [[nodiscard]] std::span<const std::uint32_t> arcs_of_component(std::uint32_t component) const {
-        return containment_.arcs_of(component);
-    }
 
   private:
     using Edge = SegmentGrid::Edge;

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
 #include "core/for_rings.hpp"
+#include "core/grouped_indices.hpp"
 
 namespace d2b::outline {
 namespace {
@@ -43,7 +45,7 @@ class TraceEdgeGrid {
     [[nodiscard]] std::int64_t bucket(std::int32_t at, std::int32_t low) const {
         return (static_cast<std::int64_t>(at) - low) >> shift_;
     }
-    void join_bucket(std::size_t begin, std::size_t end, DisjointSets& groups) const;
+    void join_bucket(std::span<const std::uint32_t> edges, DisjointSets& groups) const;
 
     LatticePoint reach_;
     RowRange rows_;
@@ -52,8 +54,7 @@ class TraceEdgeGrid {
     LatticePoint high_{std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::min()};
     int shift_ = 4;
     std::int64_t columns_ = 0;
-    std::vector<std::size_t> first_;      // offset into entries_ per bucket
-    std::vector<std::uint32_t> entries_;  // edges
+    GroupedIndices in_bucket_;  // edges
 };
 
 /// Bounding box of an edge, buffered by half the conflict distance on each side.
@@ -89,22 +90,18 @@ void TraceEdgeGrid::build() {
     // A few edges far from each other need large buckets.
     while (buckets() > 64 + 16 * static_cast<std::int64_t>(edges_.size()))
         ++shift_;
-    first_.assign(static_cast<std::size_t>(buckets()) + 1, 0);
-    for (const Edge& edge : edges_)
-        for_each_bucket(edge.box, [&](std::size_t b) { ++first_[b + 1]; });
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    entries_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t e = 0; e < edges_.size(); ++e)
-        for_each_bucket(edges_[e].box, [&](std::size_t b) { entries_[next[b]++] = e; });
+    in_bucket_ = GroupedIndices(static_cast<std::size_t>(buckets()), [&](const auto& add) {
+        for (std::uint32_t e = 0; e < edges_.size(); ++e)
+            for_each_bucket(edges_[e].box, [&](std::size_t b) { add(b, e); });
+    });
 }
 
-void TraceEdgeGrid::join_bucket(std::size_t begin, std::size_t end, DisjointSets& groups) const {
-    for (std::size_t i = begin + 1; i < end; ++i) {
-        const Edge& edge = edges_[entries_[i]];
+void TraceEdgeGrid::join_bucket(std::span<const std::uint32_t> edges, DisjointSets& groups) const {
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        const Edge& edge = edges_[edges[i]];
         std::uint32_t last = edge.contour;  // consecutive entries mostly belong to one contour
-        for (std::size_t k = begin; k < i; ++k) {
-            const Edge& other = edges_[entries_[k]];
+        for (const std::uint32_t before : edges.first(i)) {
+            const Edge& other = edges_[before];
             if (other.contour == last || !edge.box.overlaps(other.box))
                 continue;
             last = other.contour;
@@ -117,14 +114,12 @@ void TraceEdgeGrid::join(DisjointSets& groups) {
     if (edges_.empty())
         return;
     build();
-    for (std::size_t b = 0; b + 1 < first_.size(); ++b) {
+    for (std::size_t b = 0; b < in_bucket_.size(); ++b) {
+        const std::span<const std::uint32_t> edges = in_bucket_[b];
+        const auto group = [&](std::uint32_t e) { return groups.find(edges_[e].contour); };
         // Most buckets hold edges of a single group.
-        const auto group = [&](std::size_t i) { return groups.find(edges_[entries_[i]].contour); };
-        bool several = false;
-        for (std::size_t i = first_[b] + 1; i < first_[b + 1] && !several; ++i)
-            several = group(i) != group(first_[b]);
-        if (several)
-            join_bucket(first_[b], first_[b + 1], groups);
+        if (std::ranges::any_of(edges, [&](std::uint32_t e) { return group(e) != group(edges.front()); }))
+            join_bucket(edges, groups);
     }
 }
 

@@ -218,17 +218,12 @@ void Builder::find_nodes() {
         return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), point) -
                                           points.begin());
     };
-    walls_.first_end.assign(points.size() + 1, 0);
-    for (const Arc& arc : walls_.graph.arcs) {
+    for (const Arc& arc : walls_.graph.arcs)
         walls_.ends.push_back({node(arc.front()), node(arc.back())});
-        for (const std::uint32_t n : walls_.ends.back())
-            ++walls_.first_end[n + 1];
-    }
-    std::partial_sum(walls_.first_end.begin(), walls_.first_end.end(), walls_.first_end.begin());
-    walls_.arc_ends.resize(2 * arcs());
-    std::vector<std::uint32_t> next = walls_.first_end;
-    for (std::uint32_t end = 0; end < 2 * arcs(); ++end)
-        walls_.arc_ends[next[node_of(end)]++] = end;
+    walls_.ends_at = GroupedIndices(points.size(), [&](const auto& add) {
+        for (std::uint32_t end = 0; end < 2 * arcs(); ++end)
+            add(node_of(end), end);
+    });
 }
 
 /// A chain continues through a node if exactly two of the arcs with the lowest rank meet there.
@@ -236,7 +231,7 @@ void Builder::pair_ends() {
     mate_.assign(2 * arcs(), none);
     for (std::uint32_t n = 0; n < walls_.nodes.size(); ++n) {
         stop_.check();
-        const auto ends = walls_.ends_at(n);
+        const auto ends = walls_.ends_at[n];
         const auto rank = [&](std::uint32_t e) { return walls_.ranks[e / 2]; };
         int lowest = rank(ends.front());
         for (const std::uint32_t e : ends)
@@ -334,13 +329,16 @@ void Builder::find_owners() {
 void Builder::find_components() {
     DisjointSets components(static_cast<std::uint32_t>(walls_.chains.size()));
     for (std::uint32_t n = 0; n < walls_.nodes.size(); ++n) {
-        const auto ends = walls_.ends_at(n);
+        const auto ends = walls_.ends_at[n];
         for (const std::uint32_t end : ends)
             components.join(walls_.chain_of[ends.front() / 2], walls_.chain_of[end / 2]);
     }
     DisjointSets::Numbers numbers = components.numbered();
     walls_.component_of = std::move(numbers.of);
-    walls_.components = numbers.count;
+    walls_.arcs_of = GroupedIndices(numbers.count, [&](const auto& add) {
+        for (std::uint32_t arc = 0; arc < arcs(); ++arc)
+            add(walls_.component_of[walls_.chain_of[arc]], arc);
+    });
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "core/grouped_indices.hpp"
 #include "outline/arc_graph.hpp"
 #include "outline/walls/wall_clusters.hpp"
 
@@ -55,16 +55,10 @@ struct WallGraph {
     std::vector<std::uint32_t> chain_of;             ///< per arc
     std::vector<std::uint32_t> index_in_chain;       ///< per arc: its index within its chain
     std::vector<std::uint32_t> component_of;         ///< per chain: its connected component
-    std::uint32_t components = 0;
 
-    /// Arc ends at each node: 2 * arc if the arc begins there, 2 * arc + 1 if it ends there. Those of node n
-    /// start at first_end[n].
-    std::vector<std::uint32_t> arc_ends;
-    std::vector<std::uint32_t> first_end;
+    GroupedIndices arcs_of;  ///< per component
+    GroupedIndices ends_at;  ///< per node: 2 * arc if the arc begins there, 2 * arc + 1 if it ends there
 
-    [[nodiscard]] std::span<const std::uint32_t> ends_at(std::uint32_t node) const {
-        return std::span(arc_ends).subspan(first_end[node], first_end[node + 1] - first_end[node]);
-    }
     /// Contour on the left (counter-clockwise) side of an arc that leaves a node.
     [[nodiscard]] std::int32_t side_after(std::uint32_t end) const {
         return end % 2 == 0 ? sides[end / 2].left : sides[end / 2].right;

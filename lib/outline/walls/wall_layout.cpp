@@ -137,7 +137,7 @@ void WallLayout::reset(std::uint32_t node) {
         return;
     if (states_[n.owner].chain)
         states_[n.owner].polyline.remove_node(n.place);
-    for (const std::uint32_t end : graph_.ends_at(node))
+    for (const std::uint32_t end : graph_.ends_at[node])
         if (const std::uint32_t chain = graph_.chain_of[end / 2]; chain != n.owner)
             states_[chain].ends_moved = true;
 }
@@ -154,7 +154,7 @@ std::vector<std::uint32_t> WallLayout::changed_arcs(const std::vector<std::uint3
             marked[use.arc] = 1;
         for (const bool last : {false, true})
             if (const std::uint32_t node = chain.end_node(last); reset_[node] != 0)
-                for (const std::uint32_t end : graph_.ends_at(node))
+                for (const std::uint32_t end : graph_.ends_at[node])
                     marked[end / 2] = 1;
     }
     for (std::uint32_t arc = 0; arc < marked.size(); ++arc)
