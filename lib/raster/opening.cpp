@@ -35,14 +35,6 @@ void open_row(std::span<T> row, Extremum first, std::int32_t radius, OpeningBuff
         open_along_row<Maximum, Minimum>(row, radius, buffers);
 }
 
-template <typename T>
-void swap_neutral(std::span<T> row, Extremum from) {
-    if (from == Extremum::lowest)
-        swap_neutral_values<Minimum, Maximum>(row);
-    else
-        swap_neutral_values<Maximum, Minimum>(row);
-}
-
 /// Clears cells of `opened` that have no value in `surface`.
 template <typename T>
 void keep_gaps(const Grid<T>& surface, Grid<T>& opened) {
@@ -108,7 +100,7 @@ void open_along_line(const Grid<T>& surface, Line line, std::int32_t radius, Gri
                      Grid<T>& opened) {
     resize_like(opened, surface);
     rank_filter(surface, between, line, Extremum::lowest, radius);
-    swap_neutral(std::span<T>(between.values), Extremum::lowest);
+    swap_neutral_values<Minimum, Maximum>(std::span<T>(between.values));
     rank_filter(between, opened, line, Extremum::highest, radius);
 }
 
@@ -158,7 +150,7 @@ template <typename T>
 void close_rectangle_impl(const Grid<T>& surface, Radius radius, Workspace<T>& workspace, Grid<T>& closed) {
     Grid<T>& without_gaps = workspace.padded;
     without_gaps = surface;
-    swap_neutral(std::span<T>(without_gaps.values), Extremum::lowest);
+    swap_neutral_values<Minimum, Maximum>(std::span<T>(without_gaps.values));
     resize_like(closed, surface);
     rectangle(without_gaps, Extremum::highest, radius, workspace, closed);
 }
