@@ -110,7 +110,7 @@ NodedRings::NodedRings(const std::vector<contours::Contour>& contours, const Sto
     stop.check();
     const std::vector<Vertex> numbers = number_corners(corners, stop);
     stop.check();
-    order_columns();
+    const Columns by_col = columns();
     directions_.assign(points_.size(), 0);
     vertices_.reserve(numbers.size() + numbers.size() / 4);
     first_.reserve(ends.size() + 1);
@@ -119,12 +119,10 @@ NodedRings::NodedRings(const std::vector<contours::Contour>& contours, const Sto
     for (const std::size_t end : ends) {
         stop.check();
         for (std::size_t i = begin; i < end; ++i)
-            append_edge(numbers[i], numbers[i + 1 < end ? i + 1 : begin]);
+            append_edge(numbers[i], numbers[i + 1 < end ? i + 1 : begin], by_col);
         first_.push_back(vertices_.size());
         begin = end;
     }
-    by_col_ = {};
-    place_in_col_ = {};
 }
 
 LatticePolygon NodedRings::polygon(std::size_t contour) const {
@@ -159,17 +157,17 @@ std::vector<NodedRings::Vertex> NodedRings::number_corners(const std::vector<Lat
     return numbers;
 }
 
-void NodedRings::order_columns() {
+NodedRings::Columns NodedRings::columns() const {
     std::vector<std::pair<std::uint64_t, Vertex>> order(points_.size());
     for (Vertex v = 0; v < points_.size(); ++v)
         order[v] = {sort_key(points_[v].col, points_[v].row), v};
     std::sort(order.begin(), order.end());
-    by_col_.resize(points_.size());
-    place_in_col_.resize(points_.size());
+    Columns columns{std::vector<Vertex>(order.size()), std::vector<Vertex>(order.size())};
     for (Vertex place = 0; place < order.size(); ++place) {
-        by_col_[place] = order[place].second;
-        place_in_col_[order[place].second] = place;
+        columns.vertices[place] = order[place].second;
+        columns.places[order[place].second] = place;
     }
+    return columns;
 }
 
 NodedRings::Direction NodedRings::direction(Vertex from, Vertex to) const {
@@ -179,7 +177,7 @@ NodedRings::Direction NodedRings::direction(Vertex from, Vertex to) const {
 }
 
 /// Appends all vertices from one corner to the next, exclusive.
-void NodedRings::append_edge(Vertex from, Vertex to) {
+void NodedRings::append_edge(Vertex from, Vertex to, const Columns& columns) {
     const Direction forwards = direction(from, to);
     const bool along_row = points_[from].row == points_[to].row;
     const auto ahead = static_cast<std::uint8_t>(1U << static_cast<unsigned>(forwards));
@@ -187,7 +185,7 @@ void NodedRings::append_edge(Vertex from, Vertex to) {
     const auto next = [&](Vertex v) {
         if (along_row)
             return from < to ? v + 1 : v - 1;
-        return by_col_[from < to ? place_in_col_[v] + 1 : place_in_col_[v] - 1];
+        return columns.vertices[from < to ? columns.places[v] + 1 : columns.places[v] - 1];
     };
     for (Vertex v = from; v != to;) {
         vertices_.push_back(v);

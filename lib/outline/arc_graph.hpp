@@ -43,12 +43,15 @@ class NodedRings {
   private:
     static constexpr std::array<std::uint8_t, 16> degree_two{0, 0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1, 0, 0, 0};
     std::vector<Vertex> number_corners(const std::vector<LatticePoint>& corners, const StopToken& stop);
-    void order_columns();
-    void append_edge(Vertex from, Vertex to);
+    /// Vertices sorted by column, then row.
+    struct Columns {
+        std::vector<Vertex> vertices;
+        std::vector<Vertex> places;  // per vertex: its index in this order
+    };
+    [[nodiscard]] Columns columns() const;
+    void append_edge(Vertex from, Vertex to, const Columns& columns);
 
     std::vector<LatticePoint> points_;
-    std::vector<Vertex> by_col_;            // vertices sorted by column, then row; empty after construction
-    std::vector<Vertex> place_in_col_;      // per vertex: its index in by_col_; likewise
     std::vector<std::uint8_t> directions_;  // per vertex: bits of the directions of its edges
     std::vector<Vertex> vertices_;          // concatenated vertices of all rings
     std::vector<std::size_t> first_;        // per ring: its first vertex
