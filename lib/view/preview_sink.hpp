@@ -64,6 +64,7 @@ class PreviewSink final : public FeatureSink {
     }
     void begin(std::span<const LayerSpec> layers, const Provenance& provenance) override;
     void add(std::size_t layer, const Feature& feature) override;
+    [[nodiscard]] CoordinateRounding rounding() const override { return features_.rounding(); }
     void take_report(const RunReport& report) override;
     void finish() override;
     void prepare(CommitList& commit) override;

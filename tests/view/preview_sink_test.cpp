@@ -84,6 +84,19 @@ TEST_F(PreviewTest, FeaturesGoOnAndAreDrawnWhereTheyLie) {
         EXPECT_EQ(at(map, x, y), level_ground);
 }
 
+TEST(Preview, LeavesRoundingToTheFile) {
+    class WholeMetres final : public MemorySink {
+        [[nodiscard]] CoordinateRounding rounding() const override {
+            return {CoordinateRounding::To::decimals, 0, "-lco COORDINATE_PRECISION=0"};
+        }
+    };
+    WholeMetres file;
+    const MapFrame frame(field(20, 20, {}, {0, 1, 0, 20, 0, -1}), {20, 20});
+    const PreviewSink sink(file, frame, writing::PictureFormat::png, {});
+    EXPECT_EQ(sink.rounding().to, CoordinateRounding::To::decimals);
+    EXPECT_EQ(sink.rounding().cause, "-lco COORDINATE_PRECISION=0");
+}
+
 TEST_F(PreviewTest, WhatIsNotCertainIsPaler) {
     LayerSpec buildings = layer("buildings", "");
     buildings.fields.push_back({"confidence", "", FieldType::real, "", ""});
