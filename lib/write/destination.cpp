@@ -229,7 +229,7 @@ void reject_foreign_data(const Destination& destination, const ExistingDataset& 
                          GDALDatasetH dataset, const VectorFormat& format, const WriteOptions& options,
                          const std::vector<std::string>& own) {
     std::vector<std::string> names = own;
-    // A user's layer of the name of an index has features. See FormatProbe: it may be no layer.
+    // A user's layer of the name of an index has features. An index may be no layer.
     for (const std::string& index : format.indices)
         if (OGRLayerH layer = GDALDatasetGetLayerByName(dataset, index.c_str());
             layer == nullptr || OGR_L_GetFeatureCount(layer, TRUE) == 0)

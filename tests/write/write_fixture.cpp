@@ -127,7 +127,7 @@ Feature square(std::int64_t id) {
 }
 
 Layers layers_for(const WriteOptions& options) {
-    return writing::resolve_layers(options, writing::format_for(options));
+    return writing::resolve_layers(options, options.layers, writing::format_for(options));
 }
 
 Provenance provenance() {

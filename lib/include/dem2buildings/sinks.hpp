@@ -128,6 +128,17 @@ struct Provenance {
     std::vector<std::string> binding = {};
 };
 
+/// Returns the name of a layer if the user chooses none.
+[[nodiscard]] inline std::string default_layer_name(LayerRole role) {
+    return role == LayerRole::buildings  ? "buildings"
+           : role == LayerRole::contours ? "contours"
+           : role == LayerRole::roofs    ? "roofs"
+           : role == LayerRole::doubtful ? "doubtful"
+           : role == LayerRole::rejected ? "rejected"
+           : role == LayerRole::missing  ? "missing"
+                                         : "problems";
+}
+
 /// Receives features: a file (see open_sink()), or a list in a program or test.
 ///
 /// Call order: optionally require_crs() and rehearse(); begin(); add() in the order of features in their
@@ -184,13 +195,7 @@ class FeatureSink {
 
     /// Returns the destination's name of a layer. @param layers that are written
     [[nodiscard]] virtual std::string layer_name(LayerRole role, Layers /*layers*/) const {
-        return role == LayerRole::buildings  ? "buildings"
-               : role == LayerRole::contours ? "contours"
-               : role == LayerRole::roofs    ? "roofs"
-               : role == LayerRole::doubtful ? "doubtful"
-               : role == LayerRole::rejected ? "rejected"
-               : role == LayerRole::missing  ? "missing"
-                                             : "problems";
+        return default_layer_name(role);
     }
 };
 

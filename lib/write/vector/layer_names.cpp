@@ -18,12 +18,6 @@
 
 namespace d2b::writing {
 
-/// Returns the name that a driver will give to a layer. Existing layers are looked up by it, because drivers
-/// of databases replace some characters, and PostgreSQL truncates long names. @param base of the layer name
-/// @param suffix of its role, for example "_contours"; kept if the base is shortened
-[[nodiscard]] std::string laundered_name(const std::string& base, const std::string& suffix,
-                                         const VectorFormat& format, const WriteOptions& options);
-
 namespace {
 
 /// Returns the longest name of a table. PostgreSQL truncates names after 63 bytes, and the driver names the
@@ -101,9 +95,8 @@ std::string created_layer_name(const std::string& name, const VectorFormat& form
                                const WriteOptions& options) {
     const reading::GdalMessages quiet;
     const VsimemFolder memory;
-    const std::string file = memory.file(probe_name(format.driver, options.destination));
-    const reading::DatasetOwner dataset(
-        GDALCreate(format.driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const reading::DatasetOwner dataset =
+        create_trial(format.driver, memory.file(probe_name(format.driver, options.destination)));
     const NameValueList chosen(options.layer_options);
     OGRLayerH layer = dataset ? GDALDatasetCreateLayer(dataset.get(), name.c_str(), nullptr, wkbMultiPolygon,
                                                        const_cast<char**>(chosen.get()))
@@ -112,8 +105,9 @@ std::string created_layer_name(const std::string& name, const VectorFormat& form
     return called == nullptr || *called == '\0' ? name : called;
 }
 
-}  // namespace
-
+/// Returns the name that a driver will give to a layer. Existing layers are looked up by it, because drivers
+/// of databases replace some characters, and PostgreSQL truncates long names. @param base of the layer name
+/// @param suffix of its role, for example "_contours"; kept if the base is shortened
 std::string laundered_name(const std::string& base, const std::string& suffix, const VectorFormat& format,
                            const WriteOptions& options) {
     if (format.name == "PostgreSQL")
@@ -129,48 +123,33 @@ std::string laundered_name(const std::string& base, const std::string& suffix, c
     return created_layer_name(name, format, options);
 }
 
-namespace {
-
 std::string stem_of(const std::string& destination) {
     const std::string file = destination.substr(destination.find_last_of('/') + 1);
     return file.substr(0, file.find_last_of('.'));
 }
 
+/// Returns the end of a layer's name after -nln.
 std::string suffix_of(LayerRole role, Layers layers) {
-    switch (role) {
-        case LayerRole::doubtful:
-            return "_doubtful";
-        case LayerRole::rejected:
-            return "_rejected";
-        case LayerRole::problems:
-            return "_problems";
-        case LayerRole::missing:
-            return "_missing";
-        case LayerRole::roofs:
-            return "_roofs";
-        case LayerRole::contours:
-            return layers == Layers::both ? "_contours" : "";
-        case LayerRole::buildings:
-            break;
-    }
-    return "";
+    const bool has_own_name =
+        role == LayerRole::buildings || (role == LayerRole::contours && layers != Layers::both);
+    return has_own_name ? "" : "_" + default_layer_name(role);
 }
 
 }  // namespace
 
-Layers resolve_layers(const WriteOptions& options, const VectorFormat& format) {
+Layers resolve_layers(const WriteOptions& options, std::optional<Layers> asked, const VectorFormat& format) {
     if ((options.doubtful || options.rejected || options.roofs) && !format.multiple_layers)
         throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
                           "); use a GeoPackage for -" +
                           (options.doubtful   ? "write_doubtful."
                            : options.rejected ? "write_rejected."
                                               : "roofs."));
-    if (!options.layers)
+    if (!asked)
         return format.multiple_layers ? Layers::both : Layers::buildings;
-    if (options.layers == Layers::both && !format.multiple_layers)
+    if (asked == Layers::both && !format.multiple_layers)
         throw OptionError("\"" + options.destination + "\" holds one layer (format " + format.name +
                           "); use -layers buildings or -layers contours, or a GeoPackage for both.");
-    return *options.layers;
+    return *asked;
 }
 
 std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role, Layers layers) {
@@ -178,44 +157,23 @@ std::string name_of(const WriteOptions& options, const VectorFormat& format, Lay
         return laundered_name(utf8_text(options.layer_name), suffix_of(role, layers), format, options);
     const bool file_is_layer = !format.multiple_layers && !is_stream(options.destination) &&
                                !is_connection(format.driver, options.destination);
-    std::string stem = utf8_text(stem_of(options.destination));
-    if (file_is_layer && !stem.empty())
-        return stem;
-    switch (role) {
-        case LayerRole::buildings:
-            return "buildings";
-        case LayerRole::contours:
-            return "contours";
-        case LayerRole::roofs:
-            return "roofs";
-        case LayerRole::doubtful:
-            return "doubtful";
-        case LayerRole::rejected:
-            return "rejected";
-        case LayerRole::missing:
-            return "missing";
-        case LayerRole::problems:
-            break;
-    }
-    return "problems";
+    const std::string stem = file_is_layer ? utf8_text(stem_of(options.destination)) : "";
+    return stem.empty() ? default_layer_name(role) : stem;
 }
 
 std::vector<std::string> names_of(const WriteOptions& options, const VectorFormat& format, Layers layers) {
     std::vector<std::string> names;
-    if (layers != Layers::contours)
-        names.push_back(name_of(options, format, LayerRole::buildings, layers));
-    if (layers != Layers::buildings)
-        names.push_back(name_of(options, format, LayerRole::contours, layers));
-    if (options.has_footprints() && format.multiple_layers)
-        names.push_back(name_of(options, format, LayerRole::missing, layers));
-    if (options.roofs)
-        names.push_back(name_of(options, format, LayerRole::roofs, layers));
-    if (options.doubtful)
-        names.push_back(name_of(options, format, LayerRole::doubtful, layers));
-    if (options.rejected)
-        names.push_back(name_of(options, format, LayerRole::rejected, layers));
-    if (options.problems && format.multiple_layers)
-        names.push_back(name_of(options, format, LayerRole::problems, layers));
+    const auto add = [&](LayerRole role, bool is_written) {
+        if (is_written)
+            names.push_back(name_of(options, format, role, layers));
+    };
+    add(LayerRole::buildings, layers != Layers::contours);
+    add(LayerRole::contours, layers != Layers::buildings);
+    add(LayerRole::missing, options.has_footprints() && format.multiple_layers);
+    add(LayerRole::roofs, options.roofs);
+    add(LayerRole::doubtful, options.doubtful);
+    add(LayerRole::rejected, options.rejected);
+    add(LayerRole::problems, options.problems && format.multiple_layers);
     return names;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,14 +9,15 @@
 
 namespace d2b::writing {
 
-/// Returns the requested layers, by default both, or the buildings alone if the format holds one layer per
-/// file. @throws OptionError if both are requested but only one fits
-[[nodiscard]] Layers resolve_layers(const WriteOptions& options, const VectorFormat& format);
+/// Returns the layers that are asked for, by default both, or the buildings alone if the format holds one
+/// layer per file. @throws OptionError if the format cannot hold all layers of the options
+[[nodiscard]] Layers resolve_layers(const WriteOptions& options, std::optional<Layers> asked,
+                                    const VectorFormat& format);
 
-/// Returns the name of a layer as the driver will create it (see laundered_name()): -nln, with "_contours"
-/// appended for contours if both layers are written, and "_doubtful", "_rejected" or "_problems" for these
-/// roles. Without -nln it is "buildings", "contours", "doubtful", "rejected" or "problems", or the stem of
-/// the file if a file is one layer. @param layers result of resolve_layers()
+/// Returns the name of a layer as the driver will create it: -nln, with "_contours" appended for contours if
+/// both layers are written, and "_doubtful", "_rejected" and so on for other roles. Without -nln it is
+/// default_layer_name(), or the stem of the file if a file is one layer. @param layers result of
+/// resolve_layers()
 [[nodiscard]] std::string name_of(const WriteOptions& options, const VectorFormat& format, LayerRole role,
                                   Layers layers);
 

@@ -88,9 +88,7 @@ void PartSink::prepare(CommitList& commit) {
 }
 
 Layers PartSink::layers(std::optional<Layers> asked) const {
-    WriteOptions options = options_;
-    options.layers = asked;
-    return resolve_layers(options, format_);
+    return resolve_layers(options_, asked, format_);
 }
 
 std::string PartSink::layer_name(LayerRole role, Layers layers) const {

@@ -44,7 +44,6 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
           format_(std::move(format)),
           destination_(std::move(destination)),
           existing_(std::move(existing)),
-          writes_virtual_files_(format_.in_memory),
           stop_(std::move(stop)) {
         warnings_.hold();
     }
@@ -62,9 +61,7 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
     [[nodiscard]] std::int64_t first_id() const override { return writer_ ? writer_->first_id() : 1; }
     [[nodiscard]] bool takes_points() const override { return format_.multiple_layers; }
     [[nodiscard]] Layers layers(std::optional<Layers> asked) const override {
-        WriteOptions options = options_;
-        options.layers = asked;
-        return resolve_layers(options, format_);
+        return resolve_layers(options_, asked, format_);
     }
     [[nodiscard]] std::string layer_name(LayerRole role, Layers layers) const override {
         return name_of(options_, format_, role, layers);
@@ -77,13 +74,11 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
     [[nodiscard]] ReplacedFiles old_files() const {
         return existing_ ? ReplacedFiles{existing_->files, existing_->stamp} : ReplacedFiles{};
     }
-    /// @throws OutputError if the disk rejected a write that the driver took for successful
 
     WriteOptions options_;
     VectorFormat format_;
     Destination destination_;
     std::optional<ExistingDataset> existing_;
-    bool writes_virtual_files_;
     std::optional<CoordinateRounding> rounding_ = CoordinateRounding();  ///< nothing if not decimal
     StopToken stop_;
     Warnings warnings_;
@@ -110,7 +105,7 @@ DatasetWriter::Mode OgrFeatureSink::mode() const {
 void OgrFeatureSink::require_crs(const std::string& wkt, const std::string& name, const Position& place) {
     if (!format_.preserves_crs)
         return;
-    const CrsMismatch mismatch = find_crs_mismatch(format_.driver, destination_.name, wkt, place);
+    const CrsMismatch mismatch = find_crs_mismatch(format_, destination_.name, wkt, place);
     const std::string what = format_.name + " cannot hold the coordinate reference system '" + name + "'";
     if (!mismatch.lost.empty())
         throw OutputError("Cannot write \"" + destination_.name + "\": " + what + " (" + mismatch.lost +
@@ -137,7 +132,7 @@ void OgrFeatureSink::preflight(std::span<const LayerSpec> layers, const Provenan
                        options_.layer_options.empty() && options_.dataset_options.empty();
     if (!plain && !is_connection(format_.driver, destination_.path)) {
         TrialDataset trial = preflight_create(draft);
-        writes_virtual_files_ = trial.in_memory && writes_virtual_files_;
+        format_.in_memory = format_.in_memory && trial.in_memory;
         if (destination_.local && mode() == DatasetWriter::Mode::create)
             claim_files(destination_, format_, existing_, std::move(trial.names));
     }
@@ -154,7 +149,7 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
         files_.emplace(PendingResult::Kind::dataset, destination_.name, destination_.path, old_files(),
                        warnings_);
         StagingFolder& staging = files_->staging();
-        const bool monitored = !format_.transactions && writes_virtual_files_;
+        const bool monitored = !format_.transactions && format_.in_memory;
         const auto called = [&](const std::filesystem::path& file) {
             return monitored ? monitor_->name_of(file.string()) : file.string();
         };
@@ -271,7 +266,7 @@ void keep_inputs(const Options& options) {
 std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callbacks& callbacks) {
     reading::register_formats();
     writing::VectorFormat format = writing::format_for(options);
-    const Layers layers = writing::resolve_layers(options, format);
+    const Layers layers = writing::resolve_layers(options, options.layers, format);
     writing::Destination destination = writing::locate(options, format);
     if (writing::is_drawing(format))
         return writing::open_dxf_sink(options, format, destination);

@@ -167,8 +167,7 @@ bool same_kind(OGRSpatialReferenceH a, OGRSpatialReferenceH b) {
 bool accepts_wgs84(GDALDriverH driver, const std::string& destination) {
     const reading::GdalMessages messages;
     const VsimemFolder memory;
-    const std::string file = memory.file(probe_name(driver, destination));
-    const reading::DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const reading::DatasetOwner dataset = create_trial(driver, memory.file(probe_name(driver, destination)));
     const reading::CrsOwner srs(OSRNewSpatialReference(nullptr));
     OSRSetWellKnownGeogCS(srs.get(), "WGS84");
     return dataset && add_trial_layer(dataset.get(), "probe", srs.get()) != nullptr && !messages.failed();
@@ -340,26 +339,26 @@ void preflight_replace(const PlannedOutput& draft) {
         dependents.preflight({draft.destination.name, ""}, create_table_statements(draft));
 }
 
-CrsMismatch find_crs_mismatch(GDALDriverH driver, const std::string& destination, const std::string& wkt,
-                              const Position& place) {
+CrsMismatch find_crs_mismatch(const VectorFormat& format, const std::string& destination,
+                              const std::string& wkt, const Position& place) {
     const reading::GdalMessages messages;
     const reading::CrsOwner srs(wkt.empty() ? nullptr : OSRNewSpatialReference(wkt.c_str()));
-    if (!srs || is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO) ||
-        (EQUAL(GDALGetDriverShortName(driver), "GPKG") && has_wkt1(srs.get())))
+    if (!srs || is_connection(format.driver, destination) ||
+        !has_capability(format.driver, GDAL_DCAP_VIRTUALIO) || (format.name == "GPKG" && has_wkt1(srs.get())))
         return {};
     OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
     const VsimemFolder memory;
-    const std::string file = memory.file(probe_name(driver, destination));
-    reading::DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    const std::string file = memory.file(probe_name(format.driver, destination));
+    reading::DatasetOwner dataset = create_trial(format.driver, file);
     const reading::GdalMessages of_layer;
     OGRLayerH layer = dataset ? add_trial_layer(dataset.get(), "probe", srs.get()) : nullptr;
     if (of_layer.failed())
-        return accepts_wgs84(driver, destination) ? CrsMismatch{of_layer.reason()} : CrsMismatch{};
+        return accepts_wgs84(format.driver, destination) ? CrsMismatch{of_layer.reason()} : CrsMismatch{};
     const reading::GdalMessages quiet;
     if (layer == nullptr || !add_trial_feature(layer, place))
         return {};  // inconclusive
     dataset.reset();
-    dataset = reopen_trial(driver, file);
+    dataset = open_dataset(format, file, GDAL_OF_READONLY);
     layer = dataset ? GDALDatasetGetLayer(dataset.get(), 0) : nullptr;
     if (layer == nullptr || !is_at(layer, place))
         return {};

@@ -57,7 +57,7 @@ struct CrsMismatch {
 /// they have no name for, and others drop it or write the coordinates as if they were in the CRS of the
 /// format. @param wkt "" for none @param place position in that CRS @return empty if the CRS is kept or the
 /// coordinates are transformed to the CRS of the format
-[[nodiscard]] CrsMismatch find_crs_mismatch(GDALDriverH driver, const std::string& destination,
+[[nodiscard]] CrsMismatch find_crs_mismatch(const VectorFormat& format, const std::string& destination,
                                             const std::string& wkt, const Position& place);
 
 /// Finds out how a format rounds coordinates with the options and configuration of a run: writes polygons in

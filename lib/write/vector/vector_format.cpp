@@ -21,23 +21,6 @@
 
 namespace d2b::writing {
 
-/// Properties of a format found by a trial, because metadata of drivers are unreliable.
-struct FormatProbe {
-    bool multiple_layers = false;
-    bool transactions = false;
-    bool preserves_crs = true;
-    bool folder = false;
-    bool in_memory = false;
-    std::vector<std::string> suffixes;  ///< suffixes of its files from the first dot on; empty for a folder
-    std::vector<std::string> indices;   ///< stems of files in a folder that belong to no layer
-};
-
-/// Writes two layers with one feature each into /vsimem/ under a name with the extension of the destination,
-/// and inspects the result. Capabilities are not enough, because the Shapefile, CSV and FlatGeobuf drivers
-/// hold several layers in a folder but one in a file, and some accept a second layer and put it elsewhere.
-/// GeoPackage is not tried, because its properties are known.
-[[nodiscard]] FormatProbe probe_format(GDALDriverH driver, const std::string& destination);
-
 std::string probe_name(GDALDriverH driver, const std::string& destination) {
     if (is_stream(destination)) {
         const char* extension = GDALGetMetadataItem(driver, GDAL_DMD_EXTENSION, nullptr);
@@ -48,6 +31,10 @@ std::string probe_name(GDALDriverH driver, const std::string& destination) {
     const std::string file = path.substr(path.find_last_of('/') + 1);
     const auto dot = file.find('.', 1);
     return dot == std::string::npos ? "probe" : "probe" + file.substr(dot);
+}
+
+reading::DatasetOwner create_trial(GDALDriverH driver, const std::string& file) {
+    return reading::DatasetOwner(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
 }
 
 OGRLayerH add_trial_layer(GDALDatasetH dataset, const char* name, OGRSpatialReferenceH srs) {
@@ -73,11 +60,6 @@ bool add_trial_feature(OGRLayerH layer, const Position& place) {
     return OGR_L_CreateFeature(layer, feature.get()) == OGRERR_NONE;
 }
 
-reading::DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file) {
-    const std::array<const char*, 2> only{GDALGetDriverShortName(driver), nullptr};
-    return reading::DatasetOwner(GDALOpenEx(file.c_str(), GDAL_OF_VECTOR, only.data(), nullptr, nullptr));
-}
-
 bool has_capability(GDALDriverH driver, const char* capability) {
     const char* value = GDALGetMetadataItem(driver, capability, nullptr);
     return value != nullptr && EQUAL(value, "YES");
@@ -97,27 +79,59 @@ bool add_layer(GDALDatasetH dataset, const char* name) {
     return layer != nullptr && add_trial_feature(layer, {});
 }
 
-bool writes_two(GDALDriverH driver, const std::string& file, bool& transactions) {
-    const reading::DatasetOwner dataset(GDALCreate(driver, file.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    transactions = dataset && has_native_transactions(dataset.get());
-    return dataset && add_layer(dataset.get(), "one") &&
-           GDALDatasetTestCapability(dataset.get(), ODsCCreateLayer) != FALSE &&
-           add_layer(dataset.get(), "two");
+void write_two_layers(const std::string& file, VectorFormat& format) {
+    const reading::DatasetOwner dataset = create_trial(format.driver, file);
+    format.transactions = dataset && has_native_transactions(dataset.get());
+    format.multiple_layers = dataset && add_layer(dataset.get(), "one") &&
+                             GDALDatasetTestCapability(dataset.get(), ODsCCreateLayer) != FALSE &&
+                             add_layer(dataset.get(), "two");
 }
 
-void read_back(GDALDriverH driver, const std::string& file, FormatProbe& result) {
-    const reading::DatasetOwner dataset = reopen_trial(driver, file);
+void read_back(const std::string& file, VectorFormat& format) {
+    const reading::DatasetOwner dataset = open_dataset(format, file, GDAL_OF_READONLY);
     if (!dataset)
         return;
-    result.multiple_layers = result.multiple_layers && GDALDatasetGetLayerCount(dataset.get()) > 1;
+    format.multiple_layers = format.multiple_layers && GDALDatasetGetLayerCount(dataset.get()) > 1;
     // By its files, because GDAL 3.10 shows no index as a layer.
-    const CPLStringList files(result.folder ? VSIReadDir(file.c_str()) : nullptr);
-    for (int i = 0; i < files.Count(); ++i)
-        if (const std::string name = std::filesystem::path(files[i]).stem().string();
-            name != "one" && name != "two" && name != "." && name != "..")
-            result.indices.push_back(name);
+    if (format.folder)
+        for (const std::string& name : names_in(file))
+            if (const std::string stem = std::filesystem::path(name).stem().string();
+                stem != "one" && stem != "two")
+                format.indices.push_back(stem);
     OGRLayerH layer = GDALDatasetGetLayer(dataset.get(), 0);
-    result.preserves_crs = layer != nullptr && OGR_L_GetSpatialRef(layer) != nullptr;
+    format.preserves_crs = layer != nullptr && OGR_L_GetSpatialRef(layer) != nullptr;
+}
+
+/// Finds the properties of a format by writing two layers with one feature each into /vsimem/ under a name
+/// with the extension of the destination. Capabilities are not enough, because the Shapefile, CSV and
+/// FlatGeobuf drivers hold several layers in a folder but one in a file, and some accept a second layer and
+/// put it elsewhere.
+void probe(VectorFormat& format, const std::string& destination) {
+    const reading::GdalMessages quiet;
+    if (is_connection(format.driver, destination) || !has_capability(format.driver, GDAL_DCAP_VIRTUALIO)) {
+        format.multiple_layers = has_capability(format.driver, GDAL_DCAP_MULTIPLE_VECTOR_LAYERS);
+        return;
+    }
+    const std::string name = probe_name(format.driver, destination);
+    // GeoPackage is known, and a trial takes longer than a small raster.
+    if (format.name == "GPKG") {
+        const std::size_t dot = name.find('.');
+        format.multiple_layers = format.transactions = format.in_memory = true;
+        if (dot != std::string::npos)
+            format.suffixes = {name.substr(dot)};
+        return;
+    }
+    const VsimemFolder memory;
+    const std::string file = memory.file(name);
+    write_two_layers(file, format);
+    VSIStatBufL status{};
+    format.in_memory = VSIStatL(file.c_str(), &status) == 0;
+    format.folder = format.in_memory && VSI_ISDIR(status.st_mode);
+    if (!format.folder)
+        for (const std::string& each : names_in(memory.file("")))
+            if (each.starts_with("probe."))
+                format.suffixes.push_back(each.substr(5));
+    read_back(file, format);
 }
 
 std::string metadata(GDALDriverH driver, const char* item) {
@@ -202,34 +216,6 @@ void reject_vector_tiles(GDALDriverH driver, const std::string& destination) {
 
 }  // namespace
 
-FormatProbe probe_format(GDALDriverH driver, const std::string& destination) {
-    const reading::GdalMessages quiet;
-    FormatProbe result;
-    if (is_connection(driver, destination) || !has_capability(driver, GDAL_DCAP_VIRTUALIO)) {
-        result.multiple_layers = has_capability(driver, GDAL_DCAP_MULTIPLE_VECTOR_LAYERS);
-        return result;
-    }
-    const std::string name = probe_name(driver, destination);
-    // GeoPackage is known, and a trial takes longer than a small raster.
-    if (EQUAL(GDALGetDriverShortName(driver), "GPKG")) {
-        const std::size_t dot = name.find('.');
-        result.multiple_layers = result.transactions = result.in_memory = true;
-        if (dot != std::string::npos)
-            result.suffixes = {name.substr(dot)};
-        return result;
-    }
-    const VsimemFolder memory;
-    const std::string file = memory.file(name);
-    result.multiple_layers = writes_two(driver, file, result.transactions);
-    VSIStatBufL status{};
-    result.in_memory = VSIStatL(file.c_str(), &status) == 0;
-    result.folder = result.in_memory && VSI_ISDIR(status.st_mode);
-    if (!result.folder)
-        result.suffixes = memory.suffixes();
-    read_back(driver, file, result);
-    return result;
-}
-
 VectorFormat format_for(const WriteOptions& options) {
     if (options.destination.empty())
         throw OptionError("The name of the destination is empty; give a file, e.g. buildings.gpkg.");
@@ -239,17 +225,13 @@ VectorFormat format_for(const WriteOptions& options) {
         options.format.empty() ? driver_by_destination(options.destination) : driver_by_name(options.format);
     format.name = GDALGetDriverShortName(format.driver);
     reject_vector_tiles(format.driver, options.destination);
-    FormatProbe probe = probe_format(format.driver, options.destination);
+    probe(format, options.destination);
     // GDAL 3.10 writes all layers of a CSV to stdout, one after the other.
-    const bool is_one_table = format.name == "CSV" && is_stream(options.destination);
+    if (format.name == "CSV" && is_stream(options.destination))
+        format.multiple_layers = false;
     // Entities of a drawing name their layers, and OGR has all in one.
-    format.multiple_layers = (probe.multiple_layers && !is_one_table) || format.name == "DXF";
-    format.transactions = probe.transactions;
-    format.preserves_crs = probe.preserves_crs;
-    format.folder = probe.folder;
-    format.in_memory = probe.in_memory;
-    format.suffixes = std::move(probe.suffixes);
-    format.indices = std::move(probe.indices);
+    if (format.name == "DXF")
+        format.multiple_layers = true;
     return format;
 }
 

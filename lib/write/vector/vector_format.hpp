@@ -33,14 +33,6 @@ class VsimemFolder {
     VsimemFolder(const VsimemFolder&) = delete;
     VsimemFolder& operator=(const VsimemFolder&) = delete;
     ~VsimemFolder() { VSIRmdirRecursive(path_.c_str()); }
-    /// Returns the suffixes of files named probe.*, because a driver may add other files.
-    [[nodiscard]] std::vector<std::string> suffixes() const {
-        std::vector<std::string> found;
-        for (const std::string& name : names_in(path_))
-            if (name.starts_with("probe."))
-                found.push_back(name.substr(5));
-        return found;
-    }
     [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
 
   private:
@@ -51,14 +43,14 @@ class VsimemFolder {
 /// file.
 [[nodiscard]] std::string probe_name(GDALDriverH driver, const std::string& destination);
 
+/// Creates an empty dataset with default options. @return null on failure
+[[nodiscard]] reading::DatasetOwner create_trial(GDALDriverH driver, const std::string& file);
+
 /// @return null if the driver creates none
 OGRLayerH add_trial_layer(GDALDatasetH dataset, const char* name, OGRSpatialReferenceH srs);
 
 /// Adds a small triangle. @param place its first vertex @return true if the driver accepts it
 bool add_trial_feature(OGRLayerH layer, const Position& place);
-
-/// Opens the file with this driver only. @return null on failure
-[[nodiscard]] reading::DatasetOwner reopen_trial(GDALDriverH driver, const std::string& file);
 
 /// True if the driver metadata have YES for a capability.
 [[nodiscard]] bool has_capability(GDALDriverH driver, const char* capability);
@@ -73,10 +65,13 @@ struct VectorFormat {
     bool multiple_layers = false;  ///< a dataset at this destination can hold both of our layers
     bool transactions = false;     ///< native transactions, not emulated by copies
     bool preserves_crs = true;
-    bool folder = false;                ///< a dataset at this destination is a folder of files
-    bool in_memory = false;             ///< the driver writes files of virtual file systems, too
-    std::vector<std::string> suffixes;  ///< suffixes of the files of a dataset here, from the first dot on
-    std::vector<std::string> indices;   ///< layers that list the others, such as "doc" of a folder of KML
+    bool folder = false;     ///< a dataset at this destination is a folder of files
+    bool in_memory = false;  ///< the driver writes files of virtual file systems, too
+    /// Suffixes of the files of a dataset here, from the first dot on; none for a folder.
+    std::vector<std::string> suffixes;
+    /// Stems of files in a folder that belong to no layer of ours, such as "doc" of a folder of KML, which
+    /// lists the others.
+    std::vector<std::string> indices;
 };
 
 /// Selects a format by -f, or by the extension or prefix of the destination; the first registered driver,
