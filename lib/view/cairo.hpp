@@ -101,16 +101,14 @@ D2B_LAZY_SYMBOL(pango_layout_set_single_paragraph_mode);
 D2B_LAZY_SYMBOL(pango_layout_set_text);
 D2B_LAZY_SYMBOL(pango_layout_set_width);
 
-struct SurfaceDeleter {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+/// Releases an object by one of the functions above.
+template <typename Function>
+struct ReleaseBy {
+    void operator()(auto* object) const { Function{}(object); }
 };
-using SurfacePtr = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
-
-struct CairoDeleter {
-    void operator()(cairo_t* pen) const { cairo_destroy(pen); }
-};
+using SurfacePtr = std::unique_ptr<cairo_surface_t, ReleaseBy<decltype(cairo_surface_destroy)>>;
 /// Owns a drawing context.
-using CairoPtr = std::unique_ptr<cairo_t, CairoDeleter>;
+using CairoPtr = std::unique_ptr<cairo_t, ReleaseBy<decltype(cairo_destroy)>>;
 
 /// Checks a status. Once per drawing is enough, because Cairo keeps the first error and ignores later calls.
 /// @throws OutputError on an error

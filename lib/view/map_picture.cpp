@@ -10,14 +10,6 @@
 
 namespace d2b::view {
 
-/// Colour of cells without elevation: white. Pixels are 0xRRGGBB.
-inline constexpr std::uint32_t nodata_pixel = 0xFFFFFF;
-
-/// Lambertian hillshade with light from the upper left, 45 degrees above the horizon. Slopes are compressed
-/// to less than 0.8, because walls and trees would otherwise be black; gentle slopes are almost unchanged.
-/// @param right, down slope (rise over run) in that direction @return a pixel
-[[nodiscard]] std::uint32_t hillshade_pixel(double right, double down);
-
 namespace {
 
 SurfacePtr make_surface(PixelSize size, writing::PictureFormat format) {
@@ -51,6 +43,28 @@ int cells_per_sample(const MapFrame& frame) {
 
 int relief_samples(std::int32_t cells, int step) {
     return static_cast<int>((std::int64_t{cells} + step - 1) / step);
+}
+
+/// Colour of cells without elevation: white. Pixels are 0xRRGGBB.
+constexpr std::uint32_t nodata_pixel = 0xFFFFFF;
+
+/// Lambertian hillshade with light from the upper left, 45 degrees above the horizon. Slopes are compressed
+/// to less than 0.8, because walls and trees would otherwise be black; gentle slopes are almost unchanged.
+/// @param right, down slope (rise over run) in that direction @return a pixel
+std::uint32_t hillshade_pixel(double right, double down) {
+    constexpr double dark = 130;
+    constexpr double flat = level_ground[0];
+    constexpr double bright = 250;
+    constexpr double steepest = 0.8;
+    constexpr double brightest = 1.7320508075688772;  // relative to level ground
+    const double less = steepest / (steepest + std::hypot(right, down));
+    right *= less;
+    down *= less;
+    const double light = (1 + right + down) / std::sqrt(1 + right * right + down * down);
+    const double grey = light < 1 ? dark + (flat - dark) * std::max(light, 0.0)
+                                  : flat + (bright - flat) * (light - 1) / (brightest - 1);
+    const auto level = static_cast<std::uint32_t>(std::lround(std::clamp(grey, dark, bright)));
+    return level << 16U | level << 8U | level;
 }
 
 double rise_between(double from, double to, double here) {
@@ -118,22 +132,6 @@ void paint(const FootprintDrawing& footprints, cairo_t* pen) {
     cairo_set_source_surface(pen, of.surface.get(), 0, 0);
     cairo_paint_with_alpha(pen, footprint_opacity);
     cairo_restore(pen);
-}
-
-std::uint32_t hillshade_pixel(double right, double down) {
-    constexpr double dark = 130;
-    constexpr double flat = level_ground[0];
-    constexpr double bright = 250;
-    constexpr double steepest = 0.8;
-    constexpr double brightest = 1.7320508075688772;  // relative to level ground
-    const double less = steepest / (steepest + std::hypot(right, down));
-    right *= less;
-    down *= less;
-    const double light = (1 + right + down) / std::sqrt(1 + right * right + down * down);
-    const double grey = light < 1 ? dark + (flat - dark) * std::max(light, 0.0)
-                                  : flat + (bright - flat) * (light - 1) / (brightest - 1);
-    const auto level = static_cast<std::uint32_t>(std::lround(std::clamp(grey, dark, bright)));
-    return level << 16U | level << 8U | level;
 }
 
 Relief::Impl::Impl(const MapFrame& map)

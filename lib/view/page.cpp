@@ -14,17 +14,6 @@
 
 namespace d2b::view {
 
-/// Width of a legend, in font sizes.
-inline constexpr double legend_width = 24;
-
-/// Draws the height classes side by side in their colours on level ground, with the heights between them.
-/// @param place upper left corner @param title meaning of the colours, with unit
-void draw_legend(cairo_t* pen, PixelPoint place, double font, const std::string& title);
-
-/// Draws an arrow with an N at its tip. @param middle, height of both together
-/// @param north direction as a unit vector
-void draw_north_arrow(cairo_t* pen, PixelPoint middle, double height, PixelPoint north);
-
 void paint(const MapPicture& map, cairo_t* pen, PixelPoint place, double font) {
     cairo_save(pen);
     cairo_translate(pen, place.x, place.y);
@@ -39,22 +28,15 @@ void paint(const MapPicture& map, cairo_t* pen, PixelPoint place, double font) {
 
 namespace {
 
-struct ObjectDeleter {
-    void operator()(gpointer object) const { g_object_unref(object); }
-};
-struct FontDeleter {
-    void operator()(PangoFontDescription* font) const { pango_font_description_free(font); }
-};
-struct FontOptionsDeleter {
-    void operator()(cairo_font_options_t* options) const { cairo_font_options_destroy(options); }
-};
-using LayoutPtr = std::unique_ptr<PangoLayout, ObjectDeleter>;
+using LayoutPtr = std::unique_ptr<PangoLayout, ReleaseBy<decltype(g_object_unref)>>;
 
 /// Creates a layout independent of screen and locale, because a picture must not depend on the machine that
 /// draws it.
 LayoutPtr make_layout(cairo_t* pen) {
-    const std::unique_ptr<PangoContext, ObjectDeleter> context(pango_cairo_create_context(pen));
-    const std::unique_ptr<cairo_font_options_t, FontOptionsDeleter> options(cairo_font_options_create());
+    const std::unique_ptr<PangoContext, ReleaseBy<decltype(g_object_unref)>> context(
+        pango_cairo_create_context(pen));
+    const std::unique_ptr<cairo_font_options_t, ReleaseBy<decltype(cairo_font_options_destroy)>> options(
+        cairo_font_options_create());
     cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
     cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
     cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
@@ -64,15 +46,13 @@ LayoutPtr make_layout(cairo_t* pen) {
 }
 
 std::string valid_utf8(const std::string& text) {
-    struct StringDeleter {
-        void operator()(gchar* made) const { (g_free)(made); }  // bypasses the macro of newer versions
-    };
-    const std::unique_ptr<gchar, StringDeleter> made(
+    const std::unique_ptr<gchar, ReleaseBy<decltype(g_free)>> made(
         g_utf8_make_valid(text.data(), static_cast<gssize>(text.size())));
     return made.get();
 }
 
 // Sizes below are in font sizes.
+constexpr double legend_width = 24;
 constexpr double block_height = 3.7;  // height of the legend and the blocks next to it
 constexpr double scale_room = 13;
 constexpr double arrow_room = 3.2;
@@ -134,7 +114,8 @@ std::string renumber_svg_ids(const std::string& svg) {
 
 void draw_text(cairo_t* pen, PixelPoint place, const TextStyle& style, const std::string& text) {
     const LayoutPtr layout = make_layout(pen);
-    const std::unique_ptr<PangoFontDescription, FontDeleter> font(pango_font_description_new());
+    const std::unique_ptr<PangoFontDescription, ReleaseBy<decltype(pango_font_description_free)>> font(
+        pango_font_description_new());
     pango_font_description_set_family(font.get(), "DejaVu Sans,sans-serif");
     pango_font_description_set_weight(font.get(), style.bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
     pango_font_description_set_absolute_size(font.get(), style.size * PANGO_SCALE);
@@ -199,6 +180,10 @@ void draw_scale_bar(cairo_t* pen, PixelPoint place, double max_width, double fon
     draw_text(pen, {left + width, top + height * 1.5}, label, length_text(length.metres, metres));
 }
 
+namespace {
+
+/// Draws the height classes side by side in their colours on level ground, with the heights between them.
+/// @param place upper left corner @param title meaning of the colours, with unit
 void draw_legend(cairo_t* pen, PixelPoint place, double font, const std::string& title) {
     const auto classes = height_classes();
     const double width = legend_width * font / static_cast<double>(classes.size());
@@ -219,6 +204,8 @@ void draw_legend(cairo_t* pen, PixelPoint place, double font, const std::string&
     }
 }
 
+/// Draws an arrow with an N at its tip. @param middle, height of both together
+/// @param north direction as a unit vector
 void draw_north_arrow(cairo_t* pen, PixelPoint middle, double height, PixelPoint north) {
     const double letter = height * 0.4;
     const double half = height * 0.3;  // half of the arrow's length
@@ -249,6 +236,8 @@ void draw_north_arrow(cairo_t* pen, PixelPoint middle, double height, PixelPoint
     const PixelPoint at = along(half + shift + gap + letter * 0.5);
     draw_text(pen, {at.x, at.y - letter * 0.62}, {.size = letter, .bold = true, .align = Align::middle}, "N");
 }
+
+}  // namespace
 
 bool in_metres(const Crs& crs) {
     return crs.horizontal_unit().has_value() || crs.on_ellipsoid();

@@ -57,9 +57,9 @@ writing::FileTarget picture_target(const Options& options) {
 Preview::Preview(const Options& options, FeatureSink& features, const DemInfo& dem) : features_(features) {
     if (options.write.preview.empty())
         return;
-    file_ = writing::open_picture(picture_target(options));
+    file_.emplace(writing::resolve_file_target(picture_target(options)));
     const MapArea ground = map_area_of(options, dem);
-    const writing::PictureFormat format = file_->format();
+    const writing::PictureFormat format = *writing::picture_format_of(options.write.preview);
     const PageWords words = page_words(options);
     const PageLayout layout = layout_of(options.write, ground, format, words);
     sink_.emplace(features, MapFrame(ground, layout.map), format,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,7 +8,7 @@
 #include "dem2buildings/dem_source.hpp"
 #include "dem2buildings/options.hpp"
 #include "view/preview_sink.hpp"
-#include "write/raster/picture_file.hpp"
+#include "write/file_writer.hpp"
 
 namespace d2b::view {
 
@@ -31,7 +30,7 @@ class Preview {
 
   private:
     FeatureSink& features_;
-    std::unique_ptr<writing::PictureFile> file_;
+    std::optional<writing::FileWriter> file_;
     std::optional<PreviewSink> sink_;
 };
 

@@ -24,27 +24,6 @@
 
 namespace d2b::writing {
 
-/// True if the name is among the names; case-insensitive, because OGR compares layer names like that.
-[[nodiscard]] bool contains_name(const std::vector<std::string>& names, const std::string& name);
-
-/// Checks formats whose datasets are replaced whole. @param own layers that the run writes
-/// @throws OptionError if layers or files of others would be lost
-void reject_foreign_data(const Destination& destination, const ExistingDataset& existing,
-                         GDALDatasetH dataset, const VectorFormat& format, const WriteOptions& options,
-                         const std::vector<std::string>& own);
-
-/// @throws OutputError if a database cannot be opened for writing @throws OptionError if -append is given and
-/// the driver cannot append to existing layers
-void require_writable(const Destination& destination, const ExistingDataset& existing,
-                      const VectorFormat& format, const WriteOptions& options,
-                      const std::vector<std::string>& names);
-
-/// Rejects -overwrite if it would break relations and foreign keys, whose ids would then refer to other
-/// features, or views and triggers of PostgreSQL, which drops them with the table. @param names of the layers
-/// @throws OptionError naming the first one
-void reject_breaking_replacement(const Destination& destination, GDALDatasetH dataset,
-                                 const VectorFormat& format, const std::vector<std::string>& names);
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,8 +51,6 @@ void check_parent_folder(const std::string& name, const fs::path& path) {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string in_quotes(const std::string& text) {
     return "\"" + text + "\"";
@@ -158,7 +135,11 @@ Destination locate(const WriteOptions& options, const VectorFormat& format) {
 
 namespace {
 
-namespace fs = std::filesystem;
+/// True if the name is among the names; case-insensitive, because OGR compares layer names like that.
+bool contains_name(const std::vector<std::string>& names, const std::string& name) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& other) { return EQUAL(other.c_str(), name.c_str()); });
+}
 
 /// Returns the first file of the folder that is not part of our layers; "" if there is none.
 std::string foreign_file(const fs::path& folder, GDALDatasetH dataset,
@@ -218,13 +199,8 @@ bool is_appendable(GDALDatasetH dataset, const VectorFormat& format, const std::
     return true;
 }
 
-}  // namespace
-
-bool contains_name(const std::vector<std::string>& names, const std::string& name) {
-    return std::any_of(names.begin(), names.end(),
-                       [&](const std::string& other) { return EQUAL(other.c_str(), name.c_str()); });
-}
-
+/// Checks formats whose datasets are replaced whole. @param own layers that the run writes
+/// @throws OptionError if layers or files of others would be lost
 void reject_foreign_data(const Destination& destination, const ExistingDataset& existing,
                          GDALDatasetH dataset, const VectorFormat& format, const WriteOptions& options,
                          const std::vector<std::string>& own) {
@@ -254,6 +230,8 @@ void reject_foreign_data(const Destination& destination, const ExistingDataset& 
                           "first.");
 }
 
+/// @throws OutputError if a database cannot be opened for writing @throws OptionError if -append is given and
+/// the driver cannot append to existing layers
 void require_writable(const Destination& destination, const ExistingDataset& existing,
                       const VectorFormat& format, const WriteOptions& options,
                       const std::vector<std::string>& names) {
@@ -268,7 +246,7 @@ void require_writable(const Destination& destination, const ExistingDataset& exi
     // Open a copy, because some drivers change a file as soon as they open it for writing.
     std::optional<StagingFolder> copy;
     if (destination.local && !format.transactions)
-        copy.emplace(destination.name, destination.path).copy_in(existing.files);
+        copy.emplace(destination.name, destination.path).copy_in(existing.old.files);
     const reading::DatasetOwner dataset =
         open_dataset(format, copy ? copy->dataset().string() : destination.path, GDAL_OF_UPDATE);
     if (!dataset && format.transactions)
@@ -282,8 +260,6 @@ void require_writable(const Destination& destination, const ExistingDataset& exi
         throw OptionError("GDAL cannot append to \"" + destination.name + "\", a dataset of format " +
                           format.name + "; write to another destination, or to a GeoPackage.");
 }
-
-namespace {
 
 bool has_relations(GDALDatasetH dataset) {
     return sql_value(dataset,
@@ -340,8 +316,9 @@ void reject_in_postgresql(const Destination& destination, GDALDatasetH dataset, 
             table + " AND conrelid <> confrelid");
 }
 
-}  // namespace
-
+/// Rejects -overwrite if it would break relations and foreign keys, whose ids would then refer to other
+/// features, or views and triggers of PostgreSQL, which drops them with the table. @param names of the layers
+/// @throws OptionError naming the first one
 void reject_breaking_replacement(const Destination& destination, GDALDatasetH dataset,
                                  const VectorFormat& format, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
@@ -354,10 +331,6 @@ void reject_breaking_replacement(const Destination& destination, GDALDatasetH da
             reject_in_sqlite(destination, dataset, OGR_L_GetName(layer));
     }
 }
-
-namespace {
-
-namespace fs = std::filesystem;
 
 /// Sidecar files of a .shp, replaced with it because an old index would not match the new file.
 constexpr std::array shapefile_sidecars{".shx", ".dbf", ".prj", ".cpg", ".qix", ".sbn",
@@ -422,8 +395,8 @@ ExistingDataset inspect_existing(const Destination& destination, const VectorFor
     for (int i = 0; i < GDALDatasetGetLayerCount(dataset.get()); ++i)
         existing.layers.emplace_back(OGR_L_GetName(GDALDatasetGetLayer(dataset.get(), i)));
     if (destination.local)
-        existing.files = files_of(dataset.get(), destination.path, format);
-    existing.stamp = stamp_of(existing.files);
+        existing.old.files = files_of(dataset.get(), destination.path, format);
+    existing.old.stamp = stamp_of(existing.old.files);
     if (!format.transactions)
         reject_foreign_data(destination, existing, dataset.get(), format, options, names);
     if (options.overwrite)
@@ -469,14 +442,14 @@ void claim_files(const Destination& destination, const VectorFormat& format,
             continue;
         if (!existing)
             refuse_sibling(destination.name, sibling);
-        if (std::ranges::find(existing->files, sibling.string()) != existing->files.end())
+        if (std::ranges::find(existing->old.files, sibling.string()) != existing->old.files.end())
             continue;
         if (const std::string owner = owner_of(sibling, names); !owner.empty())
             throw OptionError("Writing " + in_quotes(destination.name) + " would replace " +
                               in_quotes(sibling.string()) + ", a file of " + in_quotes(owner) +
                               "; choose another name.");
-        existing->files.push_back(sibling.string());
-        existing->stamp += stamp_of({sibling.string()});
+        existing->old.files.push_back(sibling.string());
+        existing->old.stamp += stamp_of({sibling.string()});
     }
 }
 
@@ -505,22 +478,6 @@ std::optional<ExistingDataset> inspect_database(const Destination& destination, 
                 "\"; give -overwrite to replace it, -append to add to it, or -nln for another name.");
     }
     return existing;
-}
-
-std::string stamp_of(const std::vector<std::string>& files) {
-    std::string stamp;
-    const auto add = [&stamp](const fs::path& path) {
-        if (const std::string text = system::stamp_of(path); !text.empty())
-            stamp += path.string() + '|' + text + '\n';
-    };
-    std::error_code error;
-    for (const std::string& file : files) {
-        add(file);
-        if (fs::is_directory(file, error))
-            for (const auto& entry : fs::directory_iterator(file))
-                add(entry.path());
-    }
-    return stamp;
 }
 
 }  // namespace d2b::writing

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dem2buildings/options.hpp"
+#include "write/staging.hpp"
 #include "write/vector/vector_format.hpp"
 
 namespace d2b::writing {
@@ -36,9 +37,8 @@ void reject_archive(const std::string& name);
 
 /// Dataset that exists at the destination.
 struct ExistingDataset {
-    std::vector<std::string> files;  ///< all files of the dataset; the folder alone if it is a folder
+    ReplacedFiles old;  ///< all files of the dataset; the folder alone if it is a folder
     std::vector<std::string> layers;
-    std::string stamp;  ///< changes when the files change
 };
 
 /// @param names layers that the run writes @throws OptionError if the flag cannot be obeyed, because it is
@@ -62,8 +62,5 @@ void claim_files(const Destination& destination, const VectorFormat& format,
                                                               VectorFormat& format,
                                                               const WriteOptions& options,
                                                               const std::vector<std::string>& names);
-
-/// Returns sizes and times of the files; differs after a change.
-[[nodiscard]] std::string stamp_of(const std::vector<std::string>& files);
 
 }  // namespace d2b::writing

@@ -181,12 +181,12 @@ FileDestination resolve_file_target(const FileTarget& target) {
     if (!is_of(target.format, place))
         throw OptionError(quoted(name) + " exists and is " + format_words(target.format).is_none +
                           "; remove it first.");
-    place.old_files = {place.path};
+    place.old.files = {place.path};
     std::error_code error;
     for (const char* suffix : sidecars)
         if (place.local && fs::exists(place.path + suffix, error))
-            place.old_files.push_back(place.path + suffix);
-    place.stamp = stamp_of(place.old_files);
+            place.old.files.push_back(place.path + suffix);
+    place.old.stamp = stamp_of(place.old.files);
     return place;
 }
 

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "write/staging.hpp"
+
 namespace d2b::writing {
 
 /// Kinds of files written next to the layers.
@@ -49,11 +51,10 @@ struct RasterMetadata {
 
 /// Checked, writable destination.
 struct FileDestination {
-    std::string name;                    ///< user input, for messages
-    std::string path;                    ///< without symbolic links
-    bool local = false;                  ///< local file, not one of a virtual file system of GDAL
-    std::vector<std::string> old_files;  ///< files to replace: the file and its sidecar files
-    std::string stamp;                   ///< changes when old_files change
+    std::string name;    ///< user input, for messages
+    std::string path;    ///< without symbolic links
+    bool local = false;  ///< local file, not one of a virtual file system of GDAL
+    ReplacedFiles old;   ///< the file and its sidecar files
 };
 
 /// @throws OptionError if the name does not match the format, is in use, exists without overwrite or is

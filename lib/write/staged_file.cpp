@@ -53,8 +53,7 @@ StagedFile::StagedFile(FileDestination place)
 std::string StagedFile::begin() {
     if (!place_.local)
         return virtual_.emplace(target_, place_.path, replaces()).temporary_path();
-    local_.emplace(PendingResult::Kind::file, place_.name, place_.path,
-                   ReplacedFiles{place_.old_files, place_.stamp}, warnings_);
+    local_.emplace(PendingResult::Kind::file, place_.name, place_.path, place_.old, warnings_);
     target_.hidden_folder = local_->staging().folder().string() + "/";
     return local_->staging().dataset().string();
 }

@@ -49,7 +49,7 @@ class StagedFile {
 
     [[nodiscard]] const std::string& name() const { return place_.name; }
     /// True if an old file exists.
-    [[nodiscard]] bool replaces() const { return !place_.old_files.empty(); }
+    [[nodiscard]] bool replaces() const { return !place_.old.files.empty(); }
     /// Used in messages.
     [[nodiscard]] const WriteTarget& target() const { return target_; }
     /// @return path of the file to write

@@ -11,7 +11,6 @@
 #include "core/system/paths.hpp"
 #include "core/system/process.hpp"
 #include "dem2buildings/error.hpp"
-#include "write/destination.hpp"
 
 namespace d2b::writing {
 
@@ -89,8 +88,6 @@ void sync_to_disk(const fs::path& path) {
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 fs::path parent_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -246,14 +243,28 @@ void PendingFiles::confirm() {
             doubt + ").");
 }
 
+std::string stamp_of(const std::vector<std::string>& files) {
+    std::string stamp;
+    const auto add = [&stamp](const fs::path& path) {
+        if (const std::string text = system::stamp_of(path); !text.empty())
+            stamp += path.string() + '|' + text + '\n';
+    };
+    std::error_code error;
+    for (const std::string& file : files) {
+        add(file);
+        if (fs::is_directory(file, error))
+            for (const auto& entry : fs::directory_iterator(file))
+                add(entry.path());
+    }
+    return stamp;
+}
+
 void require_unchanged(const std::string& name, const ReplacedFiles& old) {
     if (!old.files.empty() && stamp_of(old.files) != old.stamp)
         throw OutputError("\"" + name + "\" changed during this run and was left alone; run again.");
 }
 
 namespace {
-
-namespace fs = std::filesystem;
 
 class PendingTextFile final : public PendingResult {
   public:

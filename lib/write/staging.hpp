@@ -98,6 +98,9 @@ struct ReplacedFiles {
     std::string stamp;  ///< changes when the files change
 };
 
+/// Returns sizes and times of the files; differs after a change.
+[[nodiscard]] std::string stamp_of(const std::vector<std::string>& files);
+
 /// Local files that are written to a hidden folder next to their destination, then published by a CommitList.
 class PendingFiles final : public PendingResult {
   public:

@@ -227,8 +227,8 @@ TEST(PageRelief, isTheMeanOrTheLowest) {
         values[1601] = 1;
         // Goes from right to left, as units may come.
         for (const auto& [col, cols] : {std::pair{800, 802}, std::pair{0, 800}})
-            relief.add({10, 20 + col, 1, cols}, std::span(values).subspan(static_cast<std::size_t>(col),
-                                                                          static_cast<std::size_t>(cols)));
+            relief.write({10, 20 + col, 1, cols}, std::span(values).subspan(static_cast<std::size_t>(col),
+                                                                            static_cast<std::size_t>(cols)));
         Unpacked numbers(relief.packed().bytes());
         EXPECT_EQ(Unpacked::signed_of(numbers.take() - 1), lowest ? 300 : 450);
         EXPECT_EQ(numbers.take(), 0U);
@@ -387,7 +387,7 @@ TEST_F(PageTest, replacesAPageOfItsOwnAlone) {
               }).find("is not a page of dem2buildings"),
               std::string::npos);
     written("b.html");
-    EXPECT_EQ(place("b.html", true).old_files.size(), 1U);
+    EXPECT_EQ(place("b.html", true).old.files.size(), 1U);
     EXPECT_EQ(thrown<OptionError>([&] { static_cast<void>(place("b.htm")); }),
               "Pages are written as HTML; give \"" + path("b.htm") + "\" a name that ends in .html.");
 }

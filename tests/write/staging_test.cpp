@@ -17,7 +17,7 @@
 #include "support/error_of.hpp"
 #include "support/spool_checks.hpp"
 #include "support/temporary_folder.hpp"
-#include "write/raster/picture_file.hpp"
+#include "write/file_writer.hpp"
 #include "write/vector/layer_writer.hpp"
 #include "write/write_fixture.hpp"
 
@@ -285,33 +285,33 @@ class PictureTest : public WriteTest {
     }
 };
 
-void publish(writing::PictureFile& file) {
+void publish(writing::FileWriter& file) {
     CommitList commit;
     file.prepare(commit);
     commit.publish();
 }
 
 TEST_F(PictureTest, IsThereWhenItIsPublishedAndNotBefore) {
-    const auto file = writing::open_picture(picture("a.png"));
+    writing::FileWriter file(resolve_file_target(picture("a.png")));
     EXPECT_EQ(entries(), Names{});
-    file->write("bytes");
+    file.write("bytes");
     EXPECT_FALSE(std::filesystem::exists(path("a.png")));
-    publish(*file);
+    publish(file);
     EXPECT_EQ(entries(), Names{"a.png"});
     EXPECT_EQ(bytes("a.png"), "bytes");
 }
 
 TEST_F(PictureTest, ItsNameSaysItsFormat) {
-    EXPECT_EQ(writing::open_picture(picture("a.PNG"))->format(), writing::PictureFormat::png);
-    EXPECT_EQ(writing::open_picture(picture("a.svg"))->format(), writing::PictureFormat::svg);
-    EXPECT_EQ(writing::open_picture(picture("a.b.pdf"))->format(), writing::PictureFormat::pdf);
-    EXPECT_EQ(thrown<OptionError>([&] { std::ignore = writing::open_picture(picture("a.jpg")); }),
+    EXPECT_EQ(writing::picture_format_of("a.PNG"), writing::PictureFormat::png);
+    EXPECT_EQ(writing::picture_format_of("a.svg"), writing::PictureFormat::svg);
+    EXPECT_EQ(writing::picture_format_of("a.b.pdf"), writing::PictureFormat::pdf);
+    EXPECT_EQ(thrown<OptionError>([&] { std::ignore = resolve_file_target(picture("a.jpg")); }),
               "Pictures are written as PNG, SVG or PDF; give \"" + path("a.jpg") +
                   "\" a name that ends in .png, .svg or .pdf.");
 }
 
 TEST_F(PictureTest, AnAbandonedOneLeavesNothing) {
-    writing::open_picture(picture("a.png"))->write("bytes");
+    writing::FileWriter(resolve_file_target(picture("a.png"))).write(std::string(2'000'000, ' '));
     EXPECT_EQ(entries(), Names{});
 }
 
@@ -323,7 +323,9 @@ TEST_F(PictureTest, AFullDiskLeavesNothingAndSaysWhy) {
         ::setrlimit(RLIMIT_FSIZE, &room);
         std::string message;
         try {
-            writing::open_picture(picture("a.svg"))->write(std::string(100'000, ' '));
+            writing::FileWriter file(resolve_file_target(picture("a.svg")));
+            file.write(std::string(100'000, ' '));
+            publish(file);
         } catch (const OutputError& error) {
             message = error.what();
         }
@@ -337,25 +339,23 @@ TEST_F(PictureTest, AFullDiskLeavesNothingAndSaysWhy) {
 
 TEST_F(PictureTest, AnotherFileIsNotReplaced) {
     put("a.png", "text");
+    EXPECT_NE(
+        thrown<OptionError>([&] { std::ignore = resolve_file_target(picture("a.png")); }).find("-overwrite"),
+        std::string::npos);
     EXPECT_NE(thrown<OptionError>([&] {
-                  std::ignore = writing::open_picture(picture("a.png"));
-              }).find("-overwrite"),
-              std::string::npos);
-    EXPECT_NE(thrown<OptionError>([&] {
-                  std::ignore = writing::open_picture(picture("a.png", true));
+                  std::ignore = resolve_file_target(picture("a.png", true));
               }).find("is not a PNG, SVG or PDF"),
               std::string::npos);
-    EXPECT_NE(
-        thrown<OptionError>([&] { std::ignore = writing::open_picture(picture("a.tif")); }).find(".png"),
-        std::string::npos);
+    EXPECT_NE(thrown<OptionError>([&] { std::ignore = resolve_file_target(picture("a.tif")); }).find(".png"),
+              std::string::npos);
     EXPECT_EQ(bytes("a.png"), "text");
 }
 
 TEST_F(PictureTest, AnOldPictureIsReplaced) {
     for (int i = 0; i < 2; ++i) {
-        const auto file = writing::open_picture(picture("a.png", true));
-        file->write(i == 0 ? "%PDF-1.5 old" : "<svg>new</svg>");
-        publish(*file);
+        writing::FileWriter file(resolve_file_target(picture("a.png", true)));
+        file.write(i == 0 ? "%PDF-1.5 old" : "<svg>new</svg>");
+        publish(file);
     }
     EXPECT_EQ(bytes("a.png"), "<svg>new</svg>");
     EXPECT_EQ(entries(), Names{"a.png"});

@@ -104,7 +104,8 @@ void run_sweep(const Options& options, const Sources& sources, const SweepPlan& 
         commit.publish([&] { reader.show(trials); });
         return;
     }
-    const std::unique_ptr<writing::PictureFile> file = writing::open_picture(view::picture_target(options));
+    writing::FileWriter file(writing::resolve_file_target(view::picture_target(options)));
+    const writing::PictureFormat format = *writing::picture_format_of(options.write.preview);
     const int side = options.given.contains("preview_size")
                          ? options.write.preview_size
                          : std::max(options.write.preview_size, legible_side(plan.trials()));
@@ -118,18 +119,18 @@ void run_sweep(const Options& options, const Sources& sources, const SweepPlan& 
         options, sources, plan,
         [&](FeatureSink& discarded, const std::vector<std::string>& values) {
             return std::make_unique<TrialMap>(
-                discarded, frame, file->format(), first,
+                discarded, frame, format, first,
                 [&pictures, caption = caption_of(values, plan)](view::MapPicture map) {
                     pictures.push_back({caption, std::move(map)});
                 });
         },
         callbacks);
-    file->write(view::draw_contact_sheet(pictures, sheet, file->format()));
-    file->prepare(commit);
+    file.write(view::draw_contact_sheet(pictures, sheet, format));
+    file.prepare(commit);
     reader.prepare(trials);
     commit.publish([&] {
         if (callbacks.on_warning)
-            std::ranges::for_each(file->take_warnings(), callbacks.on_warning);
+            std::ranges::for_each(file.take_warnings(), callbacks.on_warning);
         reader.show(trials);
     });
 }

@@ -157,7 +157,7 @@ void require_closed(const CityModel& city, const Shell& shell, const SurfaceFram
 
 MeshReport mesh_city(const MeshRequest& request, const Callbacks& callbacks,
                      const ReportReader<MeshReport>& reader) {
-    writing::SurfaceFile file(locate_mesh(request));
+    writing::FileWriter file(locate_mesh(request));
     const CityModel city = read_city(request.city);
     if (city.buildings.empty())
         throw InputError("'" + city.name + "' has no buildings; there is nothing to mesh.");

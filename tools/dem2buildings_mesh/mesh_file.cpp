@@ -43,7 +43,7 @@ bool is_local(const std::string& destination) {
     return format_of(destination)->local;
 }
 
-void write_mesh(const NamedShell& shell, const std::string& destination, writing::SurfaceFile& file) {
+void write_mesh(const NamedShell& shell, const std::string& destination, writing::FileWriter& file) {
     format_of(destination)->write(shell, [&](const std::string& text) { file.write(text); });
 }
 

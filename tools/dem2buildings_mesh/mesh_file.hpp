@@ -8,7 +8,7 @@
 #include "dem2buildings_mesh/plan_frame.hpp"
 #include "dem2buildings_mesh/shell.hpp"
 #include "write/file_target.hpp"
-#include "write/surface/surface_file.hpp"
+#include "write/file_writer.hpp"
 
 namespace d2b::mesh {
 
@@ -27,6 +27,6 @@ struct NamedShell {
 [[nodiscard]] bool is_local(const std::string& destination);
 
 /// Writes it. @param file is prepared to be shown, whole or not at all @throws OutputError
-void write_mesh(const NamedShell& shell, const std::string& destination, writing::SurfaceFile& file);
+void write_mesh(const NamedShell& shell, const std::string& destination, writing::FileWriter& file);
 
 }  // namespace d2b::mesh

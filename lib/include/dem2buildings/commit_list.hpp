@@ -46,7 +46,7 @@ class PendingResult {
 /// go. Not atomic: a crash in between leaves some visible.
 ///
 /// A sink of files adds its results in its prepare(). If it writes two files, it adds two results, and the
-/// file that refers to the other one comes last. In lib/write each file of a surface is a SurfaceFile, whose
+/// file that refers to the other one comes last. In lib/write each file of a surface is a FileWriter, whose
 /// prepare() completes it and adds it:
 ///
 ///     void prepare(CommitList& commit) override {

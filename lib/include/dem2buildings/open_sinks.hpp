@@ -39,7 +39,7 @@ struct AuxiliarySinks {
     std::vector<std::unique_ptr<SurfaceSink>> surfaces;
     /// Raster for the page, which is among the surfaces: it receives the terrain in metres, or the elevations
     /// if there is no terrain, before the page is finished. nullptr if there is no page.
-    std::unique_ptr<RasterSink> page_relief;
+    std::shared_ptr<RasterSink> page_relief;
 };
 
 /// Opens GeoTIFFs and files of surfaces, each of which appears as a whole or not at all. @throws OptionError,

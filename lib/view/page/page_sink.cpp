@@ -17,7 +17,7 @@
 #include "dem2buildings/report.hpp"
 #include "view/page_parts.hpp"
 #include "write/staging.hpp"
-#include "write/surface/surface_file.hpp"
+#include "write/surface/surface_text.hpp"
 #include "write/xml_text.hpp"
 #include "write/zlib.hpp"
 
@@ -67,17 +67,6 @@ constexpr std::int32_t max_samples_per_side = 400;
 std::int32_t samples(std::int32_t cells, std::int32_t step) {
     return (cells + step - 1) / step;
 }
-
-class PageReliefSink final : public RasterSink {
-  public:
-    explicit PageReliefSink(std::shared_ptr<PageRelief> relief) : relief_(std::move(relief)) {}
-
-    void write(const Window& part, std::span<const float> values) override { relief_->add(part, values); }
-    void finish() override {}
-
-  private:
-    std::shared_ptr<PageRelief> relief_;
-};
 
 using Json = nlohmann::ordered_json;
 
@@ -150,9 +139,8 @@ std::string substituted(std::string_view text,
 class PageSink final : public writing::FileSink<SurfaceSink> {
   public:
     PageSink(writing::FileDestination place, const PageParts& parts, const PageInput& input,
-             std::shared_ptr<PageRelief> relief, std::uint64_t most)
-        : name_(place.name),
-          parts_(parts),
+             std::shared_ptr<const PageRelief> relief, std::uint64_t most)
+        : parts_(parts),
           window_(input.dem.window),
           title_(input.title.empty() ? std::filesystem::path(place.name).stem().string() : input.title),
           credit_(input.credit),
@@ -176,15 +164,14 @@ class PageSink final : public writing::FileSink<SurfaceSink> {
     [[nodiscard]] std::string data() const;
     void check_size(std::uint64_t bytes) const;
 
-    std::string name_;
     const PageParts& parts_;
     Window window_;
     std::string title_;
     std::string credit_;
     std::string date_;  ///< of the elevations
-    std::shared_ptr<PageRelief> relief_;
+    std::shared_ptr<const PageRelief> relief_;
     std::uint64_t most_;
-    writing::SurfaceFile file_;
+    writing::FileWriter file_;
     SurfaceMeta meta_;
     PageStack stack_;
     std::vector<Json> columns_;  ///< one per field, with one value per building
@@ -212,7 +199,7 @@ void PageSink::take_report(const RunReport& report) {
 
 void PageSink::check_size(std::uint64_t bytes) const {
     if (bytes > most_)
-        throw OutputError("\"" + name_ + "\" would be longer than " + std::to_string(most_ >> 20U) +
+        throw OutputError("\"" + file_.name() + "\" would be longer than " + std::to_string(most_ >> 20U) +
                           " MiB, which makes browsers slow; use a smaller window (-te, -projwin or -srcwin), "
                           "or fewer levels (a lower -lod).");
 }
@@ -330,7 +317,7 @@ PageRelief::PageRelief(const Window& window, bool lowest)
       values_(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(cols_)),
       counts_(values_.size()) {}
 
-void PageRelief::add(const Window& part, std::span<const float> values) {
+void PageRelief::write(const Window& part, std::span<const float> values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto at = static_cast<std::int32_t>(i);
         const std::int32_t row = (part.row - window_.row + at / part.cols) / step_;
@@ -377,10 +364,6 @@ VarintBuffer PageRelief::packed() const {
         }
     }
     return numbers;
-}
-
-std::unique_ptr<RasterSink> open_page_relief(std::shared_ptr<PageRelief> relief) {
-    return std::make_unique<PageReliefSink>(std::move(relief));
 }
 
 void PageStack::add(const SurfaceBuilding& building, const std::vector<SurfacePoint>& points) {
@@ -459,8 +442,7 @@ Page open_page(writing::FileDestination place, const PageInput& subject, std::ui
             "This dem2buildings was built without pages; leave -page out, or build it with "
             "-D D2B_BUILD_PAGE=ON.");
     auto relief = std::make_shared<PageRelief>(subject.dem.window, !subject.terrain);
-    return {std::make_unique<PageSink>(std::move(place), *parts, subject, relief, most),
-            open_page_relief(relief)};
+    return {std::make_unique<PageSink>(std::move(place), *parts, subject, relief, most), relief};
 }
 
 }  // namespace d2b::view

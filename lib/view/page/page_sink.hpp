@@ -37,13 +37,14 @@ class VarintBuffer {
 
 /// Ground of a page, in samples that are squares of cells: the mean of a terrain, or the minimum of
 /// elevations that contain buildings.
-class PageRelief {
+class PageRelief final : public RasterSink {
   public:
     /// @param window of the DEM @param lowest true for the minimum per sample, false for the mean
     PageRelief(const Window& window, bool lowest);
 
     /// @param part of the window @param values in metres, NaN if missing
-    void add(const Window& part, std::span<const float> values);
+    void write(const Window& part, std::span<const float> values) override;
+    void finish() override {}
     /// Returns centimetres, row by row, as differences to the previous sample, or to the one above at the
     /// begin of a row. 0 means no data, otherwise the zigzag-encoded difference plus one.
     [[nodiscard]] VarintBuffer packed() const;
@@ -64,9 +65,6 @@ class PageRelief {
     std::vector<double> values_;  ///< sums or minima
     std::vector<std::int32_t> counts_;
 };
-
-/// Forwards rows to a relief and writes no file. @param relief shared with the page
-[[nodiscard]] std::unique_ptr<RasterSink> open_page_relief(std::shared_ptr<PageRelief> relief);
 
 /// Stacks of a page as packed integers. Per building: id, height of the base, height of the roof above it,
 /// number of tiers; per tier: level, distance in the list to its parent (0 is the ground), height above it,
@@ -107,7 +105,7 @@ class PageStack {
 /// Sinks of a page: buildings and ground.
 struct Page {
     std::unique_ptr<SurfaceSink> surface;
-    std::unique_ptr<RasterSink> relief;
+    std::shared_ptr<RasterSink> relief;  ///< shared with the surface, which writes the file
 };
 
 /// Input data of a page.

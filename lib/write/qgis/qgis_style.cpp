@@ -16,8 +16,9 @@
 #include "read/gdal_messages.hpp"
 #include "write/xml_text.hpp"
 
-/// Internal parts of QML documents, used by qml_*.cpp only.
+/// Parts of QML documents.
 namespace d2b::qml {
+namespace {
 
 /// Fields used by a style, as quoted columns in an expression of QGIS, escaped for XML; "" if the style does
 /// not use the field.
@@ -39,30 +40,13 @@ struct Columns {
     std::span<const HeightClass> classes = height_classes();
 };
 
-/// Returns the 2D renderer: coloured by height, or by azimuth and slope, with a legend, or a single symbol.
-[[nodiscard]] std::string renderer(const LayerSpec& spec, const Columns& columns);
-/// Returns the labels for large map scales.
-[[nodiscard]] std::string labeling(const LayerSpec& spec, const Columns& columns);
-/// Returns solids in the colours of the 2D renderer. They stand at their elevations, independent of the
-/// terrain of the scene.
-[[nodiscard]] std::string renderer_3d(const LayerSpec& spec, const Columns& columns);
-
 /// Returns for example "255,237,160,255".
-[[nodiscard]] std::string colour_text(const HeightClass& height_class);
-/// Returns an expression, escaped for XML, that is true if a height is in a class.
-[[nodiscard]] std::string class_filter(std::span<const HeightClass> classes, std::size_t height_class,
-                                       const std::string& height);
-/// Returns a data-defined property of a symbol.
-[[nodiscard]] std::string data_defined_property(const std::string& name, const std::string& expression);
-/// Wraps data-defined properties in their element.
-[[nodiscard]] std::string data_defined_property_set(const std::string& element,
-                                                    const std::string& properties);
-
 std::string colour_text(const HeightClass& height_class) {
     const auto& [red, green, blue] = height_class.colour;
     return std::to_string(red) + "," + std::to_string(green) + "," + std::to_string(blue) + ",255";
 }
 
+/// Returns an expression, escaped for XML, that is true if a height is in a class.
 std::string class_filter(std::span<const HeightClass> classes, std::size_t height_class,
                          const std::string& height) {
     std::string text = height_class == 0 ? height + " IS NOT NULL"
@@ -72,6 +56,7 @@ std::string class_filter(std::span<const HeightClass> classes, std::size_t heigh
     return text;
 }
 
+/// Returns a data-defined property of a symbol.
 std::string data_defined_property(const std::string& name, const std::string& expression) {
     return "        <Option type=\"Map\" name=\"" + name +
            "\">\n         <Option type=\"bool\" name=\"active\" value=\"true\"/>\n"
@@ -80,6 +65,7 @@ std::string data_defined_property(const std::string& name, const std::string& ex
            "\"/>\n         <Option type=\"int\" name=\"type\" value=\"3\"/>\n        </Option>\n";
 }
 
+/// Wraps data-defined properties in their element.
 std::string data_defined_property_set(const std::string& element, const std::string& properties) {
     return "     <" + element +
            ">\n      <Option type=\"Map\">\n"
@@ -90,8 +76,6 @@ std::string data_defined_property_set(const std::string& element, const std::str
            "      </Option>\n     </" +
            element + ">\n";
 }
-
-namespace {
 
 using Properties = std::vector<std::pair<std::string, std::string>>;
 
@@ -297,8 +281,7 @@ std::string sun_rules(const Columns& columns) {
     return headed_rules(sun_title, rules, symbols);
 }
 
-}  // namespace
-
+/// Returns the 2D renderer: coloured by height, or by azimuth and slope, with a legend, or a single symbol.
 std::string renderer(const LayerSpec& spec, const Columns& columns) {
     const LayerStyle& style = spec.style;
     const bool ordered = !columns.order.empty();
@@ -320,8 +303,6 @@ std::string renderer(const LayerSpec& spec, const Columns& columns) {
                 "</orderByClause>\n  </orderby>\n";
     return text + " </renderer-v2>\n";
 }
-
-namespace {
 
 /// Expression for a height with one decimal below 10 m and in whole metres from there on. Cuts decimals off
 /// where rounding would lift the height into the next class, so that label and colour agree: 14.7 m does not
@@ -353,8 +334,7 @@ std::string height_label(const Columns& columns) {
            " || '&#8211;' ELSE '' END || " + number + " || ' m'";
 }
 
-}  // namespace
-
+/// Returns the labels for large map scales.
 std::string labeling(const LayerSpec& spec, const Columns& columns) {
     const auto field = std::ranges::find(spec.fields, spec.style.label, &FieldSpec::name);
     const bool text = field->type == FieldType::text;
@@ -383,8 +363,6 @@ std::string labeling(const LayerSpec& spec, const Columns& columns) {
            "\" obstacle=\"0\" drawLabels=\"1\" displayAll=\"0\" labelPerPart=\"0\"/>\n"
            "  </settings>\n </labeling>\n";
 }
-
-namespace {
 
 std::string scaled(const std::string& expression, double scale) {
     return scale == 1 ? expression : expression + " * " + number_text(scale);
@@ -417,8 +395,8 @@ std::string solid(const HeightClass& height_class, const std::string& altitude,
            "     <edges enabled=\"0\" width=\"1\" color=\"70,45,35,255\"/>\n    </symbol>\n";
 }
 
-}  // namespace
-
+/// Returns solids in the colours of the 2D renderer. They stand at their elevations, independent of the
+/// terrain of the scene.
 std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
     const LayerStyle& style = spec.style;
     // Each solid reaches from the top of the one below to its own top, so that neighbours meet in an
@@ -443,12 +421,6 @@ std::string renderer_3d(const LayerSpec& spec, const Columns& columns) {
     return text + "  </rules>\n </renderer-3d>\n";
 }
 
-}  // namespace d2b::qml
-
-namespace d2b::writing {
-
-namespace {
-
 /// Returns a field as a quoted name in an expression.
 std::string column(const LayerSpec& spec, const std::vector<std::string>& columns, const std::string& name) {
     const auto field = std::ranges::find(spec.fields, name, &FieldSpec::name);
@@ -457,32 +429,28 @@ std::string column(const LayerSpec& spec, const std::vector<std::string>& column
     std::string quoted = "\"";
     for (const char letter : columns[static_cast<std::size_t>(field - spec.fields.begin())])
         quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return xml_text(quoted + "\"");
+    return writing::xml_text(quoted + "\"");
 }
 
 /// Returns the aliases of fields, with their units.
 std::string aliases(const LayerSpec& spec, const std::vector<std::string>& columns) {
     std::string text = " <aliases>\n";
     for (std::size_t i = 0; i < spec.fields.size(); ++i)
-        text += "  <alias field=\"" + xml_text(columns[i]) + "\" index=\"" + std::to_string(i) +
-                "\" name=\"" + xml_text(spec.fields[i].alias) + "\"/>\n";
+        text += "  <alias field=\"" + writing::xml_text(columns[i]) + "\" index=\"" + std::to_string(i) +
+                "\" name=\"" + writing::xml_text(spec.fields[i].alias) + "\"/>\n";
     return text + " </aliases>\n";
 }
 
 /// Returns the tooltip of a feature in QGIS.
-std::string map_tip(const qml::Columns& columns) {
+std::string map_tip(const Columns& columns) {
     if (columns.height.empty())
         return "";
     const std::string range = columns.median.empty()
                                   ? ""
-                                  : "[% CASE WHEN " + qml::several_roofs(columns) + " THEN round(" +
+                                  : "[% CASE WHEN " + several_roofs(columns) + " THEN round(" +
                                         columns.median + ", 1) || '&#8211;' ELSE '' END %]";
     return " <mapTip>" + range + "[% round(" + columns.height + ", 1) %] m</mapTip>\n";
 }
-
-}  // namespace
-
-namespace {
 
 /// Returns the field of the median height in a layer of buildings, which has a prefix if given footprints
 /// have a field of its name; "" in other layers.
@@ -492,44 +460,47 @@ std::string median_field(const LayerSpec& spec) {
     return field == spec.fields.end() || spec.style.colour.empty() ? "" : field->name;
 }
 
-/// @param by_sun see qml::Columns
+/// @param by_sun see Columns
 std::string document(const LayerSpec& spec, const std::vector<std::string>& columns, bool by_sun,
                      std::span<const HeightClass> classes) {
     const LayerStyle& style = spec.style;
     const auto named = [&](const std::string& name) { return column(spec, columns, name); };
-    const qml::Columns fields{.colour = named(style.colour),
-                              .label = named(style.label),
-                              .median = named(median_field(spec)),
-                              .labelled = {named(style.labelled[0]), named(style.labelled[1])},
-                              .order = named(style.order),
-                              .certainty = named(style.certainty),
-                              .slope = named(style.slope),
-                              .azimuth = named(style.azimuth),
-                              .classified = named(style.classified),
-                              .top = named(style.top),
-                              .bottom = named(style.bottom),
-                              .height = named(style.height),
-                              .min_height = named(style.min_height),
-                              .by_sun = by_sun,
-                              .classes = classes};
+    const Columns fields{.colour = named(style.colour),
+                         .label = named(style.label),
+                         .median = named(median_field(spec)),
+                         .labelled = {named(style.labelled[0]), named(style.labelled[1])},
+                         .order = named(style.order),
+                         .certainty = named(style.certainty),
+                         .slope = named(style.slope),
+                         .azimuth = named(style.azimuth),
+                         .classified = named(style.classified),
+                         .top = named(style.top),
+                         .bottom = named(style.bottom),
+                         .height = named(style.height),
+                         .min_height = named(style.min_height),
+                         .by_sun = by_sun,
+                         .classes = classes};
     std::string text = "<!DOCTYPE qgis PUBLIC 'http://mrcc.com/qgis.dtd' 'SYSTEM'>\n";
-    text += style_signature;
+    text += writing::style_signature;
     text += "<qgis version=\"3.16.0\" labelsEnabled=\"" +
             std::string(fields.label.empty() || !style.labels_on ? "0" : "1") +
             "\" hasScaleBasedVisibilityFlag=\"0\">\n";
     if (!(fields.top + fields.bottom).empty() && !fields.height.empty())
-        text += qml::renderer_3d(spec, fields);
-    text += qml::renderer(spec, fields);
+        text += renderer_3d(spec, fields);
+    text += renderer(spec, fields);
     if (!fields.label.empty())
-        text += qml::labeling(spec, fields);
+        text += labeling(spec, fields);
     text += aliases(spec, columns) + map_tip(fields);
     return text + " <layerGeometryType>" + (spec.points ? "0" : "2") + "</layerGeometryType>\n</qgis>\n";
 }
 
 }  // namespace
+}  // namespace d2b::qml
+
+namespace d2b::writing {
 
 std::string qml_style(const LayerSpec& spec, const std::vector<std::string>& columns) {
-    return document(spec, columns, false, height_classes());
+    return qml::document(spec, columns, false, height_classes());
 }
 
 std::vector<NamedStyle> qml_styles(const NewLayer& layer) {
@@ -538,10 +509,10 @@ std::vector<NamedStyle> qml_styles(const NewLayer& layer) {
         {std::string(default_style_name), spec.style.title, qml_style(spec, layer.columns)}};
     if (!spec.style.azimuth.empty())
         styles.push_back({std::string(sun_style_name), qml::sun_title,
-                          document(spec, layer.columns, true, height_classes())});
+                          qml::document(spec, layer.columns, true, height_classes())});
     if (const std::vector<HeightClass> classes = quantile_classes(layer.heights); !classes.empty())
         styles.push_back({std::string(quantile_style_name), spec.style.title + ", equal numbers",
-                          document(spec, layer.columns, false, classes)});
+                          qml::document(spec, layer.columns, false, classes)});
     return styles;
 }
 

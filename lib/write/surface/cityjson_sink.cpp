@@ -16,7 +16,7 @@
 #include "core/crs.hpp"
 #include "dem2buildings/error.hpp"
 #include "write/staging.hpp"
-#include "write/surface/surface_file.hpp"
+#include "write/surface/surface_text.hpp"
 
 namespace d2b::writing {
 namespace {
@@ -70,7 +70,7 @@ class CityJsonSink final : public FileSink<SurfaceSink> {
     void write_object(const std::string& name, const Json& object);
     [[nodiscard]] Json metadata() const;
 
-    SurfaceFile file_;
+    FileWriter file_;
     SurfaceMeta meta_;
     std::string url_;       // URL of the CRS
     SpillBuffer vertices_;  // JSON list without its brackets

@@ -15,7 +15,7 @@
 #include "dem2buildings/error.hpp"
 #include "write/staging.hpp"
 #include "write/surface/obj_stl_sink.hpp"
-#include "write/surface/surface_file.hpp"
+#include "write/surface/surface_text.hpp"
 
 namespace d2b::writing {
 
@@ -39,7 +39,7 @@ class GlbBuffers {
     /// Returns the accessors of glTF: positions, building indices, then the kinds of faces in use.
     [[nodiscard]] nlohmann::ordered_json accessors() const;
     /// @throws OutputError
-    void write_to(SurfaceFile& file);
+    void write_to(FileWriter& file);
 
   private:
     static constexpr std::size_t kinds = 3;
@@ -76,8 +76,7 @@ std::vector<std::uint32_t> used_corners(const SurfaceBuilding& building) {
 
 class GlbSink final : public FileSink<SurfaceSink> {
   public:
-    GlbSink(FileDestination place, std::uint64_t most)
-        : name_(place.name), most_(most), file_(std::move(place)) {}
+    GlbSink(FileDestination place, std::uint64_t most) : most_(most), file_(std::move(place)) {}
 
     [[nodiscard]] SurfaceForm form() const override { return SurfaceForm::shell; }
     void begin(const SurfaceMeta& meta) override { meta_ = meta; }
@@ -91,27 +90,27 @@ class GlbSink final : public FileSink<SurfaceSink> {
     [[nodiscard]] Json mesh() const;
     void check_size(std::uint64_t bytes) const;
 
-    std::string name_;
     std::uint64_t most_;
-    SurfaceFile file_;
+    FileWriter file_;
     SurfaceMeta meta_;
-    JsonListBuffer buildings_;  ///< names and attributes
+    std::uint64_t building_count_ = 0;
+    SpillBuffer buildings_;  ///< names and attributes, as a JSON list without its brackets
     GlbBuffers numbers_;
 };
 
 void GlbSink::check_size(std::uint64_t bytes) const {
     if (bytes > most_)
         throw OutputError(
-            "\"" + name_ + "\" would be longer than the " + std::to_string(most_) +
+            "\"" + file_.name() + "\" would be longer than the " + std::to_string(most_) +
             " bytes that a .glb can have; use a smaller window (-srcwin, -projwin or -te), or write an OBJ.");
 }
 
 void GlbSink::add(const SurfacePart& part) {
     for (const SurfaceBuilding& building : part.buildings) {
-        const std::uint64_t place =
-            buildings_.add({{"name", "building_" + std::to_string(building.id)},
-                            {"attributes", field_json(meta_.fields, building.values)}});
-        numbers_.add(part, building, meta_.frame, place);
+        const Json item{{"name", "building_" + std::to_string(building.id)},
+                        {"attributes", field_json(meta_.fields, building.values)}};
+        buildings_.add((building_count_ == 0 ? "" : ",") + json_text(item));
+        numbers_.add(part, building, meta_.frame, building_count_++);
         check_size(numbers_.size());
     }
 }
@@ -153,8 +152,8 @@ Json GlbSink::mesh() const {
 
 /// Writes the header, then the JSON chunk and the binary chunk, each padded to a multiple of four bytes.
 void GlbSink::prepare(CommitList& commit) {
-    if (buildings_.count() == 0) {
-        file_.skip_with_warning("a glTF without a mesh shows nothing");
+    if (building_count_ == 0) {
+        warn_of_no_building(file_, "a glTF without a mesh shows nothing");
         return;
     }
     const std::string begin = "{\"asset\":" + json_text(asset()) +
@@ -162,7 +161,7 @@ void GlbSink::prepare(CommitList& commit) {
                               json_text(mesh()) +
                               "],\"nodes\":[{\"name\":\"buildings\",\"mesh\":0,\"extras\":{\"buildings\":[";
     std::string end = "]}}]}";
-    std::uint64_t json_size = begin.size() + buildings_.text().size() + end.size();
+    std::uint64_t json_size = begin.size() + buildings_.size() + end.size();
     end.append((4 - json_size % 4) % 4, ' ');
     json_size += (4 - json_size % 4) % 4;
     const std::uint64_t bin_size = numbers_.size();
@@ -174,7 +173,7 @@ void GlbSink::prepare(CommitList& commit) {
     append_uint32(static_cast<std::uint32_t>(size), header);
     append_uint32(static_cast<std::uint32_t>(json_size), header);
     file_.write(header + "JSON" + begin);
-    buildings_.text().write_to(file_);
+    buildings_.write_to(file_);
     append_uint32(static_cast<std::uint32_t>(bin_size), end);
     file_.write(end + "BIN" + '\0');
     numbers_.write_to(file_);
@@ -265,7 +264,7 @@ Json GlbBuffers::accessors() const {
     return accessors;
 }
 
-void GlbBuffers::write_to(SurfaceFile& file) {
+void GlbBuffers::write_to(FileWriter& file) {
     positions_.write_to(file);
     buildings_.write_to(file);
     for (SpillBuffer& indices : indices_)

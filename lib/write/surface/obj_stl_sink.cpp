@@ -12,7 +12,7 @@
 #include "core/number_from_chars.hpp"
 #include "core/text.hpp"
 #include "write/staging.hpp"
-#include "write/surface/surface_file.hpp"
+#include "write/surface/surface_text.hpp"
 
 namespace d2b::writing {
 namespace {
@@ -67,8 +67,8 @@ class ObjSink final : public FileSink<SurfaceSink> {
 
     SurfaceSolids solids_;
     std::string library_;  ///< file name of the materials, without folder
-    SurfaceFile file_;
-    SurfaceFile materials_;
+    FileWriter file_;
+    FileWriter materials_;
     std::optional<LocalCoordinateFormatter> text_;
     std::uint64_t next_vertex_ = 1;  ///< number of the next vertex
     bool has_any_ = false;
@@ -184,7 +184,7 @@ class StlSink final : public FileSink<SurfaceSink> {
     [[nodiscard]] std::string facet(const SurfacePart& part, const SurfaceTriangle& triangle) const;
 
     SurfaceSolids solids_;
-    SurfaceFile file_;
+    FileWriter file_;
     SurfaceFrame frame_;
     std::optional<LocalCoordinateFormatter> text_;
     std::string solid_;  ///< name of the open solid
@@ -232,7 +232,7 @@ std::string StlSink::facet(const SurfacePart& part, const SurfaceTriangle& trian
 
 void StlSink::prepare(CommitList& commit) {
     if (!has_any_) {
-        file_.skip_with_warning("an STL needs a solid");
+        warn_of_no_building(file_, "an STL needs a solid");
         return;
     }
     end_solid();

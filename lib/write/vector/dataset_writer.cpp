@@ -9,21 +9,14 @@
 
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
-#include "write/destination.hpp"
 #include "write/geopackage/geopackage_tables.hpp"
 #include "write/ogr_util.hpp"
 #include "write/postgresql/postgresql.hpp"
 #include "write/qgis/qgis_style.hpp"
+#include "write/staging.hpp"
 #include "write/vector/vector_format.hpp"
 
 namespace d2b::writing {
-
-/// Takes a write lock on our layers until the transaction ends, so that values read from them stay true.
-/// Needed because SQLite transactions begin as readers and PostgreSQL lets two writers run concurrently.
-/// @return false if others held the database during the whole attempt; the transaction is then useless
-/// @throws OutputError if the database refuses
-[[nodiscard]] bool acquire_write_lock(const WriteTarget& target, GDALDatasetH database,
-                                      const VectorFormat& format, std::span<const LayerSpec> layers);
 
 namespace {
 
@@ -66,8 +59,10 @@ std::string stamp_of_database(const std::string& path) {
     return stamp_of(error || size == 0 ? std::vector{path} : std::vector{path, log});
 }
 
-}  // namespace
-
+/// Takes a write lock on our layers until the transaction ends, so that values read from them stay true.
+/// Needed because SQLite transactions begin as readers and PostgreSQL lets two writers run concurrently.
+/// @return false if others held the database during the whole attempt; the transaction is then useless
+/// @throws OutputError if the database refuses
 bool acquire_write_lock(const WriteTarget& target, GDALDatasetH database, const VectorFormat& format,
                         std::span<const LayerSpec> layers) {
     const std::vector<std::string> names = our_tables(database, layers);
@@ -85,6 +80,8 @@ bool acquire_write_lock(const WriteTarget& target, GDALDatasetH database, const 
     call.check(true, "waiting for the lock");
     return true;
 }
+
+}  // namespace
 
 DatasetWriter::DatasetWriter(WriteTarget target, const VectorFormat& format, const WriteOptions& options)
     : target_(std::move(target)), format_(format), options_(options) {

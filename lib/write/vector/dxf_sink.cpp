@@ -16,8 +16,8 @@
 #include "core/text.hpp"
 #include "dem2buildings/error.hpp"
 #include "read/gdal_messages.hpp"
+#include "write/file_writer.hpp"
 #include "write/staging.hpp"
-#include "write/surface/surface_file.hpp"
 #include "write/vector/layer_names.hpp"
 
 namespace d2b::writing {
@@ -177,7 +177,7 @@ class DxfSink final : public FileSink<FeatureSink> {
 
     WriteOptions options_;
     VectorFormat format_;
-    SurfaceFile file_;
+    FileWriter file_;
     std::vector<LayerSpec> layers_;
 };
 
@@ -306,7 +306,7 @@ std::unique_ptr<FeatureSink> open_dxf_sink(const WriteOptions& options, const Ve
     refuse_options(options);
     if (is_stream(options.destination))
         throw OptionError("A DXF cannot be written to \"" + destination.name + "\"; give a file.");
-    FileDestination place{destination.name, destination.path, destination.local, {}, {}};
+    FileDestination place{destination.name, destination.path, destination.local, {}};
     if (destination.exists) {
         const reading::GdalMessages quiet;
         if (open_dataset(format, destination.path, GDAL_OF_READONLY) == nullptr)
@@ -316,8 +316,7 @@ std::unique_ptr<FeatureSink> open_dxf_sink(const WriteOptions& options, const Ve
             throw OptionError("\"" + destination.name +
                               "\" is a drawing that dem2buildings has not written, and -overwrite would "
                               "lose it; choose another name, or remove it first.");
-        place.old_files = {destination.path};
-        place.stamp = stamp_of(place.old_files);
+        place.old = {{destination.path}, stamp_of({destination.path})};
     }
     return std::make_unique<DxfSink>(options, format, std::move(place));
 }

@@ -71,9 +71,7 @@ class OgrFeatureSink final : public FileSink<FeatureSink> {
     /// True if layers of an existing database are changed in one transaction.
     [[nodiscard]] bool in_place() const { return existing_ && format_.transactions; }
     [[nodiscard]] DatasetWriter::Mode mode() const;
-    [[nodiscard]] ReplacedFiles old_files() const {
-        return existing_ ? ReplacedFiles{existing_->files, existing_->stamp} : ReplacedFiles{};
-    }
+    [[nodiscard]] ReplacedFiles old_files() const { return existing_ ? existing_->old : ReplacedFiles{}; }
 
     WriteOptions options_;
     VectorFormat format_;
@@ -158,8 +156,8 @@ void OgrFeatureSink::begin(std::span<const LayerSpec> layers, const Provenance& 
         target_.hidden_folder = called(staging.folder()) + "/";
         path = called(staging.dataset());
         if (mode() == DatasetWriter::Mode::extend) {
-            require_unchanged(destination_.name, old_files());
-            staging.copy_in(existing_->files);
+            require_unchanged(destination_.name, existing_->old);
+            staging.copy_in(existing_->old.files);
         }
     } else if (existing_ && mode() == DatasetWriter::Mode::create) {
         const reading::GdalMessages quiet;
