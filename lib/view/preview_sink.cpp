@@ -176,10 +176,4 @@ void PreviewSink::prepare(CommitList& commit) {
     features_.prepare(commit);
 }
 
-void PreviewSink::finish() {
-    mark_differences();
-    on_map_(std::move(map_));
-    features_.finish();
-}
-
 }  // namespace d2b::view

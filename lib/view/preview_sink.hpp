@@ -10,6 +10,7 @@
 #include "core/crs.hpp"
 #include "dem2buildings/sinks.hpp"
 #include "view/map_picture.hpp"
+#include "write/staging.hpp"
 
 namespace d2b::view {
 
@@ -42,7 +43,7 @@ class FirstOutlines {
 ///
 /// Elevations and features may arrive in any interleaving: write elevations to relief(), features to this
 /// sink, and receive the finished map in `on_map`.
-class PreviewSink final : public FeatureSink {
+class PreviewSink final : public writing::FileSink<FeatureSink> {
   public:
     /// Receives the map.
     using OnMap = std::function<void(MapPicture map)>;
@@ -66,7 +67,6 @@ class PreviewSink final : public FeatureSink {
     void add(std::size_t layer, const Feature& feature) override;
     [[nodiscard]] CoordinateRounding rounding() const override { return features_.rounding(); }
     void take_report(const RunReport& report) override;
-    void finish() override;
     void prepare(CommitList& commit) override;
     [[nodiscard]] std::vector<std::string> take_warnings() override { return features_.take_warnings(); }
     [[nodiscard]] std::int64_t first_id() const override { return features_.first_id(); }

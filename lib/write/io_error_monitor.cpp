@@ -107,13 +107,13 @@ int unlink_file(void*, const char* name) {
 
 int rename_file(void* monitor, const char* from, const char* to) {
     // The new name has the prefix or not, depending on the version of GDAL.
-    const auto& self = *static_cast<IoErrorMonitor*>(monitor);
+    auto& self = *static_cast<IoErrorMonitor*>(monitor);
     const std::string prefix = self.name_of("");
     const std::string target = std::string(to).starts_with(prefix) ? to + prefix.size() : to;
     errno = 0;
     const int result = VSIRename(from, target.c_str());
     if (result != 0)
-        static_cast<IoErrorMonitor*>(monitor)->record(errno);
+        self.record(errno);
     return result;
 }
 

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include <cpl_string.h>
-#include <cpl_vsi.h>
 
 #include "core/crs.hpp"
 #include "core/text.hpp"
@@ -23,6 +22,7 @@
 #include "write/ogr_util.hpp"
 #include "write/staged_file.hpp"
 #include "write/staging.hpp"
+#include "write/vector/vector_format.hpp"
 #include "write/xml_text.hpp"
 
 namespace d2b::writing {
@@ -193,15 +193,12 @@ void require_crs_kept(const std::string& name, DemInfo grid, const RasterMetadat
     grid.window.rows = grid.window.cols = 1;
     const reading::GdalMessages quiet;
     const reading::NoSidecar no_sidecar;
-    const std::string file =
-        "/vsimem/d2b_crs_" + std::to_string(reinterpret_cast<std::uintptr_t>(&grid)) + ".tif";
+    const VsimemFolder memory;
+    const std::string file = memory.file("crs.tif");
     const WriteTarget target{.name = name, .hidden_folder = ""};
     GeoTiffFile(target, file, grid, meta).close();
-    reading::DatasetOwner dataset(GDALOpen(file.c_str(), GA_ReadOnly));
-    const bool kept = dataset && GDALGetSpatialRef(dataset.get()) != nullptr;
-    dataset.reset();
-    VSIUnlink(file.c_str());
-    if (!kept)
+    const reading::DatasetOwner dataset(GDALOpen(file.c_str(), GA_ReadOnly));
+    if (!dataset || GDALGetSpatialRef(dataset.get()) == nullptr)
         throw OutputError(
             "Cannot write \"" + name + "\": GeoTIFF cannot hold the coordinate reference system '" +
             Crs(grid.crs_wkt).name() + "' of the DEM; convert it to another one with gdalwarp first.");

@@ -48,134 +48,6 @@ std::int64_t largest_fid(OGRLayerH layer) {
     return largest;
 }
 
-}  // namespace
-
-LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSettings& setting,
-                         std::vector<int> fields)
-    : layer_(layer),
-      name_(OGR_L_GetName(layer)),
-      target_(&setting.target),
-      fields_(std::move(fields)),
-      has_geometry_(OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) > 0),
-      feature_(OGR_F_Create(OGR_L_GetLayerDefn(layer))),
-      wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface),
-      original_(original_of(spec)) {
-    const auto height = std::ranges::find(spec.fields, spec.style.colour, &FieldSpec::name);
-    if (!spec.style.colour.empty() && height != spec.fields.end())
-        height_field_ = static_cast<std::size_t>(height - spec.fields.begin());
-}
-
-LayerWriter LayerWriter::create(GDALDatasetH dataset, const LayerSpec& spec, const LayerSettings& setting) {
-    OGRLayerH layer = create_layer(dataset, spec, setting);
-    std::vector<int> copied = create_copied_fields(layer, spec, setting);
-    LayerWriter writer(layer, spec, setting, create_fields(layer, spec, setting));
-    writer.copied_fields_ = std::move(copied);
-    writer.is_new_ = true;
-    return writer;
-}
-
-std::vector<std::string> LayerWriter::columns() const {
-    std::vector<std::string> names;
-    for (const int field : fields_)
-        names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(OGR_L_GetLayerDefn(layer_), field)));
-    return names;
-}
-
-LayerWriter LayerWriter::adopt(OGRLayerH layer, const LayerSpec& spec, const LayerSettings& setting) {
-    LayerWriter writer(layer, spec, setting, match_fields(layer, spec, setting));
-    OgrCall call(setting.target);
-    writer.feature_count_ = OGR_L_GetFeatureCount(layer, TRUE);
-    // This driver sorts by FID, which it reads from a field "id", and assigns free ones to new features.
-    if (setting.format.name == "GeoJSON")
-        writer.next_fid_ = largest_fid(layer) + 1;
-    call.check(writer.feature_count_ >= 0, "counting the features of layer \"" + writer.name_ + "\"");
-    return writer;
-}
-
-void LayerWriter::defer_index(GDALDatasetH dataset) {
-    index_ = SpatialIndex::begin(dataset, layer_, *target_);
-}
-
-void LayerWriter::finish() {
-    if (index_)
-        index_->finish();
-    index_.reset();
-}
-
-void LayerWriter::set(int field, const FieldValue& value) {
-    OGRFeatureH feature = feature_.get();
-    if (const auto* integer = std::get_if<std::int64_t>(&value))
-        OGR_F_SetFieldInteger64(feature, field, *integer);
-    else if (const auto* real = std::get_if<double>(&value))
-        OGR_F_SetFieldDouble(feature, field, *real);
-    else if (const auto* text = std::get_if<std::string>(&value))
-        OGR_F_SetFieldString(feature, field, text->c_str());
-    else
-        OGR_F_SetFieldNull(feature, field);
-}
-
-std::string LayerWriter::text_of(const Feature& feature) const {
-    const auto* id = feature.values.empty() ? nullptr : std::get_if<std::int64_t>(&feature.values.front());
-    return (id != nullptr ? "feature " + std::to_string(*id) : std::string("a feature")) + " of layer \"" +
-           name_ + "\"";
-}
-
-void LayerWriter::add(const Feature& feature) {
-    if (feature.values.size() != fields_.size())
-        throw OutputError("Cannot write \"" + target_->name + "\": a feature of layer \"" + name_ +
-                          "\" has " + std::to_string(feature.values.size()) + " values for " +
-                          std::to_string(fields_.size()) + " fields.");
-    OgrCall call(*target_);
-    feature_.reset(original_ == nullptr ? feature_.release() : OGR_F_Create(OGR_L_GetLayerDefn(layer_)));
-    OGR_F_SetFID(feature_.get(), next_fid_ == OGRNullFID ? OGRNullFID : next_fid_++);
-    for (std::size_t i = 0; i < fields_.size(); ++i)
-        set(fields_[i], feature.values[i]);
-    bool done = true;
-    if (original_ != nullptr) {
-        copy_original(feature);
-    } else if (has_geometry_) {
-        const auto bytes = wkb_.encode(feature);
-        OGRGeometryH geometry = nullptr;
-        done = OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())) ==
-                   OGRERR_NONE &&
-               OGR_F_SetGeometryDirectly(feature_.get(), geometry) == OGRERR_NONE;
-        wkb_.forget_large();  // a contour may fill the raster, and the driver makes its own copies
-    }
-    done = done && OGR_L_CreateFeature(layer_, feature_.get()) == OGRERR_NONE;
-    if (has_geometry_)
-        OGR_F_SetGeometryDirectly(feature_.get(), nullptr);
-    if (!done || !call.succeeded())
-        call.fail("writing " + text_of(feature));
-    call.pass_warnings();
-    if (index_)
-        index_->add(OGR_F_GetFID(feature_.get()), feature);
-    ++feature_count_;
-    if (height_field_)
-        if (const double* height = std::get_if<double>(&feature.values[*height_field_]);
-            height != nullptr && std::isfinite(*height))
-            heights_.push_back(*height);
-}
-
-void LayerWriter::copy_original(const Feature& feature) {
-    if (feature.original.empty()) {  // a trial
-        const auto bytes = wkb_.encode(feature);
-        OGRGeometryH geometry = nullptr;
-        if (OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())) ==
-            OGRERR_NONE)
-            OGR_F_SetGeometryDirectly(feature_.get(),
-                                      OGR_G_ForceTo(geometry, OGR_L_GetGeomType(layer_), nullptr));
-        return;
-    }
-    const reading::FeatureOwner original = original_->decode(feature.original);
-    // GDAL refuses a null pointer, which an empty vector may have.
-    constexpr int no_field = -1;
-    OGR_F_SetFromWithMap(feature_.get(), original.get(), TRUE,
-                         copied_fields_.empty() ? &no_field : copied_fields_.data());
-    OGR_F_SetFID(feature_.get(), OGR_F_GetFID(original.get()));
-}
-
-namespace {
-
 /// Returns a real type for formats without 64-bit integers, such as MapInfo; it is exact for all our counts.
 OGRFieldType integer_type(GDALDriverH driver) {
     const char* known = GDALGetMetadataItem(driver, GDAL_DMD_CREATIONFIELDDATATYPES, nullptr);
@@ -274,18 +146,8 @@ OGRwkbGeometryType geometry_type(const LayerSpec& spec, GDALDriverH driver) {
     return spec.with_z ? wkbMultiPolygon25D : wkbMultiPolygon;
 }
 
-}  // namespace
-
-reading::CrsOwner srs_of(const std::string& wkt, const WriteTarget& target) {
-    if (wkt.empty())
-        return nullptr;
-    OgrCall call(target);
-    reading::CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
-    call.check(srs != nullptr, "reading the CRS");
-    OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
-    return srs;
-}
-
+/// Creates a layer of MultiPolygons or points, with title and description if the format stores them; options
+/// of the user take precedence. Warns if the format stores no geometries. @throws OutputError
 OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec, const LayerSettings& setting) {
     OgrCall call(setting.target);
     const NameValueList options = layer_options(dataset, spec, setting);
@@ -303,6 +165,8 @@ OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec, const LayerS
     return layer;
 }
 
+/// @return layer field index per field of the spec, because drivers may add fields of their own
+/// @throws OutputError
 std::vector<int> create_fields(OGRLayerH layer, const LayerSpec& spec, const LayerSettings& setting) {
     std::vector<int> indices;
     for (const FieldSpec& field : spec.fields) {
@@ -316,6 +180,144 @@ std::vector<int> create_fields(OGRLayerH layer, const LayerSpec& spec, const Lay
         indices.push_back(index >= 0 ? index : OGR_FD_GetFieldCount(fields) - 1);
     }
     return indices;
+}
+
+}  // namespace
+
+LayerWriter::LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSettings& setting,
+                         std::vector<int> fields)
+    : layer_(layer),
+      name_(OGR_L_GetName(layer)),
+      target_(&setting.target),
+      fields_(std::move(fields)),
+      has_geometry_(OGR_FD_GetGeomFieldCount(OGR_L_GetLayerDefn(layer)) > 0),
+      feature_(OGR_F_Create(OGR_L_GetLayerDefn(layer))),
+      wkb_(spec.with_z, wkbFlatten(OGR_L_GetGeomType(layer)) == wkbMultiSurface),
+      original_(original_of(spec)) {
+    const auto height = std::ranges::find(spec.fields, spec.style.colour, &FieldSpec::name);
+    if (!spec.style.colour.empty() && height != spec.fields.end())
+        height_field_ = static_cast<std::size_t>(height - spec.fields.begin());
+}
+
+LayerWriter LayerWriter::create(GDALDatasetH dataset, const LayerSpec& spec, const LayerSettings& setting) {
+    OGRLayerH layer = create_layer(dataset, spec, setting);
+    std::vector<int> copied = create_copied_fields(layer, spec, setting);
+    LayerWriter writer(layer, spec, setting, create_fields(layer, spec, setting));
+    writer.copied_fields_ = std::move(copied);
+    writer.is_new_ = true;
+    return writer;
+}
+
+std::vector<std::string> LayerWriter::columns() const {
+    std::vector<std::string> names;
+    for (const int field : fields_)
+        names.emplace_back(OGR_Fld_GetNameRef(OGR_FD_GetFieldDefn(OGR_L_GetLayerDefn(layer_), field)));
+    return names;
+}
+
+LayerWriter LayerWriter::adopt(OGRLayerH layer, const LayerSpec& spec, const LayerSettings& setting) {
+    LayerWriter writer(layer, spec, setting, match_fields(layer, spec, setting));
+    OgrCall call(setting.target);
+    writer.feature_count_ = OGR_L_GetFeatureCount(layer, TRUE);
+    // This driver sorts by FID, which it reads from a field "id", and assigns free ones to new features.
+    if (setting.format.name == "GeoJSON")
+        writer.next_fid_ = largest_fid(layer) + 1;
+    call.check(writer.feature_count_ >= 0, "counting the features of layer \"" + writer.name_ + "\"");
+    return writer;
+}
+
+void LayerWriter::defer_index(GDALDatasetH dataset) {
+    index_ = SpatialIndex::begin(dataset, layer_, *target_);
+}
+
+void LayerWriter::finish() {
+    if (index_)
+        index_->finish();
+    index_.reset();
+}
+
+void LayerWriter::set(int field, const FieldValue& value) {
+    OGRFeatureH feature = feature_.get();
+    if (const auto* integer = std::get_if<std::int64_t>(&value))
+        OGR_F_SetFieldInteger64(feature, field, *integer);
+    else if (const auto* real = std::get_if<double>(&value))
+        OGR_F_SetFieldDouble(feature, field, *real);
+    else if (const auto* text = std::get_if<std::string>(&value))
+        OGR_F_SetFieldString(feature, field, text->c_str());
+    else
+        OGR_F_SetFieldNull(feature, field);
+}
+
+std::string LayerWriter::text_of(const Feature& feature) const {
+    const auto* id = feature.values.empty() ? nullptr : std::get_if<std::int64_t>(&feature.values.front());
+    return (id != nullptr ? "feature " + std::to_string(*id) : std::string("a feature")) + " of layer \"" +
+           name_ + "\"";
+}
+
+OGRGeometryH LayerWriter::make_geometry(const Feature& feature) {
+    const auto bytes = wkb_.encode(feature);
+    OGRGeometryH geometry = nullptr;
+    const bool done =
+        OGR_G_CreateFromWkb(bytes.data(), nullptr, &geometry, static_cast<int>(bytes.size())) == OGRERR_NONE;
+    wkb_.forget_large();  // a contour may fill the raster, and the driver makes its own copies
+    return done ? geometry : nullptr;
+}
+
+void LayerWriter::add(const Feature& feature) {
+    if (feature.values.size() != fields_.size())
+        throw OutputError("Cannot write \"" + target_->name + "\": a feature of layer \"" + name_ +
+                          "\" has " + std::to_string(feature.values.size()) + " values for " +
+                          std::to_string(fields_.size()) + " fields.");
+    OgrCall call(*target_);
+    feature_.reset(original_ == nullptr ? feature_.release() : OGR_F_Create(OGR_L_GetLayerDefn(layer_)));
+    OGR_F_SetFID(feature_.get(), next_fid_ == OGRNullFID ? OGRNullFID : next_fid_++);
+    for (std::size_t i = 0; i < fields_.size(); ++i)
+        set(fields_[i], feature.values[i]);
+    bool done = true;
+    if (original_ != nullptr) {
+        copy_original(feature);
+    } else if (has_geometry_) {
+        OGRGeometryH geometry = make_geometry(feature);
+        done = geometry != nullptr && OGR_F_SetGeometryDirectly(feature_.get(), geometry) == OGRERR_NONE;
+    }
+    done = done && OGR_L_CreateFeature(layer_, feature_.get()) == OGRERR_NONE;
+    if (has_geometry_)
+        OGR_F_SetGeometryDirectly(feature_.get(), nullptr);
+    if (!done || !call.succeeded())
+        call.fail("writing " + text_of(feature));
+    call.pass_warnings();
+    if (index_)
+        index_->add(OGR_F_GetFID(feature_.get()), feature);
+    ++feature_count_;
+    if (height_field_)
+        if (const double* height = std::get_if<double>(&feature.values[*height_field_]);
+            height != nullptr && std::isfinite(*height))
+            heights_.push_back(*height);
+}
+
+void LayerWriter::copy_original(const Feature& feature) {
+    if (feature.original.empty()) {  // a trial
+        if (OGRGeometryH geometry = make_geometry(feature))
+            OGR_F_SetGeometryDirectly(feature_.get(),
+                                      OGR_G_ForceTo(geometry, OGR_L_GetGeomType(layer_), nullptr));
+        return;
+    }
+    const reading::FeatureOwner original = original_->decode(feature.original);
+    // GDAL refuses a null pointer, which an empty vector may have.
+    constexpr int no_field = -1;
+    OGR_F_SetFromWithMap(feature_.get(), original.get(), TRUE,
+                         copied_fields_.empty() ? &no_field : copied_fields_.data());
+    OGR_F_SetFID(feature_.get(), OGR_F_GetFID(original.get()));
+}
+
+reading::CrsOwner srs_of(const std::string& wkt, const WriteTarget& target) {
+    if (wkt.empty())
+        return nullptr;
+    OgrCall call(target);
+    reading::CrsOwner srs(OSRNewSpatialReference(wkt.c_str()));
+    call.check(srs != nullptr, "reading the CRS");
+    OSRSetAxisMappingStrategy(srs.get(), OAMS_TRADITIONAL_GIS_ORDER);
+    return srs;
 }
 
 namespace {

@@ -56,6 +56,8 @@ class LayerWriter {
     LayerWriter(OGRLayerH layer, const LayerSpec& spec, const LayerSettings& setting,
                 std::vector<int> fields);
     void set(int field, const FieldValue& value);
+    /// @return null if OGR refuses it; owned by the caller
+    [[nodiscard]] OGRGeometryH make_geometry(const Feature& feature);
     /// Gives the next feature the geometry, number and fields of an original.
     void copy_original(const Feature& feature);
     /// Describes a feature in messages.
@@ -80,16 +82,6 @@ class LayerWriter {
 
 /// @return null if there is no CRS @throws OutputError
 [[nodiscard]] reading::CrsOwner srs_of(const std::string& wkt, const WriteTarget& target);
-
-/// Creates a layer of MultiPolygons or points, with title and description if the format stores them; options
-/// of the user take precedence. Warns if the format stores no geometries. @throws OutputError
-[[nodiscard]] OGRLayerH create_layer(GDALDatasetH dataset, const LayerSpec& spec,
-                                     const LayerSettings& setting);
-
-/// @return layer field index per field of the spec, because drivers may add fields of their own
-/// @throws OutputError
-[[nodiscard]] std::vector<int> create_fields(OGRLayerH layer, const LayerSpec& spec,
-                                             const LayerSettings& setting);
 
 /// Checks that features of the spec can be appended to an existing layer: same CRS, MultiPolygons with or
 /// without Z alike, and all fields with types that keep the values. @return layer field index per field of
