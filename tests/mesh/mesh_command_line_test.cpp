@@ -60,7 +60,7 @@ TEST(MeshCommandLine, refusesInASentence) {
 
 TEST(MeshCommandLine, namesEveryOptionInItsTexts) {
     for (const mesh::MeshOption& option : mesh::mesh_options())
-        for (const std::string& text : {mesh::mesh_help(), mesh::mesh_bash_completion()})
+        for (const std::string& text : {tool_help(mesh::mesh_texts()), mesh::mesh_bash_completion()})
             EXPECT_NE(text.find("-" + option.name), std::string::npos) << option.name;
 }
 

@@ -29,8 +29,7 @@ TEST(CompareCommandLine, hasDefaults) {
     const CompareCommand request = parse_compare_command_line({"a", "--", "-help_all"});
     EXPECT_EQ(request.new_survey, "-help_all");
     EXPECT_EQ(request.destination + request.page + request.title + request.credit, "");
-    EXPECT_FALSE(request.json || request.quiet || request.overwrite || request.help || request.version ||
-                 request.man_page);
+    EXPECT_FALSE(request.json || request.quiet || request.overwrite || request.asks_for_text());
 }
 
 TEST(CompareCommandLine, asksForNoFileNamesWithHelp) {
@@ -75,8 +74,8 @@ TEST(CompareCommandLine, refusesOptionsWithoutEffect) {
 }
 
 TEST(CompareHelp, namesEveryOptionAndFitsALine) {
-    const std::string help = compare_help();
-    const std::string man = compare_man_page();
+    const std::string help = tool_help(compare_texts());
+    const std::string man = tool_man_page(compare_texts());
     for (const CompareOption& option : compare_options()) {
         EXPECT_NE(help.find("  -" + option.name), std::string::npos) << option.name;
         EXPECT_NE(man.find("\\-" + option.name), std::string::npos) << option.name;

@@ -41,8 +41,7 @@ TEST(ScoreCommandLine, hasDefaults) {
     const ScoreCommand request = parse_score_command_line({"a", "b"});
     EXPECT_EQ(request.min_object_m2, 50);
     EXPECT_EQ(request.layer + request.reference_layer + request.area_of_interest + request.dem, "");
-    EXPECT_FALSE(request.roofs || request.json || request.quiet || request.help || request.version ||
-                 request.man_page);
+    EXPECT_FALSE(request.roofs || request.json || request.quiet || request.asks_for_text());
 }
 
 TEST(ScoreCommandLine, takesFileNamesBehindTwoDashes) {
@@ -103,8 +102,8 @@ TEST(ScoreHelp, leavesOptionsOfRoofsOutOfThoseOfFootprints) {
 }
 
 TEST(ScoreHelp, namesEveryOptionAndFitsALine) {
-    const std::string help = score_help();
-    const std::string man = score_man_page();
+    const std::string help = tool_help(score_texts());
+    const std::string man = tool_man_page(score_texts());
     for (const ScoreOption& option : score_options()) {
         EXPECT_NE(help.find("  -" + option.name), std::string::npos) << option.name;
         EXPECT_FALSE(option.help.empty());

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "common/roff.hpp"
+
 namespace d2b {
 namespace {
 
@@ -19,6 +21,20 @@ const std::vector<GdalSwitch>& gdal_switches() {
         {"--help-general", "List all switches that the programs of GDAL share."},
     };
     return switches;
+}
+
+std::string gdal_help() {
+    std::string text = "\nGDAL:\n";
+    for (const auto& [synopsis, help] : gdal_switches())
+        text += help_entry(std::string(synopsis), std::string(help));
+    return text;
+}
+
+std::string gdal_man_section() {
+    std::string text = ".SS GDAL\n";
+    for (const auto& [synopsis, help] : gdal_switches())
+        text += roff_item(synopsis, help);
+    return text;
 }
 
 std::string wrap(std::string_view text, std::size_t indent, std::size_t width) {

@@ -83,15 +83,8 @@ std::string everyday_help() {
 }
 
 std::string full_help() {
-    std::string text = introduction() + "\n" +
-                       wrap(
-                           "Options may stand anywhere and begin with one dash or two; values follow after a "
-                           "blank or an equals sign.",
-                           0) +
-                       option_list(true) + "\nGDAL:\n";
-    for (const auto& [synopsis, help] : gdal_switches())
-        text += help_entry(std::string(synopsis), std::string(help));
-    return text + "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n";
+    return introduction() + "\n" + wrap(options_anywhere, 0) + option_list(true) + gdal_help() +
+           "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n";
 }
 
 }  // namespace d2b

@@ -18,10 +18,7 @@ std::string options() {
                               row.details + (row.details.empty() ? "" : " ") + facts);
         }
     }
-    text += ".SS GDAL\n";
-    for (const auto& [synopsis, help] : gdal_switches())
-        text += roff_item(synopsis, help);
-    return text;
+    return text + gdal_man_section();
 }
 
 std::string contour_table() {

@@ -83,7 +83,7 @@ CompareCommand parse_compare_command_line(const std::vector<std::string>& argume
     CompareCommand request;
     for (const auto& [option, value] : line.given)
         compare_options()[option].apply(request, value);
-    if (request.help || request.version || request.man_page)
+    if (request.asks_for_text())
         return request;
     if (line.unknown)
         refuse_unknown_option(*line.unknown, table, program);

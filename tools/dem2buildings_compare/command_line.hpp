@@ -4,18 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "common/tool_line.hpp"
+#include "common/tool_texts.hpp"
 #include "dem2buildings/compare.hpp"
 
 namespace d2b {
 
 /// All that the command line can set.
-struct CompareCommand : SurveyRequest {
+struct CompareCommand : SurveyRequest, TextSwitches {
     bool json = false;
     bool quiet = false;
-    bool help = false;
-    bool version = false;
-    bool man_page = false;
 };
 
 /// One option. Parser, help and man page are all made from these rows.

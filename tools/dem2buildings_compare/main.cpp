@@ -5,10 +5,8 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "dem2buildings/open_sources.hpp"
 #include "dem2buildings/progress.hpp"
 #include "dem2buildings/run_interruptibly.hpp"
-#include "dem2buildings/version.hpp"
 #include "dem2buildings_compare/command_line.hpp"
 #include "dem2buildings_compare/help.hpp"
 #include "dem2buildings_compare/report.hpp"
@@ -40,14 +38,9 @@ void compare(const CompareCommand& request) {
 
 int run_tool(const std::vector<std::string>& words) {
     const CompareCommand request = parse_compare_command_line(words);
-    if (request.help)
-        std::cout << compare_help();
-    else if (request.version)
-        std::cout << "dem2buildings_compare " << version << ", " << library_versions() << '\n';
-    else if (request.man_page)
-        std::cout << compare_man_page();
-    else
+    if (!request.asks_for_text())
         return run_interruptibly([&] { compare(request); });
+    std::cout << asked_text(request, compare_texts());
     return exit_code::done;
 }
 
@@ -56,5 +49,6 @@ int run_tool(const std::vector<std::string>& words) {
 
 int main(int argc, char* argv[]) {
     return d2b::run_guarded(argc, argv,
-                            {d2b::compare_short_usage, "compare parts of the surveys", d2b::run_tool});
+                            {[] { return d2b::tool_short_usage(d2b::compare_texts()); },
+                             "compare parts of the surveys", d2b::run_tool});
 }

@@ -132,7 +132,7 @@ MeshCommand parse_mesh_command_line(const std::vector<std::string>& arguments) {
     MeshCommand command;
     for (const auto& [option, value] : line.given)
         mesh_options()[option].apply(command, value);
-    if (command.asks())
+    if (command.asks_for_text() || command.bash_completion)
         return command;
     if (line.unknown)
         refuse_unknown_option(*line.unknown, table, program);

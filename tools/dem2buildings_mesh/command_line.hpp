@@ -5,22 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "common/tool_line.hpp"
+#include "common/tool_texts.hpp"
 #include "dem2buildings_mesh/mesh_request.hpp"
 
 namespace d2b::mesh {
 
 /// All that the command line can set.
-struct MeshCommand : MeshRequest {
+struct MeshCommand : MeshRequest, TextSwitches {
     bool json = false;
     bool quiet = false;
-    bool help = false;
-    bool version = false;
-    bool man_page = false;
     bool bash_completion = false;
-
-    /// Whether it only asks for a text about the program.
-    [[nodiscard]] bool asks() const { return help || version || man_page || bash_completion; }
 };
 
 /// One option. Parser, help, man page and completion are all made from these rows.

@@ -3,16 +3,11 @@
 
 #include <string>
 
+#include "common/tool_texts.hpp"
+
 namespace d2b::mesh {
 
-// All texts about the options are made from mesh_options(). They are ASCII and end with a line feed.
-
-/// Two lines, for a command line without arguments.
-[[nodiscard]] std::string mesh_short_usage();
-/// The text of --help, in lines of at most 80 characters.
-[[nodiscard]] std::string mesh_help();
-/// The man page, as roff.
-[[nodiscard]] std::string mesh_man_page();
+[[nodiscard]] const ToolTexts& mesh_texts();
 /// Completes command lines in Bash.
 [[nodiscard]] std::string mesh_bash_completion();
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CGAL/version.h>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -7,8 +6,6 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "dem2buildings/open_sources.hpp"
-#include "dem2buildings/version.hpp"
 #include "dem2buildings_mesh/command_line.hpp"
 #include "dem2buildings_mesh/help.hpp"
 #include "dem2buildings_mesh/mesh_city.hpp"
@@ -39,13 +36,8 @@ void make_mesh(const MeshCommand& command) {
 
 int run_tool(const std::vector<std::string>& words) {
     const MeshCommand command = parse_mesh_command_line(words);
-    if (command.help)
-        std::cout << mesh_help();
-    else if (command.version)
-        std::cout << "dem2buildings_mesh " << version << ", " << library_versions() << ", CGAL "
-                  << CGAL_VERSION_STR << '\n';
-    else if (command.man_page)
-        std::cout << mesh_man_page();
+    if (command.asks_for_text())
+        std::cout << asked_text(command, mesh_texts());
     else if (command.bash_completion)
         std::cout << mesh_bash_completion();
     else
@@ -57,6 +49,7 @@ int run_tool(const std::vector<std::string>& words) {
 }  // namespace d2b::mesh
 
 int main(int argc, char* argv[]) {
-    return d2b::run_guarded(
-        argc, argv, {d2b::mesh::mesh_short_usage, "mesh a smaller part of the city", d2b::mesh::run_tool});
+    return d2b::run_guarded(argc, argv,
+                            {[] { return d2b::tool_short_usage(d2b::mesh::mesh_texts()); },
+                             "mesh a smaller part of the city", d2b::mesh::run_tool});
 }

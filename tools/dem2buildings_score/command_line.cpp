@@ -93,7 +93,7 @@ ScoreCommand parse_score_command_line(const std::vector<std::string>& arguments)
     ScoreCommand request;
     for (const auto& [option, value] : line.given)
         score_options()[option].apply(request, value);
-    if (request.help || request.version || request.man_page)
+    if (request.asks_for_text())
         return request;
     if (line.unknown)
         refuse_unknown_option(*line.unknown, table, program);

@@ -5,8 +5,6 @@
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "dem2buildings/open_sources.hpp"
-#include "dem2buildings/version.hpp"
 #include "dem2buildings_score/command_line.hpp"
 #include "dem2buildings_score/help.hpp"
 #include "dem2buildings_score/report.hpp"
@@ -38,12 +36,8 @@ void measure(const ScoreCommand& request) {
 
 int run_tool(const std::vector<std::string>& words) {
     const ScoreCommand request = parse_score_command_line(words);
-    if (request.help)
-        std::cout << score_help();
-    else if (request.version)
-        std::cout << "dem2buildings_score " << version << ", " << library_versions() << '\n';
-    else if (request.man_page)
-        std::cout << score_man_page();
+    if (request.asks_for_text())
+        std::cout << asked_text(request, score_texts());
     else
         measure(request);
     return exit_code::done;
@@ -54,6 +48,6 @@ int run_tool(const std::vector<std::string>& words) {
 
 int main(int argc, char* argv[]) {
     return d2b::run_guarded(argc, argv,
-                            {d2b::score_short_usage,
+                            {[] { return d2b::tool_short_usage(d2b::score_texts()); },
                              "clip the footprints and the reference to a part of the city", d2b::run_tool});
 }

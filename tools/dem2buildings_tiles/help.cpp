@@ -51,10 +51,8 @@ std::string tiles_help() {
     text += "\nOptions in addition to those of dem2buildings, which plan takes:\n";
     for (const TileOption& option : tile_options())
         text += help_entry(heading(option), help_of(option));
-    text += "\nGDAL:\n";
-    for (const auto& [synopsis, help] : gdal_switches())
-        text += help_entry(std::string(synopsis), std::string(help));
-    return text + "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n";
+    return text + gdal_help() +
+           "\nExit status: 0 done, 1 failed, 2 wrong usage, 130 after Ctrl-C, 143 terminated.\n";
 }
 
 std::string tiles_man_page() {
@@ -74,10 +72,7 @@ std::string tiles_man_page() {
             roff_paragraph("plan takes the options of dem2buildings(1), with the same meaning.");
     for (const TileOption& option : tile_options())
         text += roff_item(heading(option), help_of(option));
-    text += ".SS GDAL\n";
-    for (const auto& [synopsis, help] : gdal_switches())
-        text += roff_item(synopsis, help);
-    text += roff_section("EXIT STATUS") + roff_item("0", "Done, or done before.") +
+    text += gdal_man_section() + roff_section("EXIT STATUS") + roff_item("0", "Done, or done before.") +
             roff_item("1", "Failed: something cannot be read or written, or belongs to another plan.") +
             roff_item("2", "Wrong usage: an option, or one that does not work in tiles.") +
             roff_item("130", "Interrupted (SIGINT); 143 after SIGTERM, 129 after SIGHUP.");
