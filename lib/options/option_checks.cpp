@@ -147,31 +147,30 @@ constexpr std::array rules{
 };
 
 constexpr std::array needs{
-    OptionDependency{"off", "i", "it is the elevation that the intervals count from"},
-    OptionDependency{"cutline_layer", "cutline", "it names the layer of its polygons"},
-    OptionDependency{"preview_size", "preview", "it is the size of its picture"},
-    OptionDependency{"preview_paper", "preview", "it is the paper of its picture"},
-    OptionDependency{"preview_scale", "preview_paper", "it is the scale of a map on paper"},
-    OptionDependency{"landscape", "preview_paper", "it turns the paper"},
-    OptionDependency{"title", "preview", "it is the title of a picture or a page", {"page"}},
-    OptionDependency{"credit", "preview", "it is written on a picture or a page", {"page"}},
-    OptionDependency{"surface_of", "surface", "it is the model of the surface"},
-    OptionDependency{"surface_roof", "surface", "it is the height of its flat roofs"},
-    OptionDependency{"surface_solids", "surface", "it says how many objects an OBJ has, or solids an STL"},
-    OptionDependency{"surface_origin", "surface", "it is the origin of its coordinates"},
+    OptionDependency{"off", {"i"}, "it is the elevation that the intervals count from"},
+    OptionDependency{"cutline_layer", {"cutline"}, "it names the layer of its polygons"},
+    OptionDependency{"preview_size", {"preview"}, "it is the size of its picture"},
+    OptionDependency{"preview_paper", {"preview"}, "it is the paper of its picture"},
+    OptionDependency{"preview_scale", {"preview_paper"}, "it is the scale of a map on paper"},
+    OptionDependency{"landscape", {"preview_paper"}, "it turns the paper"},
+    OptionDependency{"title", {"preview", "page"}, "it is the title of a picture or a page"},
+    OptionDependency{"credit", {"preview", "page"}, "it is written on a picture or a page"},
+    OptionDependency{"surface_of", {"surface"}, "it is the model of the surface"},
+    OptionDependency{"surface_roof", {"surface"}, "it is the height of its flat roofs"},
+    OptionDependency{"surface_solids", {"surface"}, "it says how many objects an OBJ has, or solids an STL"},
+    OptionDependency{"surface_origin", {"surface"}, "it is the origin of its coordinates"},
     OptionDependency{"write_problems",
-                     "surface",
-                     "it writes the problems of a surface or a flow solver",
-                     {"flow_ready", "min_gap", "min_wall"}},
-    OptionDependency{"mask_layer", "mask", "it names the layer of its polygons"},
-    OptionDependency{"exclude_layer", "exclude", "it names the layer of its polygons"},
-    OptionDependency{"exclude_buffer", "exclude", "it widens its polygons"},
-    OptionDependency{"corrections_layer", "corrections", "it names the layer of the corrections"},
-    OptionDependency{"footprints_layer", "footprints", "it names the layer of the footprints"},
-    OptionDependency{"split_layer", "split_by", "it names the layer of the parcels"},
-    OptionDependency{"split_field", "split_by", "it is a field of the parcels"},
+                     {"surface", "flow_ready", "min_gap", "min_wall"},
+                     "it writes the problems of a surface or a flow solver"},
+    OptionDependency{"mask_layer", {"mask"}, "it names the layer of its polygons"},
+    OptionDependency{"exclude_layer", {"exclude"}, "it names the layer of its polygons"},
+    OptionDependency{"exclude_buffer", {"exclude"}, "it widens its polygons"},
+    OptionDependency{"corrections_layer", {"corrections"}, "it names the layer of the corrections"},
+    OptionDependency{"footprints_layer", {"footprints"}, "it names the layer of the footprints"},
+    OptionDependency{"split_layer", {"split_by"}, "it names the layer of the parcels"},
+    OptionDependency{"split_field", {"split_by"}, "it is a field of the parcels"},
     OptionDependency{
-        "split_width", "split_by", "it is the width of parts that parcels cut off", {"corrections"}},
+        "split_width", {"split_by", "corrections"}, "it is the width of parts that parcels cut off"},
 };
 
 /// Returns the Damerau-Levenshtein distance (optimal string alignment).
@@ -192,35 +191,15 @@ std::size_t edit_distance(std::string_view one, std::string_view other) {
     return cost.back().back();
 }
 
-/// Returns true if an option set to `value` matches the use.
-bool matches(const OptionCondition& use, const std::string& value) {
-    switch (use.match) {
-        case Match::any:
-            break;
-        case Match::equal:
-            return value == use.value;
-        case Match::other:
-            return value != use.value;
-    }
-    return true;
-}
-
 /// Formats the use as on a command line.
 std::string written(const OptionCondition& use, const Request& request) {
-    std::string option = "-" + std::string(use.name);
-    switch (use.match) {
-        case Match::any:
-            break;
-        case Match::equal:
-        case Match::other:
-            return option + " " + find_option(use.name)->show(request);
-    }
-    return option;
+    const std::string option = "-" + std::string(use.name);
+    return use.match == Match::any ? option : option + " " + find_option(use.name)->show(request);
 }
 
 bool holds(const OptionCondition& use, const Request& request) {
     const OptionRow& row = *find_option(use.name);
-    return row.is_given(request) && matches(use, row.show(request));
+    return row.is_given(request) && use.matches(row.show(request));
 }
 
 bool is_broken(const OptionRule& rule, const Request& request) {
@@ -239,20 +218,18 @@ void check_rule(const OptionRule& rule, const Request& request) {
 
 /// Returns "-surface <file>, -flow_ready <m> or -min_gap <m>".
 std::string needed_alternatives(const OptionDependency& need) {
-    std::string text = option_synopsis(*find_option(need.needed));
-    for (std::size_t i = 0; i < need.or_else.size() && !need.or_else[i].empty(); ++i) {
-        const bool is_last = i + 1 == need.or_else.size() || need.or_else[i + 1].empty();
-        text += (is_last ? " or " : ", ") + option_synopsis(*find_option(need.or_else[i]));
-    }
-    return text;
+    std::vector<std::string> synopses;
+    for (const std::string_view name : need.needed)
+        if (!name.empty())
+            synopses.push_back(option_synopsis(*find_option(name)));
+    return alternatives(synopses);
 }
 
 void check_need(const OptionDependency& need, const Request& request) {
-    const OptionRow& needed = *find_option(need.needed);
-    const bool has_another = std::ranges::any_of(need.or_else, [&](std::string_view other) {
-        return !other.empty() && find_option(other)->is_given(request);
-    });
-    if (find_option(need.name)->is_given(request) && !needed.is_given(request) && !has_another)
+    const auto is_given = [&](std::string_view name) {
+        return !name.empty() && find_option(name)->is_given(request);
+    };
+    if (is_given(need.name) && std::ranges::none_of(need.needed, is_given))
         throw OptionError("-" + std::string(need.name) + " needs " + needed_alternatives(need) + "; " +
                           std::string(need.advice) + ".");
 }

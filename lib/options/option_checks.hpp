@@ -20,6 +20,11 @@ struct OptionCondition {
     std::string_view name{};  ///< without dash
     Match match = Match::any;
     std::string_view value{};
+
+    /// True for an option with the name that is set to `set`.
+    [[nodiscard]] constexpr bool matches(std::string_view set) const {
+        return match == Match::any || (set == value) == (match == Match::equal);
+    }
 };
 
 enum class RuleKind {
@@ -37,12 +42,11 @@ struct OptionRule {
         unless{};  ///< exception: with this third use the two make sense; ignored if it has no name
 };
 
-/// Option that is meaningless without another.
+/// Option that is meaningless without one of others.
 struct OptionDependency {
     std::string_view name{};
-    std::string_view needed{};
-    std::string_view advice{};                  ///< ends the sentence
-    std::array<std::string_view, 3> or_else{};  ///< alternatives to `needed`
+    std::array<std::string_view, 4> needed{};  ///< alternatives; "" for none
+    std::string_view advice{};                 ///< ends the sentence
 };
 
 /// Rules in the order of checking.

@@ -44,9 +44,11 @@ struct RunPlan {
     SurfaceOf surface_of;
 
     [[nodiscard]] bool detects_buildings() const { return d2b::detects_buildings(asked); }
-    /// Returns true if the planes of roofs are written in a layer or a surface.
+    /// Returns true if the planes of roofs of found buildings are written in a layer or a surface. With given
+    /// footprints only these have roofs.
     [[nodiscard]] bool needs_roofs() const {
-        return asked.write.roofs || (surface_of == SurfaceOf::roofs && !asked.write.surfaces.empty());
+        return !asked.write.has_footprints() &&
+               (asked.write.roofs || (surface_of == SurfaceOf::roofs && !asked.write.surfaces.empty()));
     }
     /// Returns the tolerance in cells. @param cell_m side of a cell in metres; 0 if unknown
     [[nodiscard]] double wall_tolerance(double cell_m) const;

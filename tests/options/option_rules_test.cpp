@@ -30,8 +30,7 @@ std::vector<OptionCase> cases_of(const OptionCondition& use) {
         if (option.name != use.name)
             continue;
         const std::string value = option.values.empty() ? "yes" : option.values.front();
-        if (use.match == Match::any || (use.match == Match::equal && value == use.value) ||
-            (use.match == Match::other && value != use.value))
+        if (use.matches(value))
             found.push_back(option);
     }
     return found;
@@ -82,7 +81,9 @@ TEST(OptionRules, nameOptionsThatThereAre) {
     }
     for (const OptionDependency& need : option_dependencies()) {
         EXPECT_NE(find_option(need.name), nullptr) << need.name;
-        EXPECT_NE(find_option(need.needed), nullptr) << need.needed;
+        EXPECT_NE(find_option(need.needed.front()), nullptr) << need.name;
+        for (const std::string_view needed : need.needed)
+            EXPECT_TRUE(needed.empty() || find_option(needed) != nullptr) << needed;
     }
 }
 
