@@ -337,7 +337,7 @@ void ChangeFinder::look_for(ChangedBuilding& building) const {
 /// Translates the outlines and the heights of a survey.
 void translate_place(SurveyedPlace& place, double east, double north) {
     for (SurveyedBuilding& building : place.buildings)
-        translate(building.outline, east, north);
+        score::translate(building.outline, east, north);
     if (place.heights)
         place.heights->offset = {place.heights->offset.x + east, place.heights->offset.y + north};
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/box_tree.hpp"
+#include "score/measure.hpp"
 
 namespace d2b::compare {
 namespace {
@@ -102,12 +103,6 @@ Bin fullest_bin(std::span<const Position> all, double side) {
     return best;
 }
 
-double median(std::vector<double> values) {
-    std::ranges::sort(values);
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
 /// Median of the displacements up to `limit` from a first estimate along both axes, and their number.
 std::pair<Position, std::size_t> median_near(std::span<const Position> all, const Position& first,
                                              double limit) {
@@ -121,7 +116,7 @@ std::pair<Position, std::size_t> median_near(std::span<const Position> all, cons
     const std::size_t count = east.size();
     if (count < fewest_pairs)
         return {first, count};
-    return {{median(std::move(east)), median(std::move(north))}, count};
+    return {{score::median(std::move(east)), score::median(std::move(north))}, count};
 }
 
 }  // namespace
@@ -138,17 +133,6 @@ SurveyShift estimate_shift(std::span<const SurveyedBuilding> old_buildings,
     if (pairs < fewest_pairs)
         return {};
     return {shift.x * metres, shift.y * metres, pairs};
-}
-
-void translate(Polygons& polygons, double east, double north) {
-    const auto translate_ring = [&](WorldRing& ring) {
-        for (Position& p : ring)
-            p = {p.x + east, p.y + north};
-    };
-    for (WorldPolygon& polygon : polygons) {
-        translate_ring(polygon.exterior);
-        std::ranges::for_each(polygon.interiors, translate_ring);
-    }
 }
 
 }  // namespace d2b::compare

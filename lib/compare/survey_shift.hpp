@@ -15,7 +15,4 @@ namespace d2b::compare {
                                          std::span<const SurveyedBuilding> new_buildings, double cell_m,
                                          double metres);
 
-/// Translates polygons, in units of their coordinates.
-void translate(Polygons& polygons, double east, double north);
-
 }  // namespace d2b::compare

@@ -61,7 +61,7 @@ ScoreRun score_layers(const ScoreRequest& request, const PolygonLayer& found_lay
     ScoreRun run{found_layer.name,
                  reference_layer.name,
                  reference_layer.height_field,
-                 plane.local ? "local transverse Mercator projection" : plane.crs.name(),
+                 plane.name(),
                  plane.metres,
                  options.region.has_value(),
                  options.cell_m,

@@ -219,12 +219,8 @@ RoofScoreRun score_datasets(const ScoreRequest& request, Warnings& warnings) {
                                extent_of(reference_roofs, reference_placed.areas), overlay, warnings);
     options.metres = plane.metres;
     options.min_object_m2 = request.min_object_m2;
-    return {found_roofs.name,
-            reference_roofs.name,
-            plane.local ? "local transverse Mercator projection" : plane.crs.name(),
-            plane.metres,
-            options.region.has_value(),
-            score_roofs(found, reference, options)};
+    return {found_roofs.name, reference_roofs.name,       plane.name(),
+            plane.metres,     options.region.has_value(), score_roofs(found, reference, options)};
 }
 
 }  // namespace

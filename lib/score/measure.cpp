@@ -81,6 +81,19 @@ double share(std::size_t part, std::size_t whole) {
     return share(static_cast<double>(part), static_cast<double>(whole));
 }
 
+double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+void translate(Polygons& polygons, double right, double up) {
+    for_each_ring(polygons, [&](WorldRing& ring) {
+        for (Position& p : ring)
+            p = {p.x + right, p.y + up};
+    });
+}
+
 double area_of(const WorldPolygon& polygon) {
     double area = ring_area(polygon.exterior);
     for (const WorldRing& interior : polygon.interiors)

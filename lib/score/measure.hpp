@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/crs.hpp"
 #include "core/warnings.hpp"
@@ -16,7 +17,12 @@ namespace d2b::score {
 [[nodiscard]] double share(double part, double whole);
 [[nodiscard]] double share(std::size_t part, std::size_t whole);
 
+/// Median; the mean of the middle two of an even number. @param values not empty
+[[nodiscard]] double median(std::vector<double> values);
+
 // Units are those of the coordinates and their squares.
+
+void translate(Polygons& polygons, double right, double up);
 
 /// Area of the exterior minus interiors, whatever the orientation of rings.
 [[nodiscard]] double area_of(const WorldPolygon& polygon);
@@ -33,6 +39,10 @@ struct MeasurePlane {
     Crs crs;             ///< none: unknown units
     double metres = 1;   ///< metres per unit of the coordinates
     bool local = false;  ///< a projection centred on the data
+
+    [[nodiscard]] std::string name() const {
+        return local ? "local transverse Mercator projection" : crs.name();
+    }
 };
 
 /// Returns the CRS itself if it is projected or local, or a transverse Mercator projection in metres centred

@@ -80,10 +80,7 @@ std::optional<HeightErrors> height_errors(std::span<const double> errors) {
         absolute.push_back(std::abs(error));
     }
     result.rms = std::sqrt(result.rms);
-    std::ranges::sort(absolute);
-    const std::size_t half = absolute.size() / 2;
-    result.median_absolute =
-        absolute.size() % 2 == 1 ? absolute[half] : (absolute[half - 1] + absolute[half]) / 2;
+    result.median_absolute = median(std::move(absolute));
     return result;
 }
 

@@ -14,26 +14,15 @@ namespace {
 /// Far below measured lengths, far above rounding errors of coordinates.
 constexpr double border_m = 0.001;
 
-void shift(Position& p, double right, double up) {
-    p = {p.x + right, p.y + up};
-}
-
 /// Clips rings to a region with half-open borders: left and upper belong to it, right and lower do not, as
 /// for raster cells. Along the border of the data, half of the outlines count.
 std::vector<Polyline> rings_in_region(Polygons area, const Polygons& region, double border,
                                       Overlay& overlay) {
-    const auto shift_ring = [border](WorldRing& ring) {
-        for (Position& p : ring)
-            shift(p, border, -border);
-    };
-    for (WorldPolygon& polygon : area) {
-        shift_ring(polygon.exterior);
-        std::ranges::for_each(polygon.interiors, shift_ring);
-    }
+    translate(area, border, -border);
     std::vector<Polyline> rings = overlay.clip_rings(area, region);
     for (Polyline& ring : rings)
         for (Position& p : ring)
-            shift(p, -border, border);
+            p = {p.x - border, p.y + border};
     return rings;
 }
 

@@ -81,12 +81,5 @@ TEST(SurveyShift, isAppliedBeforeBuildingsAreMatched) {
         EXPECT_EQ(building.change, Change::same);
 }
 
-TEST(SurveyShift, movesAllRings) {
-    Polygons polygons{{ring_of_box(0, 0, 10, 10), {ring_of_box(4, 4, 6, 6)}}};
-    translate(polygons, 1, -2);
-    EXPECT_EQ(polygons[0].exterior[0], (Position{1, -2}));
-    EXPECT_EQ(polygons[0].interiors[0][2], (Position{7, 4}));
-}
-
 }  // namespace
 }  // namespace d2b::test

@@ -18,6 +18,13 @@ class MeasurePlaneTest : public testing::Test {
     Warnings warnings_{[this](const std::string& text) { heard_.push_back(text); }};
 };
 
+TEST(Measure, translatesAllRings) {
+    Polygons polygons{{{{0, 0}, {10, 0}, {10, 10}}, {{{4, 4}, {6, 4}, {6, 6}}}}};
+    translate(polygons, 1, -2);
+    EXPECT_EQ(polygons[0].exterior[0], (Position{1, -2}));
+    EXPECT_EQ(polygons[0].interiors[0][2], (Position{7, 4}));
+}
+
 TEST_F(MeasurePlaneTest, isAProjectedCrsWithItsUnit) {
     const MeasurePlane metres = measure_plane(Crs("EPSG:25832"), {0, 0, 1, 1}, warnings_);
     EXPECT_EQ(metres.metres, 1);
