@@ -122,15 +122,4 @@ void write_changes(const SurveyChanges& changes, const SurveyedPlace& old_place,
     }
 }
 
-std::string change_schema_markdown() {
-    std::string text = "| field | type | unit | meaning |\n|---|---|---|---|\n";
-    for (const FieldSpec& field : change_fields()) {
-        const char* const type = field.type == FieldType::integer ? "integer"
-                                 : field.type == FieldType::real  ? "real"
-                                                                  : "text";
-        text += "| `" + field.name + "` | " + type + " | " + field.unit + " | " + field.description + " |\n";
-    }
-    return text;
-}
-
 }  // namespace d2b::compare

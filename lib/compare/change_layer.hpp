@@ -27,7 +27,4 @@ namespace d2b::compare {
 void write_changes(const SurveyChanges& changes, const SurveyedPlace& old_place,
                    const SurveyedPlace& new_place, FeatureSink& sink);
 
-/// Fields of the layer with their types, units and meanings, as a Markdown table.
-[[nodiscard]] std::string change_schema_markdown();
-
 }  // namespace d2b::compare

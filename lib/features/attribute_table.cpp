@@ -46,7 +46,8 @@ FieldValue area(double square_metres) {
     const FieldValue rounded = measure(square_metres);
     return rounded == FieldValue{0.0} ? number(square_metres) : rounded;
 }
-FieldValue reference(std::int64_t id) {
+/// Returns NULL for 0, which means "no object".
+FieldValue id_or_null(std::int64_t id) {
     return id > 0 ? FieldValue{id} : FieldValue{};
 }
 FieldValue nodata_share(const BuildingRecord& record) {
@@ -267,11 +268,11 @@ constexpr std::array roof_face_table{
                               "number of the face, from 1, by building",
                               [](const RoofFaceRecord& r) -> FieldValue { return r.id; }},
     Attribute<RoofFaceRecord>{"bldg_id", "Building", FieldType::integer, Unit::none, "id of the building",
-                              [](const RoofFaceRecord& r) { return reference(r.building_id); }},
+                              [](const RoofFaceRecord& r) { return id_or_null(r.building_id); }},
     Attribute<RoofFaceRecord>{
         "part_id", "Part of", FieldType::integer, Unit::none,
         "lowest id of the buildings into which its building was divided; NULL if it was not",
-        [](const RoofFaceRecord& r) { return reference(r.whole); }},
+        [](const RoofFaceRecord& r) { return id_or_null(r.whole); }},
     Attribute<RoofFaceRecord>{"slope", "Slope", FieldType::real, Unit::none,
                               "degrees from the horizontal; NULL if doubtful",
                               [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.slope)); }},
@@ -310,10 +311,10 @@ constexpr std::array contour_table{
                              [](const ContourRecord& r) -> FieldValue { return r.id; }},
     Attribute<ContourRecord>{"parent_id", "Stands on", FieldType::integer, Unit::none,
                              "id of the contour one level down that contains it; NULL in level 0",
-                             [](const ContourRecord& r) { return reference(r.parent_id); }},
+                             [](const ContourRecord& r) { return id_or_null(r.parent_id); }},
     Attribute<ContourRecord>{"bldg_id", "Building", FieldType::integer, Unit::none,
                              "id of the building; NULL in level 0",
-                             [](const ContourRecord& r) { return reference(r.building_id); }},
+                             [](const ContourRecord& r) { return id_or_null(r.building_id); }},
     Attribute<ContourRecord>{"level", "Level", FieldType::integer, Unit::none,
                              "0 is the root: every valid point",
                              [](const ContourRecord& r) -> FieldValue { return std::int64_t{r.level}; }},
@@ -378,19 +379,6 @@ std::string unit_name(Unit unit, const std::string& vertical) {
             break;
     }
     return "";
-}
-
-std::string_view type_name(FieldType type) {
-    return type == FieldType::integer ? "integer" : type == FieldType::real ? "real" : "text";
-}
-
-template <typename Record>
-std::string markdown(std::span<const Attribute<Record>> attributes) {
-    std::string text = "| field | type | unit | meaning |\n|---|---|---|---|\n";
-    for (const Attribute<Record>& a : attributes)
-        text += "| `" + std::string(a.name) + "` | " + std::string(type_name(a.type)) + " | " +
-                unit_name(a.unit, "vertical unit") + " | " + std::string(a.description) + " |\n";
-    return text;
 }
 
 std::span<const Attribute<BuildingRecord>> all_building_attributes() {
@@ -521,15 +509,6 @@ std::vector<FieldSpec> field_specs(std::span<const Attribute<Record>> attributes
     return fields;
 }
 
-template <typename Record>
-std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes, const Record& record) {
-    std::vector<FieldValue> values;
-    values.reserve(attributes.size());
-    for (const Attribute<Record>& a : attributes)
-        values.push_back(a.value(record));
-    return values;
-}
-
 template std::vector<FieldSpec> field_specs(std::span<const Attribute<BuildingRecord>>, const std::string&,
                                             FieldNames);
 template std::vector<FieldSpec> field_specs(std::span<const Attribute<ContourRecord>>, const std::string&,
@@ -540,22 +519,26 @@ template std::vector<FieldSpec> field_specs(std::span<const Attribute<ProblemRec
                                             FieldNames);
 template std::vector<FieldSpec> field_specs(std::span<const Attribute<RoofFaceRecord>>, const std::string&,
                                             FieldNames);
-template std::vector<FieldValue> field_values(std::span<const Attribute<RoofFaceRecord>>,
-                                              const RoofFaceRecord&);
-template std::vector<FieldValue> field_values(std::span<const Attribute<ProblemRecord>>,
-                                              const ProblemRecord&);
-template std::vector<FieldValue> field_values(std::span<const Attribute<RejectedRecord>>,
-                                              const RejectedRecord&);
-template std::vector<FieldValue> field_values(std::span<const Attribute<BuildingRecord>>,
-                                              const BuildingRecord&);
-template std::vector<FieldValue> field_values(std::span<const Attribute<ContourRecord>>,
-                                              const ContourRecord&);
+
+std::string schema_table(std::span<const FieldSpec> fields) {
+    std::string text = "| field | type | unit | meaning |\n|---|---|---|---|\n";
+    for (const FieldSpec& field : fields) {
+        const char* const type = field.type == FieldType::integer ? "integer"
+                                 : field.type == FieldType::real  ? "real"
+                                                                  : "text";
+        text += "| `" + field.name + "` | " + type + " | " + field.unit + " | " + field.description + " |\n";
+    }
+    return text;
+}
 
 std::string schema_markdown() {
-    return "## buildings\n\n" + markdown(all_building_attributes()) + "\n## contours\n\n" +
-           markdown(contour_attributes()) + "\n## roofs\n\n" + markdown(roof_face_attributes()) +
-           "\n## rejected\n\n" + markdown(rejected_attributes()) + "\n## problems\n\n" +
-           markdown(problem_attributes());
+    const auto table = [](const auto& attributes) {
+        return schema_table(field_specs(attributes, "vertical unit"));
+    };
+    return "## buildings\n\n" + table(all_building_attributes()) + "\n## contours\n\n" +
+           table(contour_attributes()) + "\n## roofs\n\n" + table(roof_face_attributes()) +
+           "\n## rejected\n\n" + table(rejected_attributes()) + "\n## problems\n\n" +
+           table(problem_attributes());
 }
 
 std::span<const Attribute<RejectedRecord>> rejected_attributes() {

@@ -61,14 +61,17 @@ template <typename Record>
                                                  FieldNames names = FieldNames::own);
 template <typename Record>
 [[nodiscard]] std::vector<FieldValue> field_values(std::span<const Attribute<Record>> attributes,
-                                                   const Record& record);
-
-/// Returns NULL for 0, which means "no object".
-[[nodiscard]] inline FieldValue id_or_null(std::int64_t id) {
-    return id > 0 ? FieldValue{id} : FieldValue{};
+                                                   const Record& record) {
+    std::vector<FieldValue> values;
+    values.reserve(attributes.size());
+    for (const Attribute<Record>& attribute : attributes)
+        values.push_back(attribute.value(record));
+    return values;
 }
 
-/// Describes the layers as Markdown tables, which docs/reference/output.md contains.
+/// Describes fields with their types, units and meanings as a Markdown table.
+[[nodiscard]] std::string schema_table(std::span<const FieldSpec> fields);
+/// Describes the layers as such tables, which docs/reference/output.md contains.
 [[nodiscard]] std::string schema_markdown();
 
 }  // namespace d2b::features

@@ -366,6 +366,16 @@ double PolygonMaker::azimuth(const Position& at, const Position& step) {
     return azimuth < 0 ? azimuth + 360 : azimuth;
 }
 
+std::vector<PolygonMaker> polygon_makers(const RunSetup& setup, const outline::Outliner& outliner,
+                                         const ContourChildren& children, bool with_cells, Context& context) {
+    std::vector<PolygonMaker> makers;
+    makers.reserve(static_cast<std::size_t>(context.threads->threads()));
+    for (int thread = 0; thread < context.threads->threads(); ++thread)
+        makers.emplace_back(PolygonParameters{setup, outliner, children, context.threads->stop(), with_cells,
+                                              context.report.units.vertical_metres});
+    return makers;
+}
+
 outline::OutlineDependencies outline_dependencies_of(const contours::ContourList& contours,
                                                      const RunSetup& setup, Context& context) {
     const StageClock clock(context.report, Stage::outline);
@@ -401,11 +411,8 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordBuilder& rec
       threads_(*context.threads),
       children_(input.setup.plan.asked.outline.disjoint ? ContourChildren(input.contours)
                                                         : ContourChildren()),
-      with_cells_(measures_drawn(input.setup.plan)) {
-    for (int thread = 0; thread < threads_.threads(); ++thread)
-        makers_.emplace_back(PolygonParameters{input.setup, input.outliner, children_, threads_.stop(),
-                                               with_cells_, context.report.units.vertical_metres});
-}
+      with_cells_(measures_drawn(input.setup.plan)),
+      makers_(polygon_makers(input.setup, input.outliner, children_, with_cells_, context)) {}
 
 DrawnContour ContourDrawer::draw(std::size_t contour, std::size_t thread) {
     PolygonMaker& maker = makers_[thread];

@@ -145,6 +145,12 @@ class PolygonMaker {
     Tally tally_;
 };
 
+/// Returns one maker per thread of the context. @param outliner, children see PolygonParameters
+[[nodiscard]] std::vector<PolygonMaker> polygon_makers(const RunSetup& setup,
+                                                       const outline::Outliner& outliner,
+                                                       const ContourChildren& children, bool with_cells,
+                                                       Context& context);
+
 /// Counts vertices without the repeated last ones of rings.
 [[nodiscard]] std::int64_t vertices_of(const std::vector<WorldPolygon>& parts);
 
@@ -160,7 +166,7 @@ struct DrawnContour {
     std::int64_t parent = -1;          ///< index of the parent in the contour list
     std::int64_t building_index = -1;  ///< index of the building in the contour list
     bool is_low_confidence = false;
-    ContourRecord record;  ///< ids are local to the contour list
+    ContourRecord record;
     PointStats own;
     PointStats whole;                ///< including the contours above
     BuildingRecord building_record;  ///< level 1 only

@@ -70,9 +70,6 @@ ContourRecord RecordBuilder::contour(std::size_t i, const contours::Contour& con
     PointStats total = contour.own;
     total.merge(contour.above);
     ContourRecord record;
-    record.id = context_.first_id + static_cast<std::int64_t>(i);
-    record.parent_id = head.parent < 0 ? 0 : context_.first_id + head.parent;
-    record.building_id = head.building < 0 ? 0 : context_.first_id + head.building;
     record.level = head.key.level;
     record.threshold = threshold(head);
     record.base = parts_[i].base;
@@ -94,7 +91,6 @@ BuildingRecord RecordBuilder::building(std::size_t i, const contours::Contour& c
     const contours::ContourHead& head = contours_.head(i);
     const StackSummary& stack = stacks_[static_cast<std::size_t>(head.building)];
     BuildingRecord building;
-    building.id = record.building_id;
     building.ground = ground_of(head.label, head.lowest_outside);
     building.roof = roof.highest;
     building.height_m = (building.roof - building.ground) * context_.metres;

@@ -29,11 +29,10 @@ struct AttributeContext {
     const std::vector<Footprint>& footprints;
     double metres = 1;  ///< metres per vertical unit
     LatticeBox frame;   ///< bounds of the lattice: an object that touches them is cut by the raster's edge
-    std::int64_t first_id = 1;
 };
 
 /// Computes the records of contours, one at a time: all attributes that need no coordinates. Areas,
-/// perimeters and status are filled in with the outlines.
+/// perimeters and status are filled in with the outlines, ids when they are written.
 ///
 /// The parts of a stack join without gaps: the part of a contour begins at the end of that of the
 /// contour below (in level 1: at the ground). It ends at the mean of the points outside its children, or at

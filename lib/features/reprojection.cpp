@@ -70,13 +70,6 @@ double cross(const Position& origin, const Position& a, const Position& b) {
     return (a.x - origin.x) * (b.y - origin.y) - (b.x - origin.x) * (a.y - origin.y);
 }
 
-double twice_area(const WorldRing& ring) {
-    double sum = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum += cross(ring[0], ring[i], ring[i + 1]);
-    return sum;
-}
-
 double longest_side(const WorldRing& frame) {
     double longest = 0;
     for (std::size_t i = 1; i < frame.size(); ++i)
@@ -127,6 +120,13 @@ double length_of(std::span<const Position> ring) {
     double sum = 0;
     for (std::size_t i = 0; i < ring.size(); ++i)
         sum += plain_distance(ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]);
+    return sum;
+}
+
+double twice_area(std::span<const Position> ring) {
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        sum += cross(ring[0], ring[i], ring[i + 1]);
     return sum;
 }
 

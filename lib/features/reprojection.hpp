@@ -75,6 +75,9 @@ class RingTransform {
 
 /// Returns the length of a closed ring in its own units.
 [[nodiscard]] double length_of(std::span<const Position> ring);
+/// Returns twice its signed area, computed relative to the first vertex because this cancels no digits of
+/// small rings.
+[[nodiscard]] double twice_area(std::span<const Position> ring);
 
 /// Returns the bounds of the outlines of a window on the lattice.
 [[nodiscard]] LatticeBox lattice_frame(const Window& window, TraceMode mode);

@@ -17,23 +17,24 @@
 namespace d2b::features {
 namespace {
 
-/// Absolute area in square steps.
-double plan_area(const FineRing& ring) {
-    Int128 twice = 0;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const FinePoint& a = ring[i];
-        const FinePoint& b = ring[i + 1 < ring.size() ? i + 1 : 0];
-        twice += Int128{a.col - ring[0].col} * (b.row - ring[0].row) -
-                 Int128{b.col - ring[0].col} * (a.row - ring[0].row);
-    }
-    return std::abs(static_cast<double>(twice)) / 2;
+/// Twice the absolute area in square steps. Exact.
+Int128 twice_area(const FineRing& ring) {
+    Int128 sum = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        sum += outline::turn(ring[0], ring[i], ring[i + 1]);
+    return sum < 0 ? -sum : sum;
 }
 
+Int128 twice_area(const FinePolygon& polygon) {
+    Int128 sum = twice_area(polygon.exterior);
+    for (const FineRing& interior : polygon.interiors)
+        sum -= twice_area(interior);
+    return sum;
+}
+
+/// Area in square steps.
 double plan_steps(const FinePolygon& placed) {
-    double steps = plan_area(placed.exterior);
-    for (const FineRing& interior : placed.interiors)
-        steps -= plan_area(interior);
-    return steps;
+    return static_cast<double>(twice_area(placed)) / 2;
 }
 
 /// Area in the plane of the output CRS, which must have units of length.
@@ -254,20 +255,6 @@ DrawnCluster ClusterDrawer::draw(std::span<const std::uint32_t> contours) {
             add_contour(contour);
     place();
     return std::move(drawn_);
-}
-
-Int128 twice_area(const FineRing& ring) {
-    Int128 sum = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum += outline::turn(ring[0], ring[i], ring[i + 1]);
-    return sum < 0 ? -sum : sum;
-}
-
-Int128 twice_area(const FinePolygon& polygon) {
-    Int128 sum = twice_area(polygon.exterior);
-    for (const FineRing& interior : polygon.interiors)
-        sum -= twice_area(interior);
-    return sum;
 }
 
 class TierMerger {

@@ -152,30 +152,20 @@ std::optional<FinePolygon> SurfaceLattice::place(const FinePolygon& outline,
     }
     WorldPolygon world =
         terms_.georeference.polygon(FinePolygon{outline.exterior, outline.interiors}, divisor);
-    const auto rounded = [&](WorldRing& ring) -> std::optional<FineRing> {
+    const auto round_to = [&](FineRing& placed, WorldRing& ring) {
         if (transform && transform->apply(ring) != RingProjection::whole)
-            return std::nullopt;
-        FineRing placed;
+            return false;
         for (const Position& p : ring) {
             const auto [row, col] = steps_to(p);
             placed.push_back({std::llround(row), std::llround(col)});
         }
-        return placed;
+        return true;
     };
     FinePolygon placed;
-    std::vector<WorldRing*> rings{&world.exterior};
+    bool is_whole = round_to(placed.exterior, world.exterior);
     for (WorldRing& ring : world.interiors)
-        rings.push_back(&ring);
-    for (WorldRing* ring : rings) {
-        auto one = rounded(*ring);
-        if (!one)
-            return std::nullopt;
-        if (ring == &world.exterior)
-            placed.exterior = std::move(*one);
-        else
-            placed.interiors.push_back(std::move(*one));
-    }
-    return placed;
+        is_whole = is_whole && round_to(placed.interiors.emplace_back(), ring);
+    return is_whole ? std::optional(std::move(placed)) : std::nullopt;
 }
 
 std::optional<surface::RoofPlane> SurfaceLattice::place_plane(const FinePolygon& outline,

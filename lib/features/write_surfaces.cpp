@@ -213,22 +213,21 @@ surface::MadeSurfaces SurfaceWriter::made_of(const surface::SurfaceCluster& clus
 
 ClosedSurfaces SurfaceWriter::close(const SurfaceInput& input, const surface::SurfaceForms& forms,
                                     std::span<const std::uint32_t> group, SurfaceWorker& worker) const {
-    std::set<std::int64_t> stacked;
-    ClosedSurfaces result{draw_cluster(input, group, worker.transform), {}};
-    if (input.of != SurfaceOf::buildings)
-        merge_equal_tiers(result.drawn);
-    result.made = made_of(result.drawn.cluster, forms, worker);
     // A building whose roof prevents a closed surface gets tiers, and is left out only if these do so as
     // well.
-    while (input.of == SurfaceOf::roofs && std::ranges::any_of(result.made.left_out, [&](std::int64_t id) {
-               return std::ranges::find(result.drawn.stacked, id) == result.drawn.stacked.end();
-           })) {
-        stacked.insert(result.made.left_out.begin(), result.made.left_out.end());
-        result.drawn = draw_cluster(input, group, worker.transform, stacked);
-        merge_equal_tiers(result.drawn);
+    std::set<std::int64_t> stacked;
+    while (true) {
+        ClosedSurfaces result{draw_cluster(input, group, worker.transform, stacked), {}};
+        if (input.of != SurfaceOf::buildings)
+            merge_equal_tiers(result.drawn);
         result.made = made_of(result.drawn.cluster, forms, worker);
+        const auto has_tiers = [&](std::int64_t id) {
+            return std::ranges::find(result.drawn.stacked, id) != result.drawn.stacked.end();
+        };
+        if (input.of != SurfaceOf::roofs || std::ranges::all_of(result.made.left_out, has_tiers))
+            return result;
+        stacked.insert(result.made.left_out.begin(), result.made.left_out.end());
     }
-    return result;
 }
 
 void SurfaceWriter::make_closed(std::span<const std::uint32_t> group, SurfaceWorker& worker,

@@ -25,8 +25,9 @@ TEST(GeneratedDocs, SchemaIsThatOfTheAttributeTable) {
 }
 
 TEST(GeneratedDocs, FieldsOfChangesAreThoseOfTheLayer) {
-    EXPECT_NE(text_of(D2B_DOCS "/reference/compare.md").find(compare::change_schema_markdown()),
-              std::string::npos);
+    EXPECT_NE(
+        text_of(D2B_DOCS "/reference/compare.md").find(features::schema_table(compare::change_fields())),
+        std::string::npos);
 }
 
 TEST(GeneratedDocs, OptionsAreThoseOfTheOptionTable) {

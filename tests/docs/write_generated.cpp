@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
 
     const bool done =
         replace_part(docs + "/reference/output.md", "schema", d2b::features::schema_markdown()) &&
-        replace_part(docs + "/reference/compare.md", "changes", d2b::compare::change_schema_markdown());
+        replace_part(docs + "/reference/compare.md", "changes",
+                     d2b::features::schema_table(d2b::compare::change_fields()));
     return done ? 0 : 1;
 }

@@ -28,33 +28,26 @@ TraceGrid podium() {
 
 const std::vector<Footprint> no_footprints;
 
-test::Records records_of(const TraceGrid& grid, const std::vector<double>& thresholds, double metres = 1,
-                         std::int64_t first_id = 1) {
+test::Records records_of(const TraceGrid& grid, const std::vector<double>& thresholds, double metres = 1) {
     Context context;
     const test::ContourSet set = test::trace_grid(grid, thresholds, {TraceMode::cells, 5}, context);
     ElevationStatistics statistics;
     statistics.add(grid.z);
     const contours::LevelPlan plan{statistics.minimum, {{}, thresholds}};
     const FixedPoint fixed = statistics.fixed_point();
-    return test::make_records(
-        set, {plan, fixed, no_footprints, metres, {{0, 0}, {grid.rows, grid.cols}}, first_id});
+    return test::make_records(set, {plan, fixed, no_footprints, metres, {{0, 0}, {grid.rows, grid.cols}}});
 }
 
 TEST(Records, ContoursOfAPodiumWithATower) {
     const test::Records records = records_of(podium(), {4, 8, 15});
     ASSERT_EQ(records.contours.size(), 4U);
     const ContourRecord& root = records.contours[0];
-    EXPECT_EQ(root.id, 1);
-    EXPECT_EQ(root.parent_id, 0);
-    EXPECT_EQ(root.building_id, 0);
     EXPECT_EQ(root.threshold, 1);
     EXPECT_EQ(root.base, 1);
     EXPECT_EQ(root.top, 1);
     EXPECT_EQ(root.points, 80);
     EXPECT_EQ(root.tier_z, 1);
     const ContourRecord& level1 = records.contours[1];
-    EXPECT_EQ(level1.parent_id, 1);
-    EXPECT_EQ(level1.building_id, 1);
     EXPECT_EQ(level1.threshold, 4);
     EXPECT_EQ(level1.base, 1);               // the ground
     EXPECT_TRUE(std::isnan(level1.tier_z));  // its child holds all its points
@@ -65,7 +58,6 @@ TEST(Records, ContoursOfAPodiumWithATower) {
     EXPECT_EQ(level2.tier_z, 10);
     EXPECT_EQ(level2.top, 10);
     const ContourRecord& tower = records.contours[3];
-    EXPECT_EQ(tower.parent_id, 3);
     EXPECT_EQ(tower.base, 10);
     EXPECT_DOUBLE_EQ(tower.tier_z, (5 * 20 + 30) / 6.0);
     EXPECT_DOUBLE_EQ(tower.top, (5 * 20 + 30) / 6.0);
@@ -98,20 +90,13 @@ TEST(Records, BuildingOfAPodiumWithATowerInFeet) {
 
 TEST(Records, StacksStandWithoutGaps) {
     const test::Records records = records_of(podium(), {4, 8, 9.5, 12, 15, 25});
-    for (const ContourRecord& record : records.contours) {
-        EXPECT_LE(record.base, record.top);
-        if (record.level > 1) {
-            EXPECT_EQ(record.base, records.contours[static_cast<std::size_t>(record.parent_id - 1)].top);
+    for (std::size_t i = 0; i < records.contours.size(); ++i) {
+        EXPECT_EQ(records.contours[i].level, static_cast<std::int32_t>(i));
+        EXPECT_LE(records.contours[i].base, records.contours[i].top);
+        if (i > 1) {
+            EXPECT_EQ(records.contours[i].base, records.contours[i - 1].top);
         }
     }
-}
-
-TEST(Records, IdsGoOnFromWhatIsThere) {
-    const test::Records records = records_of(podium(), {4}, 1, 100);
-    EXPECT_EQ(records.contours[1].id, 101);
-    EXPECT_EQ(records.contours[1].parent_id, 100);
-    EXPECT_EQ(records.contours[1].building_id, 100);
-    EXPECT_EQ(records.buildings[0].id, 100);
 }
 
 TEST(Records, AtTheEdgeAndWithoutGround) {
@@ -301,7 +286,7 @@ test::Records footprint_records(double metres = 1, const std::vector<Footprint>&
     settings.keep_roots = false;
     const test::ContourSet set = test::trace_plan(grid, plan, settings, context);
     const FixedPoint fixed(70);
-    return test::make_records(set, {plan, fixed, of, metres, {{0, 0}, {8, 10}}, 1});
+    return test::make_records(set, {plan, fixed, of, metres, {{0, 0}, {8, 10}}});
 }
 
 /// A footprint's whole is that of its record; whether it was divided is seen from all footprints.
@@ -345,14 +330,10 @@ TEST(FootprintRecords, ContoursBeginAtTheGround) {
     ASSERT_EQ(records.contours.size(), 3U);
     const ContourRecord& footprint = records.contours[1];
     EXPECT_EQ(footprint.level, 1);
-    EXPECT_EQ(footprint.parent_id, 0);
-    EXPECT_EQ(footprint.building_id, 2);
     EXPECT_EQ(footprint.threshold, 48);
     EXPECT_EQ(footprint.base, 48);
     EXPECT_EQ(footprint.top, 60);
     const ContourRecord& tower = records.contours[2];
-    EXPECT_EQ(tower.parent_id, 2);
-    EXPECT_EQ(tower.building_id, 2);
     EXPECT_EQ(tower.threshold, 65);
     EXPECT_EQ(tower.base, 60);
     EXPECT_EQ(tower.top, 70);
@@ -433,7 +414,7 @@ TEST(FootprintRecords, ABuildingWithoutAValidPoint) {
     settings.keep_roots = false;
     const test::ContourSet set = test::trace_plan(grid, plan, settings, context);
     const FixedPoint fixed(70);
-    const test::Records records = test::make_records(set, {plan, fixed, footprints, 1, {{0, 0}, {8, 10}}, 1});
+    const test::Records records = test::make_records(set, {plan, fixed, footprints, 1, {{0, 0}, {8, 10}}});
     const BuildingRecord& empty = records.buildings[0];
     EXPECT_EQ(empty.points, 0);
     EXPECT_EQ(empty.cells, 1);
