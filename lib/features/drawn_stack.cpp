@@ -30,9 +30,7 @@ class DrawnStack::SlabTiers {
     template <typename Use>
     void for_runs(const Spool& spool, const SpoolEntry& entry, const Use& use) const {
         ByteReader reader(spool, entry);
-        const auto own = reader.take<double>();
-        const auto whole = reader.take<double>();
-        const StackTier tier{own, whole, reader.take<std::int32_t>()};
+        const auto tier = reader.take<StackTier>();
         for (const RowSpan& run : reader.take_list<RowSpan>()) {
             const std::int32_t begin = std::max(run.begin - first_col_, 0);
             const std::int32_t end = std::min(run.end - first_col_, shape_.cols);
@@ -92,9 +90,7 @@ void DrawnStack::add(const std::vector<RowSpan>& cells, const StackTier& tier,
     }
     for (const auto& [slab, runs] : parts) {
         ByteWriter part;
-        part.put(tier.own);
-        part.put(tier.whole);
-        part.put(tier.level);
+        part.put(tier);
         part.put_list(runs);
         (slabs_[slab].*entries).push_back(append(*spool_, part));
     }
@@ -141,8 +137,8 @@ void DrawnStack::begin_buildings(SlabTiers& tiers, const Slab& slab) const {
              [&](std::size_t begin, std::size_t end, const StackTier&) { tiers.clear(begin, end); });
 }
 
-StackError DrawnStack::error(const ElevationBand& band, std::int32_t first_col,
-                             const FixedPoint& fixed) const {
+StackError DrawnStack::error(const ElevationBand& band, const FixedPoint& fixed,
+                             std::int32_t first_col) const {
     StackError error;
     SlabTiers tiers(first_col);
     for_slabs(band, [&](const Slab& slab, const BandShape& rows, std::span<const double> elevations) {

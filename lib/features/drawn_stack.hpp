@@ -52,13 +52,9 @@ class DrawnStack {
     void add_contour(const std::vector<RowSpan>& cells, const StackTier& tier);
     /// Measures the error in valid cells of buildings that are covered by a contour. Thread-safe once
     /// everything is added.
-    /// @throws OutputError the spool cannot be read
-    [[nodiscard]] StackError error(const ElevationBand& band, const FixedPoint& fixed) const {
-        return error(band, 0, fixed);
-    }
-    /// Same for a part of the columns. @param first_col of the band, relative to the window
-    [[nodiscard]] StackError error(const ElevationBand& band, std::int32_t first_col,
-                                   const FixedPoint& fixed) const;
+    /// @param first_col of the band, relative to the window @throws OutputError the spool cannot be read
+    [[nodiscard]] StackError error(const ElevationBand& band, const FixedPoint& fixed,
+                                   std::int32_t first_col = 0) const;
     /// Same for each of the stacks truncated at level 1, 2, ... @param levels number of levels
     [[nodiscard]] std::vector<StackError> errors_by_level(const ElevationBand& band, const FixedPoint& fixed,
                                                           std::int32_t levels) const;

@@ -144,7 +144,7 @@ void RejectedLayer::write(std::vector<PolygonMaker>& makers, FeatureSink& sink, 
             if (drawn.made.parts.empty())
                 return;
             if (rounded != nullptr)
-                rounded->round(RoundedPolygons::Layer::rejected, drawn.record.id, 0,
+                rounded->round(LayerRole::rejected, 0,
                                "feature " + std::to_string(drawn.record.id) + " of the rejected",
                                drawn.made.parts);
             sink.add(layer_, {field_values(rejected_attributes(), drawn.record), std::move(drawn.made.parts),
@@ -180,10 +180,9 @@ void FeatureWriter::begin() {
     next_id_ = next_building_ = next_face_ = sink_.first_id();
 }
 
-void FeatureWriter::round(RoundedPolygons::Layer layer, std::int64_t id, std::int64_t parent_id,
-                          FeaturePolygon& made) {
-    const char* const what = layer == RoundedPolygons::Layer::buildings ? "building " : "contour ";
-    if (!rounded_ || !rounded_->round(layer, id, parent_id, what + std::to_string(id), made.parts))
+void FeatureWriter::round(LayerRole layer, std::int64_t id, std::int64_t parent_id, FeaturePolygon& made) {
+    const char* const what = layer == LayerRole::buildings ? "building " : "contour ";
+    if (!rounded_ || !rounded_->round(layer, parent_id, what + std::to_string(id), made.parts))
         return;
     made.status = OutlineStatus::repaired;
     context_.report.count(Reason::polygon_repaired);
@@ -264,7 +263,7 @@ void FeatureWriter::add_building(std::size_t contour, DrawnContour& drawn) {
         rejected_->note(contour, LayerRole::buildings, drawn.building_record.id, made);
     if (made.parts.empty())
         return;
-    round(RoundedPolygons::Layer::buildings, drawn.building_record.id, 0, made);
+    round(LayerRole::buildings, drawn.building_record.id, 0, made);
     drawn.building_record.status = made.status;
     ++(doubtful ? context_.report.doubtful : context_.report.buildings);
     if (!doubtful)
@@ -290,7 +289,7 @@ bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
         rejected_->note(contour, LayerRole::contours, drawn.record.id, *drawn.contour);
     if (drawn.contour->parts.empty())
         return false;
-    round(RoundedPolygons::Layer::contours, drawn.record.id, drawn.record.parent_id, *drawn.contour);
+    round(LayerRole::contours, drawn.record.id, drawn.record.parent_id, *drawn.contour);
     ++context_.report.contours;
     add_length(*drawn.contour, context_.report.contour_outlines);
     context_.report.vertices += vertices_of(drawn.contour->parts);
@@ -300,14 +299,14 @@ bool FeatureWriter::add_contour(std::size_t contour, DrawnContour& drawn) {
     return true;
 }
 
-void FeatureWriter::add_with_ids(AssignedIds& numbers, std::size_t contour, DrawnContour&& drawn) {
+std::int64_t FeatureWriter::add_with_ids(std::size_t contour, DrawnContour&& drawn) {
     count(drawn);
     if (stack_)
         add_to_stack(drawn, indices(), *stack_);
     if (drawn.building)
         add_building(contour, drawn);
     const bool written = drawn.contour && add_contour(contour, drawn);
-    numbers.written.push_back(written ? drawn.record.id : drawn.record.parent_id);
+    return written ? drawn.record.id : drawn.record.parent_id;
 }
 
 void FeatureWriter::warn_of_traced() {

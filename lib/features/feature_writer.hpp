@@ -107,12 +107,13 @@ class FeatureWriter {
     /// @param numbers of the contour's list @param contour index in its list; ascending within a list
     void add(AssignedIds& numbers, std::size_t contour, DrawnContour&& drawn) {
         assign_ids(numbers, drawn);
-        add_with_ids(numbers, contour, std::move(drawn));
+        numbers.written.push_back(add_with_ids(contour, std::move(drawn)));
     }
     /// First half of add(): assigns the ids of a contour.
     void assign_ids(AssignedIds& numbers, DrawnContour& drawn);
     /// Second half of add(), for a contour with ids from this writer or another.
-    void add_with_ids(AssignedIds& numbers, std::size_t contour, DrawnContour&& drawn);
+    /// @return its element of AssignedIds::written
+    std::int64_t add_with_ids(std::size_t contour, DrawnContour&& drawn);
     /// Completes the layers and the report, with the error of the stack of contours as traced.
     /// @return the stack as drawn, if its error is to be reported instead; that needs the elevations again
     [[nodiscard]] std::optional<DrawnStack> finish();
@@ -128,7 +129,7 @@ class FeatureWriter {
     /// @return true if it was written
     bool add_contour(std::size_t contour, DrawnContour& drawn);
     /// Rounds coordinates the way the destination will write them.
-    void round(RoundedPolygons::Layer layer, std::int64_t id, std::int64_t parent_id, FeaturePolygon& made);
+    void round(LayerRole layer, std::int64_t id, std::int64_t parent_id, FeaturePolygon& made);
     void warn_of_traced();
     /// Accumulates the errors of truncated stacks.
     void add_to_cuts(const DrawnContour& drawn);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dem2buildings/error.hpp"
+#include "features/reprojection.hpp"
 #include "geometry/box_tree.hpp"
 
 namespace d2b::features {
@@ -47,14 +48,8 @@ WorldRing rounded_ring(const WorldRing& ring, const CoordinateRounding& rounding
     return result;
 }
 
-/// True if the signed area is zero, computed relative to the first vertex because this cancels no digits of
-/// small rings.
 bool is_flat(const WorldRing& ring) {
-    double sum = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        sum += (ring[i].x - ring[0].x) * (ring[i + 1].y - ring[0].y) -
-               (ring[i + 1].x - ring[0].x) * (ring[i].y - ring[0].y);
-    return ring.size() < 3 || sum == 0;
+    return twice_area(ring) == 0;
 }
 
 /// Returns the rounding step of the largest coordinate, a multiple of all others.
@@ -107,7 +102,7 @@ RoundedPolygons::Parts RoundedPolygons::round_parts(const Parts& exact, const Co
     }
 }
 
-bool RoundedPolygons::round(Layer layer, std::int64_t id, std::int64_t parent_id, std::string name,
+bool RoundedPolygons::round(LayerRole layer, std::int64_t parent_id, std::string name,
                             std::vector<WorldPolygon>& parts) {
     bool was_repaired = false;
     bool moved = false;
@@ -126,11 +121,11 @@ bool RoundedPolygons::round(Layer layer, std::int64_t id, std::int64_t parent_id
     }
     any_moved_ = any_moved_ || moved;
     if (is_coarse_)
-        items_.push_back({layer, id, parent_id, std::move(name), std::move(exact)});
+        items_.push_back({layer, parent_id, std::move(name), std::move(exact)});
     return was_repaired;
 }
 
-void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, Layer layer, Damage& harm) {
+void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, LayerRole layer, Damage& harm) {
     std::vector<std::size_t> members;
     std::vector<Box> boxes;
     for (std::size_t i = 0; i < items_.size(); ++i)
@@ -139,7 +134,7 @@ void RoundedPolygons::find_overlaps(const std::vector<Parts>& shapes, Layer laye
             boxes.push_back(box_of(shapes[i]));
         }
     const BoxTree tree(boxes);
-    const bool siblings_alone = layer == Layer::contours && is_stacked_;
+    const bool siblings_alone = layer == LayerRole::contours && is_stacked_;
     for (std::size_t k = 0; k < members.size(); ++k) {
         stop_.check();
         const std::size_t i = members[k];
@@ -164,8 +159,8 @@ RoundedPolygons::Damage RoundedPolygons::damage_of(const CoordinateRounding& rou
         if (shapes.back().empty())
             harm.add(item.name);
     }
-    find_overlaps(shapes, Layer::buildings, harm);
-    find_overlaps(shapes, Layer::contours, harm);
+    find_overlaps(shapes, LayerRole::buildings, harm);
+    find_overlaps(shapes, LayerRole::contours, harm);
     return harm;
 }
 

@@ -20,23 +20,19 @@ namespace d2b::features {
 /// rounding moves corners, because a parent has no corner where one of its contours ends at its walls.
 class RoundedPolygons {
   public:
-    /// Group of polygons that must not overlap.
-    enum class Layer { buildings, contours, rejected };
-
     RoundedPolygons(CoordinateRounding rounding, bool is_stacked, StopToken stop);
 
-    /// @param id, parent_id of the feature in its layer; parent 0: none
+    /// @param layer polygons of one layer, buildings or contours, must not overlap
+    /// @param parent_id of the feature in its layer; 0: none
     /// @param name for messages, such as "contour 7"
     /// @return true if the polygon was repaired
-    bool round(Layer layer, std::int64_t id, std::int64_t parent_id, std::string name,
-               std::vector<WorldPolygon>& parts);
+    bool round(LayerRole layer, std::int64_t parent_id, std::string name, std::vector<WorldPolygon>& parts);
     /// @throws OptionError if this precision damages polygons, naming the coarsest one that does not
     void finish();
 
   private:
     struct Item {
-        Layer layer = Layer::buildings;
-        std::int64_t id = 0;
+        LayerRole layer = LayerRole::buildings;
         std::int64_t parent_id = 0;
         std::string name;
         std::vector<WorldPolygon> exact;
@@ -56,7 +52,7 @@ class RoundedPolygons {
     [[nodiscard]] Parts round_parts(const Parts& exact, const CoordinateRounding& rounding,
                                     bool& was_repaired);
     [[nodiscard]] Damage damage_of(const CoordinateRounding& rounding);
-    void find_overlaps(const std::vector<Parts>& shapes, Layer layer, Damage& harm);
+    void find_overlaps(const std::vector<Parts>& shapes, LayerRole layer, Damage& harm);
 
     CoordinateRounding rounding_;
     bool is_stacked_;

@@ -32,8 +32,9 @@ DemInfo with_given_crs(DemInfo dem, const Options& options) {
     return dem;
 }
 
-AuxiliarySinks open_scene_rasters(const Options& options, const DemInfo& dem, const SceneRasterNames& names,
-                                  bool overwrite, std::vector<std::string>& in_use) {
+AuxiliarySinks open_scene_rasters(const Options& options, const DemInfo& dem,
+                                  std::vector<std::string>& in_use) {
+    const WriteOptions& write = options.write;
     const DemInfo grid = with_given_crs(dem, options);
     const auto open = [&](const std::string& destination, const char* what, bool elevations) {
         if (destination.empty())
@@ -45,14 +46,14 @@ AuxiliarySinks open_scene_rasters(const Options& options, const DemInfo& dem, co
                          {"D2B_SOURCE", utf8_text(source_text(grid.name, options.read))}};
         if (const std::string words = reproducing_arguments(options); !words.empty())
             meta.metadata.emplace("D2B_OPTIONS", utf8_text(words));
-        auto sink = writing::open_geotiff_sink({destination, overwrite, in_use}, grid, meta);
+        auto sink = writing::open_geotiff_sink({destination, write.overwrite, in_use}, grid, meta);
         in_use.push_back(destination);
         return sink;
     };
     AuxiliarySinks sinks;
-    sinks.ground = open(names.ground, "elevation of the ground", true);
-    sinks.height = open(names.height, "height above the ground", false);
-    sinks.canopy = open(names.canopy, "height of everything that is not a building", false);
+    sinks.ground = open(write.ground, "elevation of the ground", true);
+    sinks.height = open(write.height, "height above the ground", false);
+    sinks.canopy = open(write.canopy, "height of everything that is not a building", false);
     return sinks;
 }
 
@@ -127,8 +128,7 @@ AuxiliarySinks open_auxiliary_sinks(const Options& options, const DemInfo& dem) 
                                     options.detect.corrections, options.detect.ndvi, options.detect.split_by})
         if (!name.empty())
             in_use.push_back(name);
-    AuxiliarySinks sinks = pipeline::open_scene_rasters(
-        options, dem, {write.ground, write.height, write.canopy}, write.overwrite, in_use);
+    AuxiliarySinks sinks = pipeline::open_scene_rasters(options, dem, in_use);
     for (const std::string& destination : write.surfaces) {
         writing::SurfaceDestination place = writing::resolve_surface_target(
             {destination, write.overwrite, in_use, writing::FileKind::surface});

@@ -196,7 +196,8 @@ void see_given(const GivenFootprints& given, const SearchedUnit& searched, Found
 void store_merged(FoundBuildings& found, detect::UnitMerger::Merged&& merged, double metres) {
     found.buildings = merged.buildings;
     for (const detect::SeenObject& seen : merged.objects)
-        found.add(seen.ground / metres, seen.object);
+        found.add({seen.ground / metres, seen.object.confidence,
+                   detect::counter_evidence_name(seen.object.doubt), seen.object.parcel, seen.object.whole});
     found.labels.renumber(std::move(merged.number));
 }
 
@@ -343,17 +344,6 @@ detect::UnitGrid unit_grid(const RunPlan& plan, const Window& window, const Cell
     return {window, cell, halo_widths * plan.asked.ground.max_building_width, size};
 }
 
-FoundBuildings::FoundBuildings() {
-    add(std::numeric_limits<double>::quiet_NaN(), {});
-    footprints.back() = {};
-}
-
-void FoundBuildings::add(double elevation, const detect::DetectedObject& object) {
-    ground.push_back(elevation);
-    footprints.push_back({elevation, object.confidence, detect::counter_evidence_name(object.doubt),
-                          object.parcel, object.whole});
-}
-
 std::int64_t min_cells(const RunPlan& plan, const detect::UnitGrid& units, const CellSize& cell) {
     return units.count() > 1 ? detect::cells_covering(plan.building_m2, cell) : 1;
 }
@@ -373,8 +363,7 @@ detect::UnitMerger::Merged merge_found_units(detect::UnitMerger& merger, const R
     return merged;
 }
 
-FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size,
-                              GivenFootprints* given) {
+FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size) {
     const RunPlan& plan = search.plan;
     const UnitFrame& frame = search.frame;
     Context& context = search.context;
@@ -393,7 +382,7 @@ FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& 
             FoundInUnit here = find_in_unit(search, unit);
             for (std::size_t layer = 0; layer < here.footprints.size(); ++layer)
                 for (const detect::SeenFootprint& seen : here.footprints[layer])
-                    given->add(given->layers[layer].footprints[seen.label], seen, frame.metres);
+                    search.given->add(search.given->layers[layer].footprints[seen.label], seen, frame.metres);
             sum.add(unit, col, std::move(here));
         }
     if (plan.ground == GroundMode::given)

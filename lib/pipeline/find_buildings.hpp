@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -62,7 +63,7 @@ struct UnitSearch {
     ElevationReader& reader;
     UnitFrame frame;
     Context& context;
-    const GivenFootprints* given = nullptr;  ///< measured along the way
+    GivenFootprints* given = nullptr;  ///< receives the statistics of the units for each; null without
 };
 
 /// Detection result of one unit.
@@ -81,15 +82,18 @@ struct FoundInUnit {
 
 /// Result of ground estimation and building detection over a DEM.
 struct FoundBuildings {
-    FoundBuildings();
-    /// Appends the object with the next label. @param elevation of its ground, in the vertical unit
-    void add(double elevation, const detect::DetectedObject& object);
+    /// Appends the building with the next label.
+    void add(const features::Footprint& footprint) {
+        footprints.push_back(footprint);
+        ground.push_back(footprint.ground);
+    }
 
     detect::LabelRows
         labels;           ///< labels of the window; low-confidence candidates only if they are to be written
     Label buildings = 0;  ///< labels above are low-confidence candidates
-    std::vector<features::Footprint> footprints;  ///< by label; [0] is not used
-    std::vector<double> ground;                   ///< ground elevations in the vertical unit, by label
+    std::vector<features::Footprint> footprints{{}};  ///< by label; [0] is not used
+    /// Ground elevations in the vertical unit, by label.
+    std::vector<double> ground{std::numeric_limits<double>::quiet_NaN()};
     detect::SceneStatistics scene;
     std::set<std::size_t> effective;  ///< corrections that have had an effect
 
@@ -116,10 +120,7 @@ inline constexpr double halo_widths = 5;
                                                            const CellSize& cell, RunReport& report);
 
 /// Detects buildings in a window and merges objects that cross seams. Units are processed one after the other
-/// because that bounds memory.
-/// @param given receives the statistics of the units for each footprint; null without
-/// @throws InputError, OutputError, Cancelled
-[[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size = {},
-                                            GivenFootprints* given = nullptr);
+/// because that bounds memory. @throws InputError, OutputError, Cancelled
+[[nodiscard]] FoundBuildings find_buildings(const UnitSearch& search, const detect::UnitSize& size = {});
 
 }  // namespace d2b::pipeline

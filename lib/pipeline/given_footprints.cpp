@@ -12,29 +12,9 @@
 #include "diagnose/search_warnings.hpp"
 #include "features/reprojection.hpp"
 #include "geometry/geos.hpp"
+#include "pipeline/polygon_bytes.hpp"
 
 namespace d2b::pipeline {
-
-void save(const std::vector<WorldPolygon>& polygons, ByteWriter& writer) {
-    writer.put(static_cast<std::uint64_t>(polygons.size()));
-    for (const WorldPolygon& polygon : polygons) {
-        writer.put_list(polygon.exterior);
-        writer.put(static_cast<std::uint64_t>(polygon.interiors.size()));
-        for (const WorldRing& ring : polygon.interiors)
-            writer.put_list(ring);
-    }
-}
-
-std::vector<WorldPolygon> load_polygons(ByteReader& reader) {
-    std::vector<WorldPolygon> polygons(reader.take_count(2 * sizeof(std::uint64_t)));
-    for (WorldPolygon& polygon : polygons) {
-        polygon.exterior = reader.take_list<Position>();
-        polygon.interiors.resize(reader.take_count(sizeof(std::uint64_t)));
-        for (WorldRing& ring : polygon.interiors)
-            ring = reader.take_list<Position>();
-    }
-    return polygons;
-}
 
 AffineTransform inverse_of(const AffineTransform& g) {
     const double determinant = g[1] * g[5] - g[2] * g[4];

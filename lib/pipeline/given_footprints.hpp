@@ -84,8 +84,4 @@ void label_footprints(GivenFootprints& given, Context& context);
 /// Returns the transform from coordinates to columns and rows. @pre not singular
 [[nodiscard]] AffineTransform inverse_of(const AffineTransform& g);
 
-/// Writes polygons to bytes and back.
-void save(const std::vector<WorldPolygon>& polygons, ByteWriter& writer);
-[[nodiscard]] std::vector<WorldPolygon> load_polygons(ByteReader& reader);
-
 }  // namespace d2b::pipeline

@@ -144,7 +144,7 @@ SearchResult search_levels(ElevationReader& reader, const features::RunSetup& se
     }
     result.found = with_progress(context, at.read, at.found, [&] {
         return find_buildings({decided, sources, sinks, reader, {window, setup.cell, metres}, context, given},
-                              size, given);
+                              size);
     });
     result.tiers = plan_tiers(reader, *result.found, window, setup, result.statistics.fixed_point(),
                               result.global, context);
@@ -252,7 +252,7 @@ void run_stages(const Options& asked, const Sources& given_sources, const Sinks&
     outline::Outliner outliner = features::draw_outlines(*contours, setup, context);
     const std::vector<surface::FlowProblem> flow = make_flow_ready(*contours, outliner, setup, context);
     std::optional<features::StoredRoofs> roofs;
-    if (setup.plan.needs_roofs() && !given)
+    if (setup.plan.needs_roofs())
         roofs.emplace(extract_roofs(reader, *found, *contours, outliner, setup, context));
     std::optional<features::BuildingRecords> building_records;
     if (lattice)

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
-#include <optional>
+#include <deque>
 #include <set>
 #include <utility>
 #include <variant>
 
+#include "elevations/unblended_source.hpp"
 #include "options/option_table.hpp"
 
 namespace d2b::pipeline {
@@ -91,15 +92,6 @@ class DigestSink final : public FeatureSink {
     std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
-using OptionalSource = std::optional<CachedSource>;
-void cache(DemSource* source, OptionalSource& cached) {
-    if (source != nullptr)
-        cached.emplace(*source);
-}
-DemSource* get(OptionalSource& cached) {
-    return cached ? &*cached : nullptr;
-}
-
 Options trial_options(const Options& options, const SweepPlan& plan, const std::vector<std::string>& values) {
     Request trial{options, {}};
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -126,14 +118,11 @@ std::size_t first_saturated(const std::vector<Trial>& trials, std::size_t stride
 std::vector<Trial> run_trials(const Options& options, const Sources& sources, const SweepPlan& plan,
                               const MakeView& make_view, const Callbacks& callbacks) {
     CachedSource dem(sources.dem);
-    OptionalSource terrain;
-    OptionalSource mask;
-    OptionalSource ndvi;
-    OptionalSource exclusion;
-    cache(sources.terrain, terrain);
-    cache(sources.mask, mask);
-    cache(sources.ndvi, ndvi);
-    cache(sources.exclusion, exclusion);
+    Sources cached = with_dem(sources, dem);
+    std::deque<CachedSource> others;
+    for (DemSource** source : {&cached.terrain, &cached.mask, &cached.ndvi, &cached.exclusion})
+        if (*source != nullptr)
+            *source = &others.emplace_back(**source);
     const std::vector<std::vector<std::string>> all = sweep_values(plan);
     std::vector<Trial> trials;
     std::set<std::string> warned;
@@ -153,10 +142,7 @@ std::vector<Trial> run_trials(const Options& options, const Sources& sources, co
         const std::unique_ptr<TrialView> view = make_view ? make_view(discarded, values) : nullptr;
         Sinks sinks{view ? view->features() : discarded};
         sinks.elevations = view ? &view->elevations() : nullptr;
-        RunReport report = run(tried,
-                               {dem, get(terrain), get(mask), get(ndvi), sources.parcels, nullptr,
-                                get(exclusion), sources.corrections},
-                               sinks, of_trial);
+        RunReport report = run(tried, cached, sinks, of_trial);
         const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
         trials.push_back({values, std::move(report), took.count(), discarded.digest()});
     }

@@ -16,6 +16,7 @@
 #include "features/roof_layer.hpp"
 #include "pipeline/extract_roofs.hpp"
 #include "pipeline/find_buildings.hpp"
+#include "pipeline/polygon_bytes.hpp"
 #include "pipeline/trace_contours.hpp"
 
 namespace d2b::pipeline {
@@ -35,11 +36,8 @@ FoundBuildings as_found(const GivenFootprints& given, FootprintLayer& layer) {
     FoundBuildings found;
     found.labels = std::move(layer.labels);
     found.buildings = layer.count();
-    for (Label label = 1; label <= layer.count(); ++label) {
-        const double ground = given.all[layer.footprints[label]].ground;
-        found.ground.push_back(ground);
-        found.footprints.push_back({ground, RoofElevations::unknown, {}, ParcelCell::no_parcel, 0});
-    }
+    for (Label label = 1; label <= layer.count(); ++label)
+        found.add({given.all[layer.footprints[label]].ground, RoofElevations::unknown, {}});
     return found;
 }
 
@@ -97,7 +95,8 @@ class GivenRoofs {
 
     /// Makes the roofs of a layer of footprints.
     void extract(const FootprintLayer& layer, const FoundBuildings& labels, ElevationReader& reader);
-    void write(const features::PolygonParameters& parameters, FeatureSink& sink);
+    /// @param outliner of any contours, because faces have outlines of their own
+    void write(const outline::Outliner& outliner, FeatureSink& sink);
 
   private:
     [[nodiscard]] FinePolygon on_lattice(const WorldPolygon& polygon) const;
@@ -190,7 +189,7 @@ void GivenRoofs::extract(const FootprintLayer& layer, const FoundBuildings& labe
                                 });
 }
 
-void GivenRoofs::write(const features::PolygonParameters& parameters, FeatureSink& sink) {
+void GivenRoofs::write(const outline::Outliner& outliner, FeatureSink& sink) {
     std::vector<BuildingRecord> of_polygons(areas_.size());  // only their ids and areas
     for (std::size_t i = 0; i < given_.all.size(); ++i) {
         double all = 0;
@@ -202,10 +201,9 @@ void GivenRoofs::write(const features::PolygonParameters& parameters, FeatureSin
                 all > 0 ? given_.all[i].measure.area_m2 * areas_[polygon] / all : 0;
         }
     }
-    std::vector<features::PolygonMaker> makers;
-    makers.reserve(static_cast<std::size_t>(context_.threads->threads()));
-    for (int thread = 0; thread < context_.threads->threads(); ++thread)
-        makers.emplace_back(parameters);
+    const features::ContourChildren no_children;
+    std::vector<features::PolygonMaker> makers =
+        features::polygon_makers(setup_, outliner, no_children, false, context_);
     features::RoofLayer layer(*setup_.layers.indices.given_roofs, roofs_->are_level(), sink, context_);
     std::int64_t id = sink.first_id();
     features::draw_in_order(
@@ -311,11 +309,8 @@ void CutContours::write(const contours::StoredContours& contours, const features
     const features::ContourChildren children = setup_.plan.asked.outline.disjoint
                                                    ? features::ContourChildren(contours)
                                                    : features::ContourChildren();
-    std::vector<features::PolygonMaker> makers;
-    makers.reserve(static_cast<std::size_t>(context_.threads->threads()));
-    for (int thread = 0; thread < context_.threads->threads(); ++thread)
-        makers.emplace_back(features::PolygonParameters{setup_, outliner, children, context_.threads->stop(),
-                                                        false, context_.report.units.vertical_metres});
+    std::vector<features::PolygonMaker> makers =
+        features::polygon_makers(setup_, outliner, children, false, context_);
     std::vector<std::size_t> lowest(footprints.size());  // number of contours of level 1 by label
     for (std::size_t i = 0; i < contours.size(); ++i)
         if (contours.head(i).key.level == 1)
@@ -425,9 +420,7 @@ void write_footprints(GivenFootprints&& given, ElevationReader& reader, const El
         if (roofs)
             roofs->extract(layer, labels, reader);
         if (roofs && &layer == &given.layers.back())
-            roofs->write(
-                {traced, outliner, {}, context.threads->stop(), false, context.report.units.vertical_metres},
-                sink);
+            roofs->write(outliner, sink);
     }
     RunReport& report = context.report;
     report.stack_rmse_m = contours_out.rmse() * report.units.vertical_metres;

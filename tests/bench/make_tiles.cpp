@@ -45,7 +45,6 @@ void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses, Chec
     for (std::int32_t i = 0; i < houses; ++i) {
         const Window cells = house(own, i);
         unit.objects.push_back({{0.9, CounterEvidence::rough, cells.points(), -1}, true, 1, cells.points()});
-        unit.boxes.push_back(cells);
         for (std::int32_t row = cells.row; row < cells.end_row(); ++row)
             unit.runs.push_back({row, cells.col, cells.end_col(), static_cast<Label>(i + 1)});
     }
@@ -63,7 +62,7 @@ void make_found(const TileRun& run, std::int64_t tile, std::int32_t houses, Chec
         unit.edges.right = {high, high};
     ByteWriter writer;
     save(found, writer);
-    files.write(run.file(TileStep::find, tile), run.seal(TileStep::find, tile), writer.bytes());
+    files.write(run.file(TileStep::find, tile), writer.bytes());
 }
 
 FeaturePolygon polygon_of(const Window& cells) {
@@ -102,8 +101,7 @@ void make_drawn(const TileRun& run, std::int64_t tile, std::int32_t houses, Chec
     ByteWriter writer;
     save(drawn, writer);
     writer.put_list(blocks.blocks());
-    files.write(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile), writer.bytes(),
-                blocks.bytes());
+    files.write(run.file(TileStep::draw, tile), writer.bytes(), blocks.bytes());
 }
 
 void make(const std::string& work, std::int32_t contours, const std::string& what) {

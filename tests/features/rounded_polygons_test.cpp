@@ -13,7 +13,6 @@ namespace d2b::features {
 namespace {
 
 using Parts = std::vector<WorldPolygon>;
-using Layer = RoundedPolygons::Layer;
 using To = CoordinateRounding::To;
 
 const CoordinateRounding whole{To::decimals, 0, "-lco COORDINATE_PRECISION=0"};
@@ -42,7 +41,7 @@ TEST(RoundedCoordinate, IsTheDecimalFractionThatIsReadBack) {
 TEST(RoundedPolygons, AreOnTheGridOfTheDestination) {
     RoundedPolygons polygons({To::decimals, 1, "x"}, true, {});
     Parts parts{{{{0.04, 0}, {2.06, 0.02}, {2, 2}, {0.04, 2.04}}, {}}};
-    EXPECT_FALSE(polygons.round(Layer::buildings, 1, 0, "building 1", parts));
+    EXPECT_FALSE(polygons.round(LayerRole::buildings, 0, "building 1", parts));
     EXPECT_EQ(parts.at(0).exterior, (WorldRing{{0, 0}, {2.1, 0}, {2, 2}, {0, 2}}));
     EXPECT_EQ(refusal(polygons), "(no error)");
 }
@@ -50,9 +49,9 @@ TEST(RoundedPolygons, AreOnTheGridOfTheDestination) {
 TEST(RoundedPolygons, WhatIsLostIsRefusedWithTheCoarsestPrecisionThatKeepsAll) {
     RoundedPolygons polygons(whole, true, {});
     Parts large{{{{0, 0}, {7, 0}, {7, 7.4}, {0, 7.4}}, {}}};
-    polygons.round(Layer::buildings, 1, 0, "building 1", large);
+    polygons.round(LayerRole::buildings, 0, "building 1", large);
     Parts small{{{{9.1, 9.1}, {9.14, 9.1}, {9.14, 9.14}, {9.1, 9.14}}, {}}};
-    polygons.round(Layer::buildings, 2, 0, "building 2", small);
+    polygons.round(LayerRole::buildings, 0, "building 2", small);
     EXPECT_EQ(refusal(polygons),
               "-lco COORDINATE_PRECISION=0 rounds coordinates so much that a polygon is lost or runs into "
               "another: building 2; the coarsest precision that keeps all is 2 decimals.");
@@ -63,9 +62,9 @@ TEST(RoundedPolygons, WhatIsLostIsRefusedWithTheCoarsestPrecisionThatKeepsAll) {
 TEST(RoundedPolygons, AContourMayLeaveItsParentByTheRounding) {
     RoundedPolygons polygons(whole, true, {});
     Parts parts{{{{0, 0}, {10, 0}, {10, 9.4}}, {}}};
-    polygons.round(Layer::contours, 1, 0, "contour 1", parts);
+    polygons.round(LayerRole::contours, 0, "contour 1", parts);
     parts = {{{{4, 1}, {6, 1}, {5, 4.6}}, {}}};
-    polygons.round(Layer::contours, 2, 1, "contour 2", parts);
+    polygons.round(LayerRole::contours, 1, "contour 2", parts);
     EXPECT_EQ(refusal(polygons), "(no error)");
 }
 
@@ -73,9 +72,9 @@ TEST(RoundedPolygons, AContourMayLeaveItsParentByTheRounding) {
 TEST(RoundedPolygons, BuildingsThatRunIntoEachOtherAreRefused) {
     RoundedPolygons polygons(whole, true, {});
     Parts below{{{{0, 0}, {10, 0}, {10, 7.5}}, {}}};
-    polygons.round(Layer::buildings, 1, 0, "building 1", below);
+    polygons.round(LayerRole::buildings, 0, "building 1", below);
     Parts above{{{{7, 9}, {8, 6.2}, {9, 9}}, {}}};
-    polygons.round(Layer::buildings, 2, 0, "building 2", above);
+    polygons.round(LayerRole::buildings, 0, "building 2", above);
     EXPECT_EQ(refusal(polygons),
               "-lco COORDINATE_PRECISION=0 rounds coordinates so much that a polygon is lost or runs into "
               "another: building 1; the coarsest precision that keeps all is 1 decimal.");
@@ -85,7 +84,7 @@ TEST(RoundedPolygons, BuildingsThatRunIntoEachOtherAreRefused) {
 TEST(RoundedPolygons, WhatIsBrokenIsMendedOnTheGrid) {
     RoundedPolygons polygons(whole, true, {});
     Parts parts{{{{0, 0}, {10, 1.6}, {10, 10}, {5, 0.9}, {0, 10}}, {}}};
-    EXPECT_TRUE(polygons.round(Layer::buildings, 1, 0, "building 1", parts));
+    EXPECT_TRUE(polygons.round(LayerRole::buildings, 0, "building 1", parts));
     EXPECT_EQ(Geos().invalidity(parts), "");
     EXPECT_EQ(parts.size(), 2U);
     for (const WorldPolygon& part : parts)
@@ -99,7 +98,7 @@ TEST(RoundedPolygons, WhatIsBrokenIsMendedOnTheGrid) {
 TEST(RoundedPolygons, WhereNoPrecisionHelpsAnotherFormatDoes) {
     RoundedPolygons polygons({To::significant_digits, 1, "The format X"}, true, {});
     Parts parts{{{{1.5, 1.5}, {1.5, 1.5}, {1.5, 1.5}}, {}}};
-    polygons.round(Layer::buildings, 1, 0, "building 1", parts);
+    polygons.round(LayerRole::buildings, 0, "building 1", parts);
     EXPECT_EQ(refusal(polygons),
               "The format X rounds coordinates so much that a polygon is lost or runs into another: building "
               "1; write another format, such as GeoPackage.");

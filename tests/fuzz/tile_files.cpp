@@ -34,7 +34,6 @@ std::size_t read_found(std::span<const std::byte> bytes) {
     ByteReader reader = after([](ByteWriter& writer) { empty_facts().save(writer); }, bytes);
     const tiles::FoundTile tile = tiles::load_found_tile(reader, empty_facts(), {tile_window});
     const tiles::FoundUnit& unit = tile.units.at(0);
-    demand(unit.boxes.size() == unit.objects.size(), "every object has a box");
     for (const tiles::LabelRun& run : unit.runs) {
         demand(run.label >= 1 && run.label <= unit.objects.size(), "a run has the label of an object");
         demand(tile_window.holds(run.row, run.begin) && tile_window.holds(run.row, run.end - 1),

@@ -37,7 +37,6 @@ tiles::FoundTile found() {
     const Window& w = tile_window;
     unit.objects = {{{0.9, detect::CounterEvidence::rough, 6, -1}, true, 1.5, 6},
                     {{0.4, detect::CounterEvidence::green, 4, -1}, false, 2, 4}};
-    unit.boxes = {{w.row + 1, w.col + 1, 2, 3}, {w.row + 4, w.end_col() - 2, 2, 2}};
     for (std::int32_t row = 1; row < 3; ++row)
         unit.runs.push_back({w.row + row, w.col + 1, w.col + 4, 1});
     for (std::int32_t row = 4; row < 6; ++row)

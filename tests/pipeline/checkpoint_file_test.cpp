@@ -14,8 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr CheckpointId seal{TileStep::draw, 0x1234, 7};
-
 std::vector<std::byte> bytes_from(const std::string& text) {
     const auto bytes = std::as_bytes(std::span(text));
     return {bytes.begin(), bytes.end()};
@@ -24,7 +22,7 @@ std::vector<std::byte> bytes_from(const std::string& text) {
 class CheckpointFileTest : public testing::Test {
   protected:
     CheckpointFileTest() {
-        write_checkpoint(path_, seal, bytes_from("the body"), bytes_from("and the tail"));
+        write_checkpoint(place_, bytes_from("the body"), bytes_from("and the tail"));
         whole_ = content();
     }
     [[nodiscard]] std::string content() const {
@@ -33,18 +31,19 @@ class CheckpointFileTest : public testing::Test {
     }
     void put(const std::string& content) const { std::ofstream(path_, std::ios::binary) << content; }
     /// "" where the file is taken.
-    [[nodiscard]] std::string refusal(const CheckpointId& wanted = seal) const {
-        return test::error_of<InputError>([&] { const CheckpointFile file(path_, wanted); });
+    [[nodiscard]] static std::string refusal(const Checkpoint& wanted) {
+        return test::error_of<InputError>([&] { const CheckpointFile file(wanted); });
     }
 
     test::TemporaryFolder folder_;
     fs::path path_ = folder_.path() / "7";
+    Checkpoint place_{path_, TileStep::draw, 0x1234, 7};
     std::string whole_;
 };
 
 TEST_F(CheckpointFileTest, GiveBackWhatWasWritten) {
-    EXPECT_TRUE(checkpoint_exists(path_, seal));
-    CheckpointFile file(path_, seal);
+    EXPECT_TRUE(checkpoint_exists(place_));
+    CheckpointFile file(place_);
     ByteReader body = file.body();
     EXPECT_EQ(body.take_bytes(8).size(), 8U);
     EXPECT_EQ(body.left(), 0U);
@@ -56,7 +55,7 @@ TEST_F(CheckpointFileTest, GiveBackWhatWasWritten) {
 
 TEST_F(CheckpointFileTest, StayOpenWhereTheyAreReadByTurns) {
     FileHandleCache recent;
-    CheckpointFile file(path_, seal, &recent);
+    CheckpointFile file(place_, &recent);
     fs::remove(path_);
     EXPECT_EQ(file.payload(4, 8), bytes_from("the tail"));
     EXPECT_THROW((void)file.payload(5, 8), InputError);
@@ -65,12 +64,12 @@ TEST_F(CheckpointFileTest, StayOpenWhereTheyAreReadByTurns) {
 TEST_F(CheckpointFileTest, AreRefusedWhereverTheyEnd) {
     for (std::size_t length = 0; length < whole_.size(); ++length) {
         put(whole_.substr(0, length));
-        EXPECT_TRUE(refusal().starts_with("'" + path_.string() + "' is damaged: ")) << length;
-        EXPECT_FALSE(checkpoint_exists(path_, seal)) << length;
+        EXPECT_TRUE(refusal(place_).starts_with("'" + path_.string() + "' is damaged: ")) << length;
+        EXPECT_FALSE(checkpoint_exists(place_)) << length;
     }
     put(whole_ + "x");
-    EXPECT_NE(refusal(), "(no error)");
-    EXPECT_FALSE(checkpoint_exists(path_, seal));
+    EXPECT_NE(refusal(place_), "(no error)");
+    EXPECT_FALSE(checkpoint_exists(place_));
 }
 
 /// Blocks in the tail have digests of their own.
@@ -81,19 +80,19 @@ TEST_F(CheckpointFileTest, AreRefusedWhicheverByteHasChanged) {
             std::string changed = whole_;
             changed[i] = static_cast<char>(changed[i] ^ change);
             put(changed);
-            EXPECT_NE(refusal(), "(no error)") << "byte " << i;
+            EXPECT_NE(refusal(place_), "(no error)") << "byte " << i;
         }
 }
 
 TEST_F(CheckpointFileTest, AreOfOneStepTileAndPlan) {
     const std::string again = "; delete it and run 'draw' of tile 8 again.";
-    EXPECT_EQ(refusal({TileStep::draw, 0x1234, 8}),
+    EXPECT_EQ(refusal({path_, TileStep::draw, 0x1234, 8}),
               "'" + path_.string() + "' is not the file that 'draw' of tile 8 writes" + again);
     EXPECT_EQ(
-        refusal({TileStep::find, 0x1234, 7}),
+        refusal({path_, TileStep::find, 0x1234, 7}),
         "'" + path_.string() +
             "' is not the file that 'find' of tile 7 writes; delete it and run 'find' of tile 7 again.");
-    EXPECT_EQ(refusal({TileStep::draw, 0x1235, 7}),
+    EXPECT_EQ(refusal({path_, TileStep::draw, 0x1235, 7}),
               "'" + path_.string() + "' belongs to another plan; delete it and run 'draw' of tile 7 again.");
 }
 

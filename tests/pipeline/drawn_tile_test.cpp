@@ -21,8 +21,8 @@ features::DrawnContour contour(std::int32_t level, std::int32_t row, std::size_t
 class DrawnStreamTest : public testing::Test {
   protected:
     [[nodiscard]] CheckpointFile write(const DrawnBlocks& drawn) const {
-        write_checkpoint(folder_.path() / "0", seal_, {}, drawn.bytes());
-        return {folder_.path() / "0", seal_};
+        write_checkpoint(place_, {}, drawn.bytes());
+        return CheckpointFile(place_);
     }
     static std::string error_of(DrawnStream& stream) {
         try {
@@ -35,7 +35,7 @@ class DrawnStreamTest : public testing::Test {
     }
 
     test::TemporaryFolder folder_;
-    CheckpointId seal_{TileStep::draw, 5, 0};
+    Checkpoint place_{folder_.path() / "0", TileStep::draw, 5, 0};
 };
 
 TEST_F(DrawnStreamTest, BlocksAreOfOneLevelAndOfBoundedSize) {

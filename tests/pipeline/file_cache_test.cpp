@@ -25,7 +25,7 @@ class FileCacheTest : public testing::Test {
     }
 
     test::TemporaryFolder folder_;
-    FileHandleCache files_{FileHandleCache::ReadAhead::none, 2};
+    FileHandleCache files_{2};
 };
 
 TEST_F(FileCacheTest, StayOpenUntilTooManyOthersWereRead) {

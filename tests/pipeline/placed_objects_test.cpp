@@ -7,6 +7,16 @@ namespace {
 
 using Labels = std::vector<Label>;
 
+/// @param boxes that the objects fill
+FoundUnit found_unit(std::vector<detect::SeenObject> objects, const std::vector<Window>& boxes,
+                     detect::UnitEdges edges) {
+    std::vector<LabelRun> runs;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::int32_t row = boxes[i].row; row < boxes[i].end_row(); ++row)
+            runs.push_back({row, boxes[i].col, boxes[i].end_col(), static_cast<Label>(i + 1)});
+    return {std::move(objects), std::move(runs), std::move(edges)};
+}
+
 /// Two units side by side, each a tile, of 100 rows. Unit 0 has a building at the seam (label 2) and one
 /// that lies alone (1); unit 1 sees the first as well (1), owns more of it, and has another alone (2).
 class TwoTiles : public testing::Test {
@@ -26,9 +36,9 @@ class TwoTiles : public testing::Test {
     static detect::SeenObject seen(std::int64_t own_cells) {
         return {{0.9, detect::CounterEvidence::rough, own_cells}, true, 7, own_cells};
     }
-    void put(std::int64_t unit, std::vector<detect::SeenObject> objects, std::vector<Window> boxes,
+    void put(std::int64_t unit, std::vector<detect::SeenObject> objects, const std::vector<Window>& boxes,
              detect::UnitEdges edges) {
-        FoundUnit found{std::move(objects), std::move(boxes), {}, std::move(edges)};
+        FoundUnit found = found_unit(std::move(objects), boxes, std::move(edges));
         Tally left_out;
         const UnitObjects divided = divide_objects(found, {}, left_out);
         interior.put(unit, divided);
@@ -81,8 +91,8 @@ TEST(ObjectAssignment, NamesWholesAcrossSeams) {
     };
     const auto put = [&](std::int64_t unit, std::vector<detect::SeenObject> objects,
                          detect::UnitEdges edges) {
-        std::vector<Window> boxes(objects.size(), Window{0, unit == 0 ? 0 : 100, 5, 4});
-        FoundUnit found{std::move(objects), std::move(boxes), {}, std::move(edges)};
+        const std::vector<Window> boxes(objects.size(), Window{0, unit == 0 ? 0 : 100, 5, 4});
+        FoundUnit found = found_unit(std::move(objects), boxes, std::move(edges));
         Tally uncounted;
         const UnitObjects divided = divide_objects(found, {}, uncounted);
         interior.put(unit, divided);

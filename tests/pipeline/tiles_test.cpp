@@ -20,6 +20,7 @@ namespace d2b::tiles {
 namespace {
 
 using namespace test;
+using test::Box;  // not that of geometry
 
 Options options_of(unsigned seed) {
     Options options;
@@ -130,8 +131,8 @@ BlockTown cut_town() {
 std::size_t left_over(const std::filesystem::path& work, std::int64_t tiles) {
     std::size_t left = 0;
     for (std::int64_t tile = 0; tile < tiles; ++tile) {
-        CheckpointFile file(work / "draw" / std::to_string(tile),
-                            {TileStep::draw, some_plan, static_cast<std::uint32_t>(tile)});
+        CheckpointFile file({work / "draw" / std::to_string(tile), TileStep::draw, some_plan,
+                             static_cast<std::uint32_t>(tile)});
         ByteReader reader = file.body();
         left += load_drawn_tile(reader).left.size();
     }

@@ -206,7 +206,7 @@ std::string refused_with(const Texts& arguments) {
 TEST(TilesCommandLine, takesTheOptionsOfDem2buildings) {
     const TileCommand command = parse_tile_command_line(
         {"plan", "-lod", "3", "--tile=2", "a.tif", "-nln", "work", "b.gpkg", "work", "-3d"});
-    EXPECT_EQ(command.kind, TileCommandKind::plan);
+    EXPECT_EQ(command.kind, tiles::TileStep::plan);
     EXPECT_EQ(command.side, 2);
     EXPECT_EQ(command.work, "work");
     EXPECT_EQ(command.words, (Texts{"-lod", "3", "a.tif", "-nln", "work", "b.gpkg", "-3d"}));
@@ -231,7 +231,7 @@ TEST(TilesCommandLine, takesAList) {
 TEST(TilesCommandLine, takesTiles) {
     const TileCommand command =
         parse_tile_command_line({"find", "-threads", "2", "work", "7", "0", "12", "-q"});
-    EXPECT_EQ(command.kind, TileCommandKind::find);
+    EXPECT_EQ(command.kind, tiles::TileStep::find);
     EXPECT_EQ(command.tiles, (std::vector<std::int64_t>{0, 7, 12}));
     EXPECT_EQ(command.threads, 2);
     EXPECT_TRUE(command.quiet);

@@ -17,6 +17,7 @@ namespace d2b {
 namespace {
 
 using Strings = std::vector<std::string>;
+using tiles::TileStep;
 
 const TileStepName& step_of(const std::string& name) {
     const auto& steps = tile_step_names();
@@ -196,8 +197,7 @@ void parse_step(const TileStepName& step, const Strings& arguments, TileCommand&
     if (names.empty() || names[0].empty())
         throw OptionError("The work folder is missing; " + usage_of(step) + ".");
     command.work = names[0];
-    if (step.kind == TileCommandKind::find || step.kind == TileCommandKind::draw ||
-        step.kind == TileCommandKind::write)
+    if (step.kind == TileStep::find || step.kind == TileStep::draw || step.kind == TileStep::write)
         take_tiles(step, names, command);
     else if (names.size() > 1)
         throw OptionError(std::string(step.name) + " only takes the work folder, not '" + names[1] +
@@ -208,19 +208,19 @@ void parse_step(const TileStepName& step, const Strings& arguments, TileCommand&
 
 const std::vector<TileStepName>& tile_step_names() {
     static const std::vector<TileStepName> steps{
-        {"plan", TileCommandKind::plan, "[options] <src_raster> <dst_vector> <work>",
+        {"plan", TileStep::plan, "[options] <src_raster> <dst_vector> <work>",
          "Divides the source into tiles, checks the options and the destination, and writes "
          "<work>/plan.json. Takes "
          "the options of dem2buildings."},
-        {"find", TileCommandKind::find, "<work> <tile>...",
+        {"find", TileStep::find, "<work> <tile>...",
          "Finds the ground and the buildings of tiles, which are numbered from 0."},
-        {"join", TileCommandKind::join, "<work>",
+        {"join", TileStep::join, "<work>",
          "Joins buildings at the borders of tiles, after find of all tiles."},
-        {"draw", TileCommandKind::draw, "<work> <tile>...", "Draws the buildings of tiles."},
-        {"merge", TileCommandKind::merge, "<work>",
+        {"draw", TileStep::draw, "<work> <tile>...", "Draws the buildings of tiles."},
+        {"merge", TileStep::merge, "<work>",
          "Writes the destination after draw of all tiles, and prints the counts. If the destination is a "
          "folder of FlatGeobuf files, it only numbers the features."},
-        {"write", TileCommandKind::write, "<work> <tile>...",
+        {"write", TileStep::write, "<work> <tile>...",
          "Writes one file per tile, if the destination is a folder of FlatGeobuf files."},
     };
     return steps;
@@ -268,7 +268,7 @@ TileCommand parse_tile_command_line(const Strings& arguments) {
     const TileStepName& step = step_of(arguments.front());
     command.kind = step.kind;
     const Strings left = take_own(step, {arguments.begin() + 1, arguments.end()}, command);
-    if (step.kind == TileCommandKind::plan)
+    if (step.kind == TileStep::plan)
         parse_plan(step, left, command);
     else
         parse_step(step, left, command);

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "options/option_table.hpp"
+#include "pipeline/tiles/checkpoint_file.hpp"
 
 namespace d2b {
-
-/// Commands of the program.
-enum class TileCommandKind { plan, find, join, draw, merge, write, text };
 
 /// An option of the program's own.
 struct TileOption {
@@ -23,15 +21,16 @@ struct TileOption {
 /// A step, by the name that it has on the command line.
 struct TileStepName {
     std::string_view name;
-    TileCommandKind kind;
+    tiles::TileStep kind;
     std::string_view arguments;
     std::string_view help;
 };
 [[nodiscard]] const std::vector<TileStepName>& tile_step_names();
 
 struct TileCommand {
-    TileCommandKind kind = TileCommandKind::text;
-    std::string text;  ///< name of the option that asks for a text: help, version, man, bash_completion
+    tiles::TileStep kind = tiles::TileStep::plan;
+    std::string text;  ///< name of the option that asks for a text instead: help, version, man,
+                       ///< bash_completion
     std::string work;
     std::string list;  ///< of plan: names of rasters whose mosaic in `work` is the source; "" for none
     std::vector<std::int64_t> tiles;  ///< of find, draw and write, ascending

@@ -1,15 +1,13 @@
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "common/exit_codes.hpp"
 #include "common/own_stdout.hpp"
 #include "common/run_guarded.hpp"
-#include "dem2buildings/interrupt.hpp"
 #include "dem2buildings/open_sources.hpp"
+#include "dem2buildings/progress.hpp"
 #include "dem2buildings/run_interruptibly.hpp"
-#include "dem2buildings/spool.hpp"
 #include "dem2buildings/version.hpp"
 #include "dem2buildings_tiles/command_line.hpp"
 #include "dem2buildings_tiles/help.hpp"
@@ -21,11 +19,8 @@ namespace {
 
 void process(const TileCommand& command) {
     OwnStdout own_stdout;
-    Callbacks callbacks;
-    callbacks.on_warning = [](const std::string& text) { print_line("Warning: ", text); };
-    callbacks.on_progress = [](double) { return !interrupted(); };
-    callbacks.make_spool = [] { return std::make_unique<FileSpool>(); };
-    callbacks.stop = interrupted;
+    TerminalProgress progress(std::cout);
+    const Callbacks callbacks = terminal_callbacks(progress, true);
     reading::start_gdal();
     run_step(command, own_stdout, callbacks);
     own_stdout.finish_aside();

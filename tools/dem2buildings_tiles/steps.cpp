@@ -249,8 +249,8 @@ void show_parts(const tiles::TileRun& run, std::int64_t after) {
         writing::LayerMosaic mosaic{setup.layers.layers[i],
                                     setup.written().wkt(),
                                     layer.features,
-                                    layer.least,
-                                    layer.most,
+                                    {layer.bounds.left, layer.bounds.low},
+                                    {layer.bounds.right, layer.bounds.high},
                                     layer.tiles};
         if (mosaic.parts.empty() || mosaic.parts.front() != 0)
             mosaic.parts.insert(mosaic.parts.begin(), 0);
@@ -284,20 +284,18 @@ void run_step(const TileCommand& command, OwnStdout& own_stdout, const Callbacks
     Callbacks silent = callbacks;
     silent.on_warning = nullptr;
     switch (command.kind) {
-        case TileCommandKind::plan:
+        case tiles::TileStep::plan:
             return plan(command, callbacks);
-        case TileCommandKind::find:
+        case tiles::TileStep::find:
             return on_tiles(command, silent, tiles::find_tile);
-        case TileCommandKind::join:
+        case tiles::TileStep::join:
             return join(command, silent);
-        case TileCommandKind::draw:
+        case tiles::TileStep::draw:
             return on_tiles(command, silent, tiles::draw_tile);
-        case TileCommandKind::merge:
+        case tiles::TileStep::merge:
             return merge(command, own_stdout, callbacks);
-        case TileCommandKind::write:
+        case tiles::TileStep::write:
             return write(command, silent);
-        case TileCommandKind::text:
-            return;
     }
 }
 

@@ -35,8 +35,8 @@ std::array<char, 16> this_version() {
     return text;
 }
 
-FileHeader header_of(const CheckpointId& id) {
-    return {magic, this_version(), id.plan, static_cast<std::uint32_t>(id.step), id.part, 0, 0, 0};
+FileHeader header_of(const Checkpoint& place) {
+    return {magic, this_version(), place.plan, static_cast<std::uint32_t>(place.step), place.part, 0, 0, 0};
 }
 
 std::optional<FileHeader> read_header(const system::File& file) {
@@ -52,25 +52,26 @@ bool is_whole(const FileHeader& header, std::uint64_t size) {
     return header.body_size <= left && header.payload_size == left - header.body_size;
 }
 
-std::string rerun_text(const CheckpointId& id) {
-    const std::string step = "'" + std::string(step_name(id.step)) + "'";
-    const bool of_all = id.step == TileStep::join || id.step == TileStep::merge || id.step == TileStep::plan;
-    return of_all ? step : step + " of tile " + std::to_string(id.part);
+std::string rerun_text(const Checkpoint& place) {
+    const std::string step = "'" + std::string(step_name(place.step)) + "'";
+    const bool of_all =
+        place.step == TileStep::join || place.step == TileStep::merge || place.step == TileStep::plan;
+    return of_all ? step : step + " of tile " + std::to_string(place.part);
 }
 
-bool is_of(const FileHeader& header, const CheckpointId& id) {
-    const FileHeader wanted = header_of(id);
+bool is_of(const FileHeader& header, const Checkpoint& place) {
+    const FileHeader wanted = header_of(place);
     return header.magic == wanted.magic && header.version == wanted.version && header.plan == wanted.plan &&
            header.step == wanted.step && header.part == wanted.part;
 }
 
 /// Returns the difference between a file and the requested one, or "".
-std::string mismatch(const std::filesystem::path& path, const FileHeader& header, const CheckpointId& id) {
-    const FileHeader wanted = header_of(id);
-    const std::string name = "'" + path.string() + "' ";
-    const std::string instead = "; delete it and run " + rerun_text(id) + " again.";
+std::string mismatch(const FileHeader& header, const Checkpoint& place) {
+    const FileHeader wanted = header_of(place);
+    const std::string name = "'" + place.path.string() + "' ";
+    const std::string instead = "; delete it and run " + rerun_text(place) + " again.";
     if (header.magic != wanted.magic || header.step != wanted.step || header.part != wanted.part)
-        return name + "is not the file that " + rerun_text(id) + " writes" + instead;
+        return name + "is not the file that " + rerun_text(place) + " writes" + instead;
     if (header.version != wanted.version)
         return name + "was written by another version of dem2buildings" + instead;
     if (header.plan != wanted.plan)
@@ -88,9 +89,10 @@ std::string reason(int error) {
 }
 
 /// @param sync force the file to disk before it is renamed @throws OutputError
-void write_file(const std::filesystem::path& path, const CheckpointId& id, std::span<const std::byte> body,
-                std::span<const std::byte> payload, bool sync) {
-    FileHeader header = header_of(id);
+void write_file(const Checkpoint& place, std::span<const std::byte> body, std::span<const std::byte> payload,
+                bool sync) {
+    const std::filesystem::path& path = place.path;
+    FileHeader header = header_of(place);
     header.body_size = body.size();
     header.body_digest = digest_of(body);
     header.payload_size = payload.size();
@@ -109,7 +111,7 @@ void write_file(const std::filesystem::path& path, const CheckpointId& id, std::
     if (error == 0)
         error = system::replace(temporary, path);
     // Another process may have finished first and removed this file as a leftover.
-    if (error == 0 || (error == ENOENT && checkpoint_exists(path, id)))
+    if (error == 0 || (error == ENOENT && checkpoint_exists(place)))
         return;
     std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
@@ -148,11 +150,11 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
     return digest;
 }
 
-void write_checkpoint(const std::filesystem::path& path, const CheckpointId& id,
-                      std::span<const std::byte> body, std::span<const std::byte> payload) {
+void write_checkpoint(const Checkpoint& place, std::span<const std::byte> body,
+                      std::span<const std::byte> payload) {
     std::error_code ignored;
-    std::filesystem::create_directories(path.parent_path(), ignored);
-    write_file(path, id, body, payload, true);
+    std::filesystem::create_directories(place.path.parent_path(), ignored);
+    write_file(place, body, payload, true);
 }
 
 CheckpointBatch::CheckpointBatch(std::filesystem::path folder)
@@ -161,9 +163,9 @@ CheckpointBatch::CheckpointBatch(std::filesystem::path folder)
         fail(folder_, errno);
 }
 
-void CheckpointBatch::write(const std::filesystem::path& path, const CheckpointId& id,
-                            std::span<const std::byte> body, std::span<const std::byte> payload) {
-    write_file(path, id, body, payload, system::OpenFolder::needs_sync_of_each_file());
+void CheckpointBatch::write(const Checkpoint& place, std::span<const std::byte> body,
+                            std::span<const std::byte> payload) {
+    write_file(place, body, payload, system::OpenFolder::needs_sync_of_each_file());
     any_ = true;
 }
 
@@ -179,23 +181,23 @@ void remove_unfinished(const std::filesystem::path& folder) {
             std::filesystem::remove(entry.path(), ignored);
 }
 
-bool checkpoint_exists(const std::filesystem::path& path, const CheckpointId& id) {
-    const system::File file(path, system::File::Mode::read);
+bool checkpoint_exists(const Checkpoint& place) {
+    const system::File file(place.path, system::File::Mode::read);
     const std::optional<FileHeader> header = read_header(file);
-    return header && is_of(*header, id) && is_whole(*header, file.size());
+    return header && is_of(*header, place) && is_whole(*header, file.size());
 }
 
-CheckpointFile::CheckpointFile(std::filesystem::path path, const CheckpointId& id, FileHandleCache* cache)
-    : path_(std::move(path)), id_(id), cache_(cache) {
+CheckpointFile::CheckpointFile(Checkpoint place, FileHandleCache* cache)
+    : place_(std::move(place)), cache_(cache) {
     const std::shared_ptr<const system::File> opened = open();
     const system::File& file = *opened;
     if (!file.is_open())
-        throw InputError("'" + path_.string() + "' cannot be read: " + reason(errno) + "; run " +
-                         rerun_text(id) + " first.");
+        throw InputError("'" + place_.path.string() + "' cannot be read: " + reason(errno) + "; run " +
+                         rerun_text(place_) + " first.");
     const std::optional<FileHeader> header = read_header(file);
     if (!header)
         throw InputError(damaged("it is truncated"));
-    if (const std::string text = mismatch(path_, *header, id); !text.empty())
+    if (const std::string text = mismatch(*header, place_); !text.empty())
         throw InputError(text);
     if (!is_whole(*header, file.size()))
         throw InputError(
@@ -208,8 +210,8 @@ CheckpointFile::CheckpointFile(std::filesystem::path path, const CheckpointId& i
 }
 
 std::shared_ptr<const system::File> CheckpointFile::open() const {
-    return cache_ != nullptr ? cache_->open(path_)
-                             : std::make_shared<const system::File>(path_, system::File::Mode::read);
+    return cache_ != nullptr ? cache_->open(place_.path)
+                             : std::make_shared<const system::File>(place_.path, system::File::Mode::read);
 }
 
 std::vector<std::byte> CheckpointFile::payload(std::uint64_t begin, std::uint64_t size) const {
@@ -223,8 +225,8 @@ std::vector<std::byte> CheckpointFile::payload(std::uint64_t begin, std::uint64_
 }
 
 std::string CheckpointFile::damaged(const std::string& what) const {
-    return "'" + path_.string() + "' is damaged: " + what + "; delete it and run " + rerun_text(id_) +
-           " again.";
+    return "'" + place_.path.string() + "' is damaged: " + what + "; delete it and run " +
+           rerun_text(place_) + " again.";
 }
 
 void PayloadBlocks::add(const ByteWriter& block) {

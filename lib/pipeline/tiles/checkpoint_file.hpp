@@ -23,11 +23,12 @@ class FileHandleCache;
 enum class TileStep : std::uint32_t { find, join, draw, merge, write, plan };
 [[nodiscard]] std::string_view step_name(TileStep step);
 
-/// Identity of a file between two steps: step, plan and tile.
-struct CheckpointId {
-    TileStep step = TileStep::find;
-    std::uint64_t plan = 0;  ///< digest of the plan
-    std::uint32_t part = 0;  ///< tile; 0 if the step has a single file
+/// File between two steps, and the identity that it has to have.
+struct Checkpoint {
+    std::filesystem::path path;
+    TileStep step = TileStep::find;  ///< that writes it
+    std::uint64_t plan = 0;          ///< digest of the plan
+    std::uint32_t part = 0;          ///< tile; 0 if the step has a single file
 };
 
 /// Returns a digest that detects accidental damage, not attacks.
@@ -35,9 +36,9 @@ struct CheckpointId {
 
 /// Writes a file under a temporary name, forces it to disk and renames it, so that it exists completely or
 /// not at all.
-/// @param body read at once @param tail read in pieces, see CheckpointFile @throws OutputError
-void write_checkpoint(const std::filesystem::path& path, const CheckpointId& id,
-                      std::span<const std::byte> body, std::span<const std::byte> payload = {});
+/// @param body read at once @param payload read in pieces, see CheckpointFile @throws OutputError
+void write_checkpoint(const Checkpoint& place, std::span<const std::byte> body,
+                      std::span<const std::byte> payload = {});
 
 /// Batch of files that are forced to disk together, because forcing many small files one by one takes longer
 /// than everything else.
@@ -50,8 +51,8 @@ class CheckpointBatch {
     ~CheckpointBatch() = default;
 
     /// Same as write_checkpoint(), but the system decides when data reach the disk.
-    /// @param path within the folder @throws OutputError
-    void write(const std::filesystem::path& path, const CheckpointId& id, std::span<const std::byte> body,
+    /// @param place within the folder @throws OutputError
+    void write(const Checkpoint& place, std::span<const std::byte> body,
                std::span<const std::byte> payload = {});
     /// Forces all files to disk. Only afterwards may other files refer to them. @throws OutputError
     void finish();
@@ -67,14 +68,14 @@ class CheckpointBatch {
 void remove_unfinished(const std::filesystem::path& folder);
 
 /// Returns true if the file exists, has this plan and version, and is complete.
-[[nodiscard]] bool checkpoint_exists(const std::filesystem::path& path, const CheckpointId& id);
+[[nodiscard]] bool checkpoint_exists(const Checkpoint& place);
 
 /// File written by write_checkpoint().
 class CheckpointFile {
   public:
     /// @param recent cache of open files, which must outlive this object; null opens the file for each piece
     /// @throws InputError if it does not exist, is truncated or damaged, or has another step, plan or version
-    CheckpointFile(std::filesystem::path path, const CheckpointId& id, FileHandleCache* cache = nullptr);
+    explicit CheckpointFile(Checkpoint place, FileHandleCache* cache = nullptr);
 
     /// Moves the body out. Call once.
     [[nodiscard]] ByteReader body() { return ByteReader(std::move(body_)); }
@@ -87,8 +88,7 @@ class CheckpointFile {
   private:
     [[nodiscard]] std::shared_ptr<const system::File> open() const;
 
-    std::filesystem::path path_;
-    CheckpointId id_;
+    Checkpoint place_;
     FileHandleCache* cache_;
     std::vector<std::byte> body_;
     std::uint64_t payload_begin_ = 0;

@@ -114,11 +114,8 @@ pipeline::FoundBuildings TileDrawing::found() const {
     pipeline::FoundBuildings found;
     found.labels = labels_.own(context_);
     found.buildings = joined_.sure();
-    for (const JoinedBuilding& building : joined_.buildings) {
-        found.add(building.ground / run_.metres(),
-                  {.confidence = building.confidence, .doubt = building.doubt, .parcel = building.parcel});
-        found.footprints.back().whole = building.whole;
-    }
+    for (const JoinedBuilding& building : joined_.buildings)
+        found.add(building.footprint(run_.metres()));
     return found;
 }
 
@@ -182,7 +179,7 @@ void TileDrawing::draw_whole(const contours::StoredContours& contours, const pip
                                            features::lattice_frame(run_.window(), setup.plan.trace)});
     const outline::Outliner outliner = features::draw_outlines(contours, setup, context_);
     std::optional<features::StoredRoofs> roofs;
-    if (run_.extracts_roofs())
+    if (setup.plan.needs_roofs())
         roofs.emplace(extract_roofs(contours, outliner, found));
     const features::FeatureInput input{setup,  contours, outliner, found.buildings,
                                        fixed_, nullptr,  nullptr,  roofs ? &*roofs : nullptr};
@@ -231,9 +228,7 @@ void TileDrawing::read_cells(DrawnTile& drawn) {
 
 DrawnTile TileDrawing::draw(DrawnBlocks& blocks) {
     const features::RunSetup& setup = run_.setup();
-    // The survey is run only for its side effect of filtering invalid elevations.
-    (void)reader_.survey(
-        run_.validity_rules(), [&](const ElevationBand&) { context_.check_stop(); }, Window{});
+    run_.filter_elevations(reader_);
     const pipeline::FoundBuildings buildings = found();
     tiers_ =
         pipeline::plan_tiers(reader_, buildings, joined_.window, setup, fixed_, global_levels(), context_);
@@ -353,11 +348,10 @@ std::vector<RowSpan> TileLabels::cells_near(const std::vector<bool>& wanted, Lat
 }
 
 void draw_tile(TileRun& run, std::int64_t tile) {
-    const auto path = run.file(TileStep::draw, tile);
-    const CheckpointId seal = run.seal(TileStep::draw, tile);
-    if (checkpoint_exists(path, seal))
+    const Checkpoint place = run.file(TileStep::draw, tile);
+    if (checkpoint_exists(place))
         return;
-    CheckpointFile file(run.file(TileStep::join, tile), run.seal(TileStep::join, tile));
+    CheckpointFile file(run.file(TileStep::join, tile));
     const JoinedTile joined = load_body(file, [&](ByteReader& reader) {
         return load_joined_tile(reader, run.window(), run.tiles().units().count());
     });
@@ -368,7 +362,7 @@ void draw_tile(TileRun& run, std::int64_t tile) {
     ByteWriter writer;
     save(drawn, writer);
     writer.put_list(blocks.blocks());
-    write_checkpoint(path, seal, writer.bytes(), blocks.bytes());
+    write_checkpoint(place, writer.bytes(), blocks.bytes());
 }
 
 }  // namespace d2b::tiles

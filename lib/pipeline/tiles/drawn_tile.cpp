@@ -3,55 +3,46 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 #include <string_view>
 
 #include "detect/detection.hpp"
 #include "features/roof_layer.hpp"
+#include "pipeline/polygon_bytes.hpp"
 #include "roofs/make_roof.hpp"
 
 namespace d2b::tiles {
 namespace {
 
-constexpr std::array doubts{detect::CounterEvidence::rough,  detect::CounterEvidence::no_step,
-                            detect::CounterEvidence::steep,  detect::CounterEvidence::pieces,
-                            detect::CounterEvidence::green,  detect::CounterEvidence::no_right_angles,
-                            detect::CounterEvidence::ragged, detect::CounterEvidence::bridge,
-                            detect::CounterEvidence::ground};
+// Records hold views of these names, which are saved as their numbers.
 
-std::uint8_t number_of(std::string_view doubt) {
-    std::uint8_t number = 0;
-    for (const detect::CounterEvidence known : doubts) {
-        if (detect::counter_evidence_name(known) == doubt)
-            break;
-        ++number;
-    }
-    return number;
+std::span<const std::string_view> doubts() {
+    static const auto names = [] {
+        std::array<std::string_view, static_cast<std::size_t>(detect::CounterEvidence::ground) + 1> all;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = detect::counter_evidence_name(static_cast<detect::CounterEvidence>(i));
+        return all;
+    }();
+    return names;
 }
 
-/// Number of a type of roofs; that of no type follows the others.
-std::uint8_t number_of_type(std::string_view type) {
-    return static_cast<std::uint8_t>(std::ranges::find(roofs::roof_types, type) - roofs::roof_types.begin());
+std::span<const std::string_view> face_kinds() {
+    static const std::array names{features::face_kind_name(roofs::FaceKind::flat),
+                                  features::face_kind_name(roofs::FaceKind::pitched),
+                                  features::face_kind_name(roofs::FaceKind::doubtful)};
+    return names;
 }
 
-std::string_view load_roof_type(ByteReader& reader) {
+/// @param name one of the names, or "", whose number follows those of the others
+void save_name(std::string_view name, std::span<const std::string_view> names, ByteWriter& writer) {
+    writer.put(static_cast<std::uint8_t>(std::ranges::find(names, name) - names.begin()));
+}
+
+std::string_view load_name(ByteReader& reader, std::span<const std::string_view> names) {
     const auto number = reader.take<std::uint8_t>();
-    if (number > roofs::roof_types.size())
-        throw CorruptRecord("a roof has an unknown type");
-    return number < roofs::roof_types.size() ? roofs::roof_types[number] : std::string_view();
-}
-
-constexpr std::array face_kinds{roofs::FaceKind::flat, roofs::FaceKind::pitched, roofs::FaceKind::doubtful};
-
-std::uint8_t number_of_kind(std::string_view kind) {
-    return static_cast<std::uint8_t>(std::ranges::find(face_kinds, kind, features::face_kind_name) -
-                                     face_kinds.begin());
-}
-
-std::string_view load_face_kind(ByteReader& reader) {
-    const auto number = reader.take<std::uint8_t>();
-    if (number >= face_kinds.size())
-        throw CorruptRecord("a face of a roof is of an unknown kind");
-    return features::face_kind_name(face_kinds[number]);
+    if (number > names.size())
+        throw CorruptRecord("a record has an unknown name");
+    return number < names.size() ? names[number] : std::string_view();
 }
 
 OutlineStatus load_status(ByteReader& reader) {
@@ -61,46 +52,8 @@ OutlineStatus load_status(ByteReader& reader) {
     return static_cast<OutlineStatus>(status);
 }
 
-void save(const WorldPolygon& part, ByteWriter& writer) {
-    writer.put_list(part.exterior);
-    writer.put(static_cast<std::uint64_t>(part.interiors.size()));
-    for (const WorldRing& ring : part.interiors)
-        writer.put_list(ring);
-    writer.put_list(part.arcs);
-    writer.put_list(part.elevations);
-}
-
-WorldPolygon load_part(ByteReader& reader) {
-    WorldPolygon part;
-    part.exterior = reader.take_list<Position>();
-    part.interiors.resize(reader.take_count(sizeof(std::uint64_t)));
-    for (WorldRing& ring : part.interiors)
-        ring = reader.take_list<Position>();
-    part.arcs = reader.take_list<CircularArc>();
-    part.elevations = reader.take_list<double>();
-    std::size_t vertices = part.exterior.size();
-    for (const WorldRing& ring : part.interiors)
-        vertices += ring.size();
-    if (!part.elevations.empty() && part.elevations.size() != vertices)
-        throw CorruptRecord("there are not as many elevations as vertices");
-    return part;
-}
-
-void save(const std::vector<WorldPolygon>& parts, ByteWriter& writer) {
-    writer.put(static_cast<std::uint64_t>(parts.size()));
-    for (const WorldPolygon& part : parts)
-        save(part, writer);
-}
-
-std::vector<WorldPolygon> load_parts(ByteReader& reader) {
-    std::vector<WorldPolygon> parts(reader.take_count(sizeof(std::uint64_t)));
-    for (WorldPolygon& part : parts)
-        part = load_part(reader);
-    return parts;
-}
-
 void save(const features::FeaturePolygon& polygon, ByteWriter& writer) {
-    save(polygon.parts, writer);
+    pipeline::save(polygon.parts, writer);
     writer.put(polygon.measure);
     writer.put(static_cast<std::uint8_t>(polygon.status));
     for (const double value :
@@ -112,7 +65,7 @@ void save(const features::FeaturePolygon& polygon, ByteWriter& writer) {
 
 features::FeaturePolygon load_polygon(ByteReader& reader) {
     features::FeaturePolygon polygon;
-    polygon.parts = load_parts(reader);
+    polygon.parts = pipeline::load_polygons(reader);
     polygon.measure = reader.take<Geodesy::Measure>();
     polygon.status = load_status(reader);
     for (double* value :
@@ -139,19 +92,21 @@ void save(const std::vector<features::DrawnFace>& faces, ByteWriter& writer) {
     writer.put(static_cast<std::uint64_t>(faces.size()));
     for (const features::DrawnFace& face : faces) {
         RoofFaceRecord record = face.record;
-        writer.put(number_of_kind(std::exchange(record.kind, {})));
+        save_name(std::exchange(record.kind, {}), face_kinds(), writer);
         writer.put(record);
-        save(face.parts, writer);
+        pipeline::save(face.parts, writer);
     }
 }
 
 std::vector<features::DrawnFace> load_faces(ByteReader& reader) {
     std::vector<features::DrawnFace> faces(reader.take_count(sizeof(RoofFaceRecord)));
     for (features::DrawnFace& face : faces) {
-        const std::string_view kind = load_face_kind(reader);
+        const std::string_view kind = load_name(reader, face_kinds());
+        if (kind.empty())
+            throw CorruptRecord("a face of a roof is of an unknown kind");
         face.record = reader.take<RoofFaceRecord>();
         face.record.kind = kind;
-        face.parts = load_parts(reader);
+        face.parts = pipeline::load_polygons(reader);
     }
     return faces;
 }
@@ -218,8 +173,8 @@ void save(const features::DrawnContour& drawn, ByteWriter& writer) {
     writer.put(drawn.own);
     if (drawn.key.level == 1) {
         BuildingRecord record = drawn.building_record;
-        writer.put(number_of(std::exchange(record.doubt, {})));
-        writer.put(number_of_type(std::exchange(record.roof_shape.type, {})));
+        save_name(std::exchange(record.doubt, {}), doubts(), writer);
+        save_name(std::exchange(record.roof_shape.type, {}), roofs::roof_types, writer);
         record.parcel = {};
         writer.put(record);
         save(drawn.faces, writer);
@@ -238,13 +193,12 @@ features::DrawnContour load_drawn_contour(ByteReader& reader) {
     drawn.record.status = OutlineStatus::traced;
     drawn.own = reader.take<PointStats>();
     if (drawn.key.level == 1) {
-        const auto doubt = reader.take<std::uint8_t>();
-        const std::string_view roof_type = load_roof_type(reader);
+        const std::string_view doubt = load_name(reader, doubts());
+        const std::string_view roof_type = load_name(reader, roofs::roof_types);
         drawn.building_record = reader.take<BuildingRecord>();
         drawn.building_record.status = OutlineStatus::traced;
         drawn.building_record.parcel = {};  // restored later from its number
-        drawn.building_record.doubt =
-            doubt < doubts.size() ? detect::counter_evidence_name(doubts[doubt]) : std::string_view();
+        drawn.building_record.doubt = doubt;
         drawn.building_record.roof_shape.type = roof_type;
         drawn.faces = load_faces(reader);
     }
@@ -379,12 +333,7 @@ NumberedTile load_numbered_tile(ByteReader& reader) {
 }
 
 void NumberedLayer::add(std::int64_t tile, const std::vector<WorldPolygon>& parts) {
-    for (const WorldPolygon& part : parts)
-        for (const Position& at : part.exterior) {
-            const bool first = features == 0 && &part == parts.data() && &at == part.exterior.data();
-            least = first ? at : Position{std::min(least.x, at.x), std::min(least.y, at.y)};
-            most = first ? at : Position{std::max(most.x, at.x), std::max(most.y, at.y)};
-        }
+    bounds.add(box_of(parts));
     ++features;
     const auto place = std::ranges::lower_bound(tiles, tile);
     if (place == tiles.end() || *place != tile)
@@ -396,8 +345,7 @@ void save(const NumberedWhole& whole, ByteWriter& writer) {
     writer.put(static_cast<std::uint64_t>(whole.layers.size()));
     for (const NumberedLayer& layer : whole.layers) {
         writer.put(layer.features);
-        writer.put(layer.least);
-        writer.put(layer.most);
+        writer.put(layer.bounds);
         writer.put_list(layer.tiles);
     }
 }
@@ -410,8 +358,7 @@ NumberedWhole load_numbered_whole(ByteReader& reader, std::int64_t tiles) {
     whole.layers.resize(reader.take_count(sizeof(std::int64_t)));
     for (NumberedLayer& layer : whole.layers) {
         layer.features = reader.take<std::int64_t>();
-        layer.least = reader.take<Position>();
-        layer.most = reader.take<Position>();
+        layer.bounds = reader.take<Box>();
         layer.tiles = reader.take_list<std::int64_t>();
         if (std::ranges::adjacent_find(layer.tiles, std::greater_equal<>()) != layer.tiles.end() ||
             (!layer.tiles.empty() && (layer.tiles.front() < 0 || layer.tiles.back() >= tiles)))

@@ -18,6 +18,7 @@
 #include "features/divided_buildings.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/feature_writer.hpp"
+#include "geometry/box_tree.hpp"
 #include "pipeline/tiles/checkpoint_file.hpp"
 #include "pipeline/tiles/found_tile.hpp"
 
@@ -133,8 +134,7 @@ void save(const NumberedTile& tile, ByteWriter& writer);
 /// Layer that tiles write in parts.
 struct NumberedLayer {
     std::int64_t features = 0;
-    Position least{};  ///< bounds of all vertices; 0 if there are none
-    Position most{};
+    Box bounds;                       ///< of all vertices
     std::vector<std::int64_t> tiles;  ///< tiles with features in it, ascending
 
     /// Adds a feature. @param tile not before those of features added earlier

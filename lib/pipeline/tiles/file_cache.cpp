@@ -11,8 +11,7 @@ std::shared_ptr<const system::File> FileHandleCache::open(const std::filesystem:
     auto file = std::make_shared<const system::File>(path, system::File::Mode::read);
     if (!file->is_open())
         return file;
-    if (ahead_ == ReadAhead::none)
-        file->disable_read_ahead();
+    file->disable_read_ahead();
     if (files_.size() >= most_) {
         places_.erase(files_.back().path);
         files_.pop_back();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <list>
 #include <memory>
@@ -14,15 +13,12 @@
 namespace d2b::tiles {
 
 /// LRU cache of open files, for reading many files in small alternating pieces. It stays below the usual
-/// limit of open files per process. Thread-safe.
+/// limit of open files per process. Disables read-ahead, because files are read in turns and the cached pages
+/// would be evicted before use. Thread-safe.
 class FileHandleCache {
   public:
-    /// Read-ahead of the operating system.
-    enum class ReadAhead : std::uint8_t { usual, none };
-
     /// @param most largest number of open files
-    explicit FileHandleCache(ReadAhead ahead = ReadAhead::usual, std::size_t most = 256)
-        : ahead_(ahead), most_(most) {}
+    explicit FileHandleCache(std::size_t most = 256) : most_(most) {}
 
     /// Opens a file for reading. If it cannot be opened, errno gives the reason.
     [[nodiscard]] std::shared_ptr<const system::File> open(const std::filesystem::path& path);
@@ -32,7 +28,6 @@ class FileHandleCache {
         std::string path;
         std::shared_ptr<const system::File> file;
     };
-    ReadAhead ahead_;
     std::size_t most_;
     std::mutex mutex_;
     std::list<Recent> files_;                                              ///< most recently used first

@@ -34,20 +34,16 @@ std::vector<SeenGiven> seen_given(const std::vector<std::vector<detect::SeenFoot
 }
 
 FoundUnit found_unit(const detect::Unit& unit, pipeline::FoundInUnit&& here, const PlannedFootprints& given) {
-    std::vector<LabelRun> runs = label_runs(unit, here.labels);
-    std::vector<Window> boxes = boxes_of(here.objects.size(), runs);
-    return {std::move(here.objects), std::move(boxes), std::move(runs), detect::edges_of(unit, here.labels),
+    return {std::move(here.objects), label_runs(unit, here.labels), detect::edges_of(unit, here.labels),
             seen_given(here.footprints, given)};
 }
 
 void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, ElevationReader& reader,
                 FoundTile& found) {
-    const Sources& of_run = run.sources();
-    const Sources sources{part,           of_run.terrain, of_run.mask,      of_run.ndvi,
-                          of_run.parcels, nullptr,        of_run.exclusion, of_run.corrections};
+    const Sources sources = with_dem(run.sources(), part);
     PlannedSink nowhere(run.setup().plan.layers);
     AuxiliarySinks rasters = open_tile_rasters(run, tile);
-    const PlannedFootprints given = load_planned_footprints(run, tile);
+    PlannedFootprints given = load_planned_footprints(run, tile);
     const Sinks sinks{nowhere, rasters.ground.get(), rasters.height.get(), rasters.canopy.get()};
     const pipeline::UnitSearch search{run.setup().plan,
                                       sources,
@@ -71,9 +67,8 @@ void find_units(TileRun& run, std::int64_t tile, SubwindowSource& part, Elevatio
 }  // namespace
 
 void find_tile(TileRun& run, std::int64_t tile) {
-    const auto path = run.file(TileStep::find, tile);
-    const CheckpointId seal = run.seal(TileStep::find, tile);
-    if (checkpoint_exists(path, seal) && has_rasters(run, tile))
+    const Checkpoint place = run.file(TileStep::find, tile);
+    if (checkpoint_exists(place) && has_rasters(run, tile))
         return;
     Context& context = run.context();
     FoundTile found{run.empty_facts(), {}};
@@ -86,7 +81,7 @@ void find_tile(TileRun& run, std::int64_t tile) {
     found.facts.warnings = pipeline::take_warnings(run.sources());
     ByteWriter writer;
     save(found, writer);
-    write_checkpoint(path, seal, writer.bytes());
+    write_checkpoint(place, writer.bytes());
 }
 
 }  // namespace d2b::tiles

@@ -42,7 +42,6 @@ void save(const detect::UnitEdges::Lines& lines, ByteWriter& writer) {
 
 void save(const FoundUnit& unit, ByteWriter& writer) {
     writer.put_list(unit.objects);
-    writer.put_list(unit.boxes);
     writer.put_list(unit.runs);
     for (const detect::UnitEdges::Lines* lines :
          {&unit.edges.above, &unit.edges.left, &unit.edges.below, &unit.edges.right})
@@ -60,11 +59,8 @@ detect::UnitEdges::Lines load_lines(ByteReader& reader, Label labels, std::int32
 FoundUnit load_found_unit(ByteReader& reader, const Window& own) {
     FoundUnit unit;
     unit.objects = reader.take_list<detect::SeenObject>();
-    unit.boxes = reader.take_list<Window>();
     unit.runs = reader.take_list<LabelRun>();
     const auto labels = static_cast<Label>(unit.objects.size());
-    if (unit.boxes.size() != unit.objects.size())
-        throw CorruptRecord("objects have no boxes");
     for (const LabelRun& run : unit.runs)
         if (run.label == 0 || run.label > labels || run.begin >= run.end || !own.holds(run.row, run.begin) ||
             run.end > own.end_col())
@@ -90,22 +86,6 @@ std::vector<LabelRun> label_runs(const detect::Unit& unit, const Grid<Label>& la
                            runs.push_back({row, own.col + begin, own.col + end, label});
                        });
     return runs;
-}
-
-std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& runs) {
-    std::vector<Window> boxes(objects);
-    for (const LabelRun& run : runs) {
-        Window& box = boxes[run.label - 1];
-        if (box.rows == 0) {
-            box = {run.row, run.begin, 1, run.end - run.begin};
-            continue;
-        }
-        const std::int32_t end = std::max(box.end_col(), run.end);
-        box.col = std::min(box.col, run.begin);
-        box.cols = end - box.col;
-        box.rows = run.row + 1 - box.row;
-    }
-    return boxes;
 }
 
 void FoundFacts::merge(const FoundFacts& other) {

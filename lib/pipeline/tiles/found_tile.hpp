@@ -15,6 +15,7 @@
 #include "detect/scene_statistics.hpp"
 #include "detect/units.hpp"
 #include "elevations/elevation_reader.hpp"
+#include "features/record_builder.hpp"
 
 namespace d2b::tiles {
 
@@ -37,13 +38,10 @@ struct SeenGiven {
 /// Results of step find for a unit. Labels are local to the unit and begin at 1.
 struct FoundUnit {
     std::vector<detect::SeenObject> objects;  ///< indexed by label - 1
-    std::vector<Window> boxes;  ///< bounding boxes of their cells in the core of the unit; likewise
     std::vector<LabelRun> runs;
     detect::UnitEdges edges;
     std::vector<SeenGiven> footprints{};
 };
-/// Returns the bounding boxes of objects. @param objects number of labels @param runs of their labels
-[[nodiscard]] std::vector<Window> boxes_of(std::size_t objects, const std::vector<LabelRun>& runs);
 
 /// Facts about everything searched in a tile, or in the whole raster.
 struct FoundFacts {
@@ -82,6 +80,11 @@ struct JoinedBuilding {
     double confidence = 0;
     std::int64_t parcel = ParcelCell::no_parcel;
     std::int64_t whole = 0;  ///< shared by all buildings, of any tile, into which one may be divided; 0: none
+
+    /// @param metres per vertical unit
+    [[nodiscard]] features::Footprint footprint(double metres) const {
+        return {ground / metres, confidence, detect::counter_evidence_name(doubt), parcel, whole};
+    }
 };
 
 /// Mapping from the labels of a unit to those of a tile.

@@ -21,6 +21,16 @@ std::vector<bool> labels_at_seams(const FoundUnit& unit) {
     return at_seam;
 }
 
+/// Returns the bounding boxes of the objects' cells in the core of the unit, by label - 1.
+std::vector<Window> boxes_of(const FoundUnit& unit) {
+    std::vector<Window> boxes(unit.objects.size());
+    for (const LabelRun& run : unit.runs) {
+        Window& box = boxes[run.label - 1];
+        box = bounding_window(box, {run.row, run.begin, 1, run.end - run.begin});
+    }
+    return boxes;
+}
+
 template <typename T>
 SpoolEntry put_list(Spool& spool, const std::vector<T>& values) {
     ByteWriter writer;
@@ -123,7 +133,7 @@ void TileJoiner::write_tiles() {
         run_.context().check_stop();
         ByteWriter writer;
         save(joined(tile), writer);
-        files.write(run_.file(TileStep::join, tile), run_.seal(TileStep::join, tile), writer.bytes());
+        files.write(run_.file(TileStep::join, tile), writer.bytes());
     }
     files.finish();
 }
@@ -131,7 +141,7 @@ void TileJoiner::write_tiles() {
 void TileJoiner::write_frame() {
     ByteWriter writer;
     facts_.save(writer);
-    write_checkpoint(run_.frame_file(), run_.frame_seal(), writer.bytes());
+    write_checkpoint(run_.frame_file(), writer.bytes());
 }
 
 }  // namespace
@@ -139,6 +149,7 @@ void TileJoiner::write_frame() {
 UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, Tally& tally) {
     const std::vector<bool> at_seam = labels_at_seams(unit);
     UnitObjects divided;
+    divided.boxes = boxes_of(unit);
     divided.marks.assign(unit.objects.size(), UnitObjects::left_out);
     for (std::size_t i = 0; i < unit.objects.size(); ++i) {
         const auto label = static_cast<Label>(i + 1);
@@ -161,7 +172,7 @@ UnitObjects divide_objects(const FoundUnit& unit, const InteriorRules& rules, Ta
         if (seen.is_covered() || (!seen.is_building && !rules.doubtful))
             continue;
         divided.marks[i] = UnitObjects::interior;
-        divided.interior_objects.push_back({seen, unit.boxes[i], label});
+        divided.interior_objects.push_back({seen, divided.boxes[i], label});
     }
     return divided;
 }
@@ -185,7 +196,7 @@ void BorderObjects::put(std::int64_t number, FoundUnit&& found, const UnitObject
     for (const Label label : divided.at_seams) {
         const detect::SeenObject& seen = found.objects[label - 1];
         unit.objects.push_back(seen);
-        unit.places.push_back({found.boxes[label - 1], seen.own_cells, number, label, seen.object.whole});
+        unit.places.push_back({divided.boxes[label - 1], seen.own_cells, number, label, seen.object.whole});
     }
     unit.edges = seam_labels(std::move(found.edges), divided.marks);
     known_[i] = true;
@@ -298,7 +309,7 @@ JoinedUnit ObjectAssignment::map_labels(std::int64_t number,
 }
 
 void join_tiles(TileRun& run) {
-    if (checkpoint_exists(run.frame_file(), run.frame_seal()))
+    if (checkpoint_exists(run.frame_file()))
         return;
     TileJoiner join(run);
     join.load();

@@ -31,6 +31,7 @@ struct UnitObjects {
     static constexpr Mark interior = std::numeric_limits<Mark>::max();
 
     std::vector<Mark> marks;                       ///< by label - 1
+    std::vector<Window> boxes;                     ///< of their cells in the core of the unit; likewise
     std::vector<InteriorObject> interior_objects;  ///< sorted by label
     std::vector<Label> at_seams;                   ///< labels in ascending order
 };

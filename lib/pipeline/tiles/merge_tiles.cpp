@@ -83,9 +83,7 @@ class DrawnTiles {
     void take(DrawnTile&& tile);
     void number_deferred(double metres);
 
-    // Disables read-ahead, because tiles are read in turns and the cached pages would be evicted before use.
-    FileHandleCache files_{FileHandleCache::ReadAhead::none};  ///< file handles of the streams
-
+    FileHandleCache files_;                             ///< file handles of the streams
     std::vector<DeferredBuilding> deferred_buildings_;  ///< concatenated over tiles
     std::vector<std::int64_t> deferred_by_;             ///< tile of each deferred_buildings_ entry
     std::vector<DeferredContour> deferred_;  ///< concatenated over tiles, with labels and parents renumbered
@@ -160,7 +158,7 @@ features::StackError DeferredElevations::error(const features::DrawnStack& stack
                 }
             }
         }
-        error.merge(stack.error(band, col - window.col, fixed));
+        error.merge(stack.error(band, fixed, col - window.col));
     }
     return error;
 }
@@ -169,7 +167,7 @@ DrawnTiles::DrawnTiles(const TileRun& run, Context& context)
     : elevations(context.make_spool()), cell_spool_(context.make_spool()) {
     for (std::int64_t i = 0; i < run.tiles().count(); ++i) {
         context.check_stop();
-        CheckpointFile file(run.file(TileStep::draw, i), run.seal(TileStep::draw, i), &files_);
+        CheckpointFile file(run.file(TileStep::draw, i), &files_);
         std::vector<DrawnBlock> blocks;
         DrawnTile tile = load_body(file, [&](ByteReader& reader) {
             DrawnTile loaded = load_drawn_tile(reader);
@@ -228,8 +226,7 @@ void DrawnTiles::number_deferred(double metres) {
             if (facts.is_building != is_sure)
                 continue;
             number[i + 1] = static_cast<Label>(footprints.size());
-            footprints.push_back({facts.ground / metres, facts.confidence,
-                                  detect::counter_evidence_name(facts.doubt), facts.parcel, facts.whole});
+            footprints.push_back(facts.footprint(metres));
             cells.push_back(cells_[i]);
             plan.thresholds.push_back(deferred_buildings_[i].thresholds);
             tiles.push_back(deferred_by_[i]);
@@ -294,7 +291,7 @@ TileIds write_all(const features::FeatureInput& input, const features::RecordBui
             parts->set_tile(drawn.tiles[input.contours.head(i).label]);
             parts->add_deferred(contour);
         }
-        writer.add_with_ids(numbers, i, std::move(contour));
+        numbers.written.push_back(writer.add_with_ids(i, std::move(contour)));
         if (i % features::contours_per_task == 0)
             context.progress(static_cast<double>(i) / static_cast<double>(input.contours.size()));
     });
@@ -346,9 +343,7 @@ void write_given(TileRun& run, pipeline::GivenFootprints&& given, const pipeline
     add_seen_footprints(run, given);
     pipeline::label_footprints(given, context);
     ElevationReader reader(run.sources().dem, context);
-    // The survey is run only for its side effect of filtering invalid elevations.
-    (void)reader.survey(
-        run.validity_rules(), [&](const ElevationBand&) { context.check_stop(); }, Window{});
+    run.filter_elevations(reader);
     pipeline::write_footprints(std::move(given), reader, frame, run.setup(), features, context);
 }
 
@@ -382,7 +377,7 @@ void merge_drawn(TileRun& run, FeatureSink& features, IdCollectorSink* parts, Co
                              &facts.scene, run.sources().terrain, context);
     const outline::Outliner outliner = features::draw_outlines(*drawn.left, setup, context);
     std::optional<features::StoredRoofs> roofs;
-    if (run.extracts_roofs())
+    if (setup.plan.needs_roofs())
         roofs.emplace(drawn.extract_roofs(outliner, setup, context));
     const features::FeatureInput input{
         setup,          *drawn.left,           outliner, drawn.sure,

@@ -90,7 +90,7 @@ void plan_footprints(TileRun& run) {
                 writer.put(static_cast<std::uint64_t>(i));
                 writer.put_list(spans);
             }
-        files.write(run.file(TileStep::plan, tile), run.seal(TileStep::plan, tile), writer.bytes());
+        files.write(run.file(TileStep::plan, tile), writer.bytes());
     }
     files.finish();
 }
@@ -101,7 +101,7 @@ PlannedFootprints load_planned_footprints(TileRun& run, std::int64_t tile) {
     if (!run.has_footprints())
         return planned;
     pipeline::GivenFootprints& given = planned.footprints;
-    CheckpointFile file(run.file(TileStep::plan, tile), run.seal(TileStep::plan, tile));
+    CheckpointFile file(run.file(TileStep::plan, tile));
     load_body(file, [&](ByteReader& reader) {
         while (reader.left() > 0) {
             planned.indices.push_back(reader.take<std::uint64_t>());

@@ -87,25 +87,23 @@ void IdCollectorSink::write(const TileRun& run, const TileIds& numbers, int leve
         tile.left = blocks.blocks();
         ByteWriter writer;
         save(tile, writer);
-        files.write(run.file(TileStep::merge, i), run.seal(TileStep::merge, i), writer.bytes(),
-                    blocks.bytes());
+        files.write(run.file(TileStep::merge, i), writer.bytes(), blocks.bytes());
     }
     files.finish();
     whole_.levels = levels;
     frame_ = run.frame_file(TileStep::merge);
-    seal_ = run.frame_seal(TileStep::merge);
 }
 
 void IdCollectorSink::show() {
     ByteWriter writer;
     save(whole_, writer);
-    write_checkpoint(frame_, seal_, writer.bytes());
+    write_checkpoint(frame_, writer.bytes());
 }
 
 std::string IdCollectorSink::roll_back() {
     std::error_code error;
-    std::filesystem::remove(frame_, error);
-    return error ? "\"" + frame_.string() + "\" already exists" : "";
+    std::filesystem::remove(frame_.path, error);
+    return error ? "\"" + frame_.path.string() + "\" already exists" : "";
 }
 
 }  // namespace d2b::tiles

@@ -78,8 +78,7 @@ class IdCollectorSink final : public FeatureSink, public PendingResult {
     std::unique_ptr<Spool> spool_;
     std::map<std::int64_t, std::vector<SpoolEntry>> kept_;  ///< by tile, in the order of keys
     NumberedWhole whole_;
-    std::filesystem::path frame_;  ///< path of the shared file
-    CheckpointId seal_;
+    Checkpoint frame_;  ///< the shared file
     std::int64_t tile_ = 0;
 };
 

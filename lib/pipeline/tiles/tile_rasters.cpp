@@ -97,17 +97,16 @@ bool has_rasters(const TileRun& run, std::int64_t tile) {
 }
 
 AuxiliarySinks open_tile_rasters(const TileRun& run, std::int64_t tile) {
-    const Options& options = run.setup().plan.asked;
-    for (const auto& [option, name] : asked(options))
-        make_folder(name);
+    Options options = run.setup().plan.asked;
+    options.write.overwrite = true;  // files that an interrupted process has published
+    for (std::string* name : {&options.write.ground, &options.write.height, &options.write.canopy}) {
+        make_folder(*name);
+        *name = path_of(*name, tile);
+    }
     DemInfo grid = run.setup().dem;
     grid.window = run.tiles().whole(tile).own;
-    const WriteOptions& write = options.write;
     std::vector<std::string> in_use;
-    return pipeline::open_scene_rasters(
-        options, grid,
-        {path_of(write.ground, tile), path_of(write.height, tile), path_of(write.canopy, tile)}, true,
-        in_use);
+    return pipeline::open_scene_rasters(options, grid, in_use);
 }
 
 void finish_tile_rasters(const TileRun& run, std::int64_t tile, AuxiliarySinks& sinks) {

@@ -125,29 +125,35 @@ ValidityRules TileRun::validity_rules() const {
     return rules;
 }
 
+/// The survey is run only for its side effect.
+void TileRun::filter_elevations(ElevationReader& reader) const {
+    (void)reader.survey(
+        validity_rules(), [this](const ElevationBand&) { context_.check_stop(); }, Window{});
+}
+
 FoundFacts TileRun::empty_facts() const {
     return FoundFacts(validity_rules(), setup_.plan.asked.detect.min_height);
 }
 
-std::filesystem::path TileRun::file(TileStep step, std::int64_t tile) const {
-    return folder(step) / std::to_string(tile);
+Checkpoint TileRun::file(TileStep step, std::int64_t tile) const {
+    return {folder(step) / std::to_string(tile), step, work_.plan, static_cast<std::uint32_t>(tile)};
 }
 
-CheckpointId TileRun::frame_seal(TileStep step) const {
-    return {step, work_.plan, std::numeric_limits<std::uint32_t>::max()};
+Checkpoint TileRun::frame_file(TileStep step) const {
+    return {folder(step) / "frame", step, work_.plan, std::numeric_limits<std::uint32_t>::max()};
 }
 
 FoundTile TileRun::load_found(std::int64_t tile) const {
     std::vector<Window> windows;
     for (const NumberedUnit& placed : tiles_.units_of(tile))
         windows.push_back(placed.unit.own);
-    CheckpointFile file(this->file(TileStep::find, tile), seal(TileStep::find, tile));
+    CheckpointFile file(this->file(TileStep::find, tile));
     return load_body(file,
                      [&](ByteReader& reader) { return load_found_tile(reader, empty_facts(), windows); });
 }
 
 FoundFacts TileRun::load_frame() const {
-    CheckpointFile file(frame_file(), frame_seal());
+    CheckpointFile file(frame_file());
     return load_body(file, [&](ByteReader& reader) {
         FoundFacts facts = empty_facts();
         facts.load(reader);

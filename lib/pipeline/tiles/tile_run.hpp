@@ -90,24 +90,19 @@ class TileRun {
     /// Values in the window that denote missing data without being declared as nodata.
     [[nodiscard]] const UndeclaredNodata& undeclared() const { return *work_.undeclared; }
     [[nodiscard]] ValidityRules validity_rules() const;
+    /// Makes a reader of the elevations filter invalid ones. @throws InputError, Cancelled
+    void filter_elevations(ElevationReader& reader) const;
     [[nodiscard]] bool has_footprints() const { return setup_.plan.asked.write.has_footprints(); }
-    /// True if found buildings get roofs. Those without a given footprint get none.
-    [[nodiscard]] bool extracts_roofs() const { return setup_.plan.needs_roofs() && !has_footprints(); }
     [[nodiscard]] FoundFacts empty_facts() const;
 
-    [[nodiscard]] CheckpointId seal(TileStep step, std::int64_t tile) const {
-        return {step, work_.plan, static_cast<std::uint32_t>(tile)};
-    }
     /// Returns the folder that a step writes to.
     [[nodiscard]] std::filesystem::path folder(TileStep step) const { return work_.folder / step_name(step); }
-    [[nodiscard]] std::filesystem::path file(TileStep step, std::int64_t tile) const;
+    /// Returns the file that a step writes of a tile.
+    [[nodiscard]] Checkpoint file(TileStep step, std::int64_t tile) const;
     /// Removes files left by killed processes. Call only if all files of the step exist.
     void remove_leftovers(TileStep step) const { remove_unfinished(folder(step)); }
     /// Returns the file in which join or merge stores its results for the whole window.
-    [[nodiscard]] std::filesystem::path frame_file(TileStep step = TileStep::join) const {
-        return folder(step) / "frame";
-    }
-    [[nodiscard]] CheckpointId frame_seal(TileStep step = TileStep::join) const;
+    [[nodiscard]] Checkpoint frame_file(TileStep step = TileStep::join) const;
     /// @throws InputError
     [[nodiscard]] FoundTile load_found(std::int64_t tile) const;
     [[nodiscard]] FoundFacts load_frame() const;

@@ -14,14 +14,14 @@ namespace d2b::tiles {
 namespace {
 
 NumberedWhole load_whole(const TileRun& run) {
-    CheckpointFile file(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge));
+    CheckpointFile file(run.frame_file(TileStep::merge));
     return load_body(file,
                      [&](ByteReader& reader) { return load_numbered_whole(reader, run.tiles().count()); });
 }
 
 /// Opens the drawn contours of a tile, in the order of keys.
 DrawnStream drawn_stream(const TileRun& run, std::int64_t tile) {
-    CheckpointFile file(run.file(TileStep::draw, tile), run.seal(TileStep::draw, tile));
+    CheckpointFile file(run.file(TileStep::draw, tile));
     std::vector<DrawnBlock> blocks = load_body(file, [](ByteReader& reader) {
         (void)load_drawn_tile(reader);
         return reader.take_list<DrawnBlock>();
@@ -60,12 +60,11 @@ class Numbering {
 };
 
 void write_features(const TileRun& run, std::int64_t tile, features::FeatureWriter& writer) {
-    CheckpointFile file(run.file(TileStep::merge, tile), run.seal(TileStep::merge, tile));
+    CheckpointFile file(run.file(TileStep::merge, tile));
     NumberedTile numbered = load_body(file, [](ByteReader& reader) { return load_numbered_tile(reader); });
     Numbering numbering(numbered.numbers, file.damaged("it lacks the numbers of some contours"));
     DrawnStream drawn = drawn_stream(run, tile);
     DrawnStream left(std::move(file), std::move(numbered.left));
-    features::AssignedIds given;  // required by the interface, but not used afterwards
     for (std::size_t i = 0;; ++i) {
         const auto own = drawn.key();
         const auto other = left.key();
@@ -75,20 +74,19 @@ void write_features(const TileRun& run, std::int64_t tile, features::FeatureWrit
         features::DrawnContour contour = is_own ? drawn.take() : left.take();
         if (is_own)
             numbering.number(contour);
-        writer.add_with_ids(given, i, std::move(contour));
+        writer.add_with_ids(i, std::move(contour));
     }
 }
 
 }  // namespace
 
 bool are_numbered(const TileRun& run) {
-    return checkpoint_exists(run.frame_file(TileStep::merge), run.frame_seal(TileStep::merge));
+    return checkpoint_exists(run.frame_file(TileStep::merge));
 }
 
 void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
-    const auto path = run.file(TileStep::write, tile);
-    const CheckpointId seal = run.seal(TileStep::write, tile);
-    if (checkpoint_exists(path, seal))
+    const Checkpoint place = run.file(TileStep::write, tile);
+    if (checkpoint_exists(place))
         return;
     Context& context = run.context();
     const features::RunSetup& setup = run.setup();
@@ -113,14 +111,14 @@ void write_tile(TileRun& run, std::int64_t tile, FeatureSink& features) {
     CommitList commit;
     pipeline::prepare_sinks({features}, commit, context);
     commit.publish();
-    write_checkpoint(path, seal, {});
+    write_checkpoint(place, {});
 }
 
 std::optional<NumberedWhole> written_totals(const TileRun& run, std::int64_t after) {
     const std::int64_t count = run.tiles().count();
     for (std::int64_t i = 1; i <= count; ++i) {
         const std::int64_t tile = (after + i) % count;
-        if (!checkpoint_exists(run.file(TileStep::write, tile), run.seal(TileStep::write, tile)))
+        if (!checkpoint_exists(run.file(TileStep::write, tile)))
             return {};
     }
     return load_whole(run);
