@@ -209,16 +209,16 @@ double estimate_threshold_scale(const Scene& scene, const SceneCells& cells, con
         Trial& trial = trials.emplace_back(Trial{sample, scene_cells(part, options, threads), {}, {}});
         ObjectsWithCrowns found = find_at(1, trial);
         trial.usual = found.objects;
-        const Mask likely = likely_roofs(trial.usual, threads);
+        const Mask buildings = likely_roofs(trial.usual, threads);
         const Candidates cut = cut_crowns(part, trial.cells.flags, min_area_m2, std::move(found), threads);
         all.insert(all.end(), cut.objects.begin(), cut.objects.end());
-        const Mask buildings = sure_roofs(cut, quality.uninformative_share(), threads);
-        falls.merge(step_falls(sample.surface, buildings, threads));
+        const Mask sure = sure_roofs(cut, quality.uninformative_share(), threads);
+        falls.merge(step_falls(sample.surface, sure, threads));
         slopes.merge(slope_errors(part, likely_roofs(cut, threads), threads));
-        trial.roofs = erode(buildings, inside_m, scene.cell, threads);
-        trial.common = common_cells(trial.roofs, likely);
+        trial.roofs = erode(sure, inside_m, scene.cell, threads);
+        trial.common = common_cells(trial.roofs, buildings);
         roofs += trial.common;
-        objects += common_cells(likely, likely);
+        objects += common_cells(buildings, buildings);
     }
     const std::optional<SlopeSampling> sampling = slopes.sampling();
     if (roofs < fewest_roofs || !has_usual_appearance(all) || falls.sharpness() < least_sharp ||
