@@ -47,6 +47,10 @@ class ByteWriter {
             bytes_.push_back(static_cast<std::byte>(value | more_follows));
         bytes_.push_back(static_cast<std::byte>(value));
     }
+    /// Maps numbers of small size, of either sign, to small ones, because these need few bytes (zigzag).
+    void put_zigzag(std::int64_t value) {
+        put_varint((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
+    }
     [[nodiscard]] std::span<const std::byte> bytes() const { return bytes_; }
 
     static constexpr std::uint64_t more_follows = 0x80;
@@ -84,6 +88,10 @@ class ByteReader {
                 return value;
         }
         throw CorruptRecord("a number has no end");
+    }
+    [[nodiscard]] std::int64_t take_zigzag() {
+        const std::uint64_t value = take_varint();
+        return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
     }
     /// @throws CorruptRecord also if the value exceeds `most`
     [[nodiscard]] std::int32_t take_varint(std::int32_t most) {

@@ -4,19 +4,6 @@
 #include <cstdlib>
 
 namespace d2b {
-namespace {
-
-/// Maps steps of small size, of either sign, to small numbers, because these need few bytes (zigzag).
-std::uint64_t unsigned_of(std::int32_t step) {
-    return (static_cast<std::uint32_t>(step) << 1) ^ static_cast<std::uint32_t>(step >> 31);
-}
-
-std::int32_t signed_of(std::uint64_t value) {
-    return static_cast<std::int32_t>(value >> 1) ^ -static_cast<std::int32_t>(value & 1);
-}
-
-}  // namespace
-
 FineRing fine(const LatticeRing& ring) {
     FineRing result;
     result.reserve(ring.size());
@@ -52,7 +39,7 @@ PackedRing::PackedRing(const LatticeRing& corners) {
         box_.high.row = std::max(box_.high.row, from.row);
         box_.high.col = std::max(box_.high.col, from.col);
         if (i + 1 < n)
-            steps.put_varint(unsigned_of(rows + cols));
+            steps.put_zigzag(rows + cols);
     }
     steps_.assign(steps.bytes().begin(), steps.bytes().end());
 }
@@ -68,7 +55,7 @@ LatticeRing PackedRing::corners() const {
         ring.push_back(at);
         if (i + 1 == corner_count_)
             break;
-        (along_column ? at.row : at.col) += signed_of(steps.take_varint());
+        (along_column ? at.row : at.col) += static_cast<std::int32_t>(steps.take_zigzag());
         along_column = !along_column;
     }
     return ring;

@@ -3,82 +3,45 @@
 #include "core/for_rings.hpp"
 
 namespace d2b::outline {
-namespace {
 
-/// Writes variable-length integers: zigzag encoding in groups of seven bits (as in Protocol Buffers).
-class VarintWriter {
-  public:
-    explicit VarintWriter(ByteWriter& writer) : writer_(writer) {}
-    void put(std::int64_t value) {
-        auto rest = (static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63);
-        for (; rest >= 0x80; rest >>= 7)
-            writer_.put(static_cast<std::uint8_t>(rest | 0x80));
-        writer_.put(static_cast<std::uint8_t>(rest));
-    }
-
-  private:
-    ByteWriter& writer_;
-};
-
-class VarintReader {
-  public:
-    explicit VarintReader(ByteReader& reader) : reader_(reader) {}
-    std::int64_t take() {
-        std::uint64_t value = 0;
-        unsigned shift = 0;
-        auto byte = reader_.take<std::uint8_t>();
-        for (; (byte & 0x80) != 0; byte = reader_.take<std::uint8_t>(), shift += 7)
-            value |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
-        value |= static_cast<std::uint64_t>(byte) << shift;
-        return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
-    }
-    std::uint32_t take_uint32() { return static_cast<std::uint32_t>(take()); }
-
-  private:
-    ByteReader& reader_;
-};
-
-}  // namespace
-
-void save(const FinePolygon& polygon, ByteWriter& bytes) {
-    VarintWriter writer(bytes);
+void save(const FinePolygon& polygon, ByteWriter& writer) {
     FinePoint at;
     const auto put = [&](const FineRing& ring) {
-        writer.put(static_cast<std::int64_t>(ring.size()));
+        writer.put_zigzag(static_cast<std::int64_t>(ring.size()));
         for (const FinePoint p : ring) {
-            writer.put(p.row - at.row);
-            writer.put(p.col - at.col);
+            writer.put_zigzag(p.row - at.row);
+            writer.put_zigzag(p.col - at.col);
             at = p;
         }
     };
-    writer.put(static_cast<std::int64_t>(polygon.interiors.size()));
+    writer.put_zigzag(static_cast<std::int64_t>(polygon.interiors.size()));
     for_rings(polygon, put);
-    writer.put(static_cast<std::int64_t>(polygon.arcs.size()));
+    writer.put_zigzag(static_cast<std::int64_t>(polygon.arcs.size()));
     for (const CircularArc& span : polygon.arcs) {
-        writer.put(span.ring);
-        writer.put(span.first);
-        writer.put(span.edges);
+        writer.put_zigzag(span.ring);
+        writer.put_zigzag(span.first);
+        writer.put_zigzag(span.edges);
     }
 }
 
 FinePolygon load_outline(const Spool& spool, SpoolEntry entry) {
-    ByteReader bytes(spool, entry);
-    VarintReader reader(bytes);
+    ByteReader reader(spool, entry);
+    const auto take_count = [&] { return static_cast<std::uint32_t>(reader.take_zigzag()); };
     FinePoint at;
     const auto take = [&](FineRing& ring) {
-        ring.resize(reader.take_uint32());
+        ring.resize(take_count());
         for (FinePoint& p : ring) {
-            at.row += reader.take();
-            at.col += reader.take();
+            at.row += reader.take_zigzag();
+            at.col += reader.take_zigzag();
             p = at;
         }
     };
     FinePolygon polygon;
-    polygon.interiors.resize(reader.take_uint32());
+    polygon.interiors.resize(take_count());
     for_rings(polygon, take);
-    polygon.arcs.resize(reader.take_uint32());
+    polygon.arcs.resize(take_count());
     for (CircularArc& span : polygon.arcs)
-        span = {reader.take_uint32(), reader.take_uint32(), reader.take_uint32()};
+        span = {take_count(), take_count(), take_count()};
     return polygon;
 }
 

@@ -7,7 +7,7 @@
 namespace d2b::outline {
 
 /// Serializes a drawn polygon with delta encoding, about four bytes per vertex.
-void save(const FinePolygon& polygon, ByteWriter& bytes);
+void save(const FinePolygon& polygon, ByteWriter& writer);
 [[nodiscard]] FinePolygon load_outline(const Spool& spool, SpoolEntry entry);
 
 /// Drawn outline in a spool.
