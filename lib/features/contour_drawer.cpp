@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
 #include "core/georeference.hpp"
 #include "dem2buildings/error.hpp"
@@ -13,16 +12,12 @@
 
 namespace d2b::features {
 
-ContourChildren::ContourChildren(const contours::ContourList& contours) : first_(contours.size() + 1) {
-    for (std::size_t i = 0; i < contours.size(); ++i)
-        if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
-            ++first_[static_cast<std::size_t>(parent) + 1];
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    children_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < contours.size(); ++i)
-        if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
-            children_[next[static_cast<std::size_t>(parent)]++] = static_cast<std::uint32_t>(i);
+GroupedIndices contour_children(const contours::ContourList& contours) {
+    return GroupedIndices(contours.size(), [&](const auto& add) {
+        for (std::uint32_t i = 0; i < contours.size(); ++i)
+            if (const std::int64_t parent = contours.head(i).parent; parent >= 0)
+                add(static_cast<std::size_t>(parent), i);
+    });
 }
 
 namespace {
@@ -142,7 +137,7 @@ PolygonMaker::Parts PolygonMaker::shape(std::size_t contour, bool tier, const Dr
     std::vector<FinePolygon> polygons{draw(contour)};
     if (tier) {
         std::vector<FinePolygon> children;
-        for (const std::size_t child : terms_.children.of(contour))
+        for (const std::size_t child : terms_.children[contour])
             children.push_back(draw(child));
         polygons = geos_.difference(polygons.front(), children);
     }
@@ -367,7 +362,7 @@ double PolygonMaker::azimuth(const Position& at, const Position& step) {
 }
 
 std::vector<PolygonMaker> polygon_makers(const RunSetup& setup, const outline::Outliner& outliner,
-                                         const ContourChildren& children, bool with_cells, Context& context) {
+                                         const GroupedIndices& children, bool with_cells, Context& context) {
     std::vector<PolygonMaker> makers;
     makers.reserve(static_cast<std::size_t>(context.threads->threads()));
     for (int thread = 0; thread < context.threads->threads(); ++thread)
@@ -409,8 +404,8 @@ ContourDrawer::ContourDrawer(const FeatureInput& input, const RecordBuilder& rec
     : input_(input),
       records_(records),
       threads_(*context.threads),
-      children_(input.setup.plan.asked.outline.disjoint ? ContourChildren(input.contours)
-                                                        : ContourChildren()),
+      children_(input.setup.plan.asked.outline.disjoint ? contour_children(input.contours)
+                                                        : GroupedIndices()),
       with_cells_(measures_drawn(input.setup.plan)),
       makers_(polygon_makers(input.setup, input.outliner, children_, with_cells_, context)) {}
 

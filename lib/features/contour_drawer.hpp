@@ -13,6 +13,7 @@
 #include "contours/contour.hpp"
 #include "core/context.hpp"
 #include "core/executor.hpp"
+#include "core/grouped_indices.hpp"
 #include "dem2buildings/report.hpp"
 #include "features/drawn_stack.hpp"
 #include "features/record_builder.hpp"
@@ -25,19 +26,8 @@
 
 namespace d2b::features {
 
-/// Children of each contour in the tree of contours, in CSR form.
-class ContourChildren {
-  public:
-    ContourChildren() = default;
-    explicit ContourChildren(const contours::ContourList& contours);
-    [[nodiscard]] std::span<const std::uint32_t> of(std::size_t contour) const {
-        return std::span(children_).subspan(first_[contour], first_[contour + 1] - first_[contour]);
-    }
-
-  private:
-    std::vector<std::uint32_t> children_;  ///< concatenated over contours
-    std::vector<std::size_t> first_;       ///< index of each contour's first child; one more at the end
-};
+/// Returns the children of each contour in the tree of contours.
+[[nodiscard]] GroupedIndices contour_children(const contours::ContourList& contours);
 
 struct ValidParts {
     std::vector<WorldPolygon> parts;
@@ -58,7 +48,7 @@ using DrawParts = std::function<std::vector<WorldPolygon>()>;
 struct PolygonParameters {
     const RunSetup& setup;
     const outline::Outliner& outliner;
-    const ContourChildren& children;  ///< may be empty if no tiers are drawn
+    const GroupedIndices& children;  ///< may be empty if no tiers are drawn
     StopToken stop = {};
     bool with_cells = false;  ///< true to return the cells of each polygon
     double metres = 1;        ///< metres per vertical unit
@@ -148,7 +138,7 @@ class PolygonMaker {
 /// Returns one maker per thread of the context. @param outliner, children see PolygonParameters
 [[nodiscard]] std::vector<PolygonMaker> polygon_makers(const RunSetup& setup,
                                                        const outline::Outliner& outliner,
-                                                       const ContourChildren& children, bool with_cells,
+                                                       const GroupedIndices& children, bool with_cells,
                                                        Context& context);
 
 /// Counts vertices without the repeated last ones of rings.
@@ -230,7 +220,7 @@ class ContourDrawer {
     const FeatureInput& input_;
     const RecordBuilder& records_;
     Executor& threads_;
-    ContourChildren children_;
+    GroupedIndices children_;
     bool with_cells_;
     std::vector<PolygonMaker> makers_;
 };

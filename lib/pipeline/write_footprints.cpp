@@ -201,7 +201,7 @@ void GivenRoofs::write(const outline::Outliner& outliner, FeatureSink& sink) {
                 all > 0 ? given_.all[i].measure.area_m2 * areas_[polygon] / all : 0;
         }
     }
-    const features::ContourChildren no_children;
+    const GroupedIndices no_children;
     std::vector<features::PolygonMaker> makers =
         features::polygon_makers(setup_, outliner, no_children, false, context_);
     features::RoofLayer layer(*setup_.layers.indices.given_roofs, roofs_->are_level(), sink, context_);
@@ -306,9 +306,8 @@ void CutContours::add(CutContour&& cut) {
 
 void CutContours::write(const contours::StoredContours& contours, const features::RecordBuilder& records,
                         const outline::Outliner& outliner, const std::vector<std::size_t>& footprints) {
-    const features::ContourChildren children = setup_.plan.asked.outline.disjoint
-                                                   ? features::ContourChildren(contours)
-                                                   : features::ContourChildren();
+    const GroupedIndices children =
+        setup_.plan.asked.outline.disjoint ? features::contour_children(contours) : GroupedIndices();
     std::vector<features::PolygonMaker> makers =
         features::polygon_makers(setup_, outliner, children, false, context_);
     std::vector<std::size_t> lowest(footprints.size());  // number of contours of level 1 by label
