@@ -60,6 +60,8 @@ struct UndeclaredNodataRules {
     /// Smallest step, in m, because a lower one is not a wall, and buildings do not rise that little above
     /// their surroundings.
     static constexpr double step_m = 2;
+    /// At least one of this many valid cells has a value that is named.
+    static constexpr std::int64_t named_share = 100;
 
     double step = step_m;  ///< smallest step in units of the values
     /// Smallest breadth in cells of the regions that the value surrounds, which must be wider than buildings:
@@ -82,7 +84,7 @@ using ReadValues = std::function<void(const Window&, std::span<double>)>;
 /// the eight most frequent ones.
 [[nodiscard]] std::vector<double> border_candidates(const BorderCells& border, double step);
 
-/// Returns true if one of some values may have a hundredth of the valid cells.
+/// Returns true if one of some values may have so many cells that it is named.
 using AnyCommon = std::function<bool(const std::vector<double>&)>;
 
 /// Reads the whole window, if the border has candidates, and checks them by the connected regions of their

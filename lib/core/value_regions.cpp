@@ -9,7 +9,6 @@ namespace {
 constexpr std::uint8_t missing = max_candidates + 1;  // class of cells that are not valid
 constexpr std::int64_t min_cells = 50;                // of a value: equality in a few cells means nothing
 constexpr std::int64_t taken_share = 10;              // at least one of this many valid cells
-constexpr std::int64_t named_share = 100;             // at least one of this many valid cells
 // Tolerances, because a shore rises gently in some places, and so do values resampled across the edge of
 // NoData.
 constexpr double max_similar = 0.2;     // share of neighbours that differ by less than a step
@@ -229,8 +228,8 @@ double ValueRegions::rounding_beside(std::size_t candidate) const {
 }
 
 bool ValueRegions::may_be_nodata(const Region& all) const {
-    return all.cells >= min_cells && named_share * all.cells >= valid_ && all.contour.length() > 0 &&
-           all.contour.is_step(max_similar);
+    return all.cells >= min_cells && UndeclaredNodataRules::named_share * all.cells >= valid_ &&
+           all.contour.length() > 0 && all.contour.is_step(max_similar);
 }
 
 /// Lists candidates that are too few or without a step. If there are none, lists the level ground beside most

@@ -73,12 +73,13 @@ ElevationStatistics collect_statistics(ElevationReader& reader, const features::
     const std::int64_t valid = survey.statistics.moments.n;
     const std::int64_t spikes = survey.suspicious.spikes.cells();
     const std::int64_t outside = survey.suspicious.outside.cells();
-    FirstPass known{survey.border,
-                    outside == 0 && valid == info.window.points(),
-                    [&](const std::vector<double>& values) {
-                        return 100 * (most_cells_of(values, reader) + spikes) >= valid;
-                    },
-                    {}};
+    FirstPass known{
+        survey.border,
+        outside == 0 && valid == info.window.points(),
+        [&](const std::vector<double>& values) {
+            return UndeclaredNodataRules::named_share * (most_cells_of(values, reader) + spikes) >= valid;
+        },
+        {}};
     if (outside == 0 && spikes == 0)
         known.read = [&](const Window& part, std::span<double> values) { reader.read_part(part, values); };
     const UndeclaredNodata undeclared =
