@@ -142,7 +142,7 @@ Place in_frame(Place p, Place origin, double angle) {
 /// The directions of a building with a rough wall are not those of the edge of the raster that cuts it off:
 /// in these, the wall would be a staircase.
 TEST(Walls, TheEdgeOfTheRasterIsNoWall) {
-    constexpr double angle = 4 * std::numbers::pi / 180;
+    constexpr double angle = 7 * std::numbers::pi / 180;
     const TraceGrid cut = paint(140, [](Place p) {
         const Place q = in_frame(p, {70, 0}, angle);
         const double rough = std::sin(0.9 * q.x) + std::sin(0.4 * q.x + 2);
@@ -289,6 +289,36 @@ TEST(Walls, ALongSlantedSideIsOneWall) {
     EXPECT_NEAR(turns[0], 90 - slant, 2);
     EXPECT_NEAR(turns[3], 90 + slant, 2);
 }
+
+class SlightlySlantedWall : public testing::TestWithParam<double> {};
+
+TEST_P(SlightlySlantedWall, IsOneWallAndAStepStaysOne) {
+    const auto paint_hall = [&](const std::function<double(double)>& width) {
+        return paint(150, [&](Place p) {
+            const Place q = in_frame(p, {75, -75}, GetParam());
+            return std::abs(q.x) < 45 && q.y > -20 && q.y < width(q.x) ? 1 : 0;
+        });
+    };
+    constexpr double slant = 1.5;  // degrees
+    const Drawn slanted(
+        paint_hall([](double x) { return 20 + x * std::tan(slant * std::numbers::pi / 180); }));
+    ASSERT_EQ(slanted.exterior(1).size(), 4U);
+    std::vector<double> turns = turns_of(slanted.exterior(1));
+    std::ranges::sort(turns);
+    for (const double turn : {turns[0], turns[3]})
+        EXPECT_NEAR(std::abs(turn - 90), slant, 0.8);
+    EXPECT_NEAR(planar_area(slanted.outliner.outline(1)), 90 * 40, 0.01 * 90 * 40);
+
+    const Drawn stepped(paint_hall([](double x) { return x < 5 ? 20 : 22.4; }));
+    EXPECT_EQ(stepped.exterior(1).size(), 6U);
+    for (const double turn : turns_of(stepped.exterior(1)))
+        EXPECT_NEAR(std::abs(turn), 90, 0.05);
+    EXPECT_EQ(
+        Drawn(paint_hall([](double x) { return x < 5 ? 20 : 22.4; }), walls(Walls::right)).exterior(1).size(),
+        6U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Radians, SlightlySlantedWall, testing::Values(0.05, 0.3, 0.9, 1.7, 2.6, 3.7, 5.5));
 
 TEST(Walls, TwoWingsHaveTheirOwnRightAngles) {
     const Drawn drawn(paint(120, [](Place p) {

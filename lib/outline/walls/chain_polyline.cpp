@@ -23,7 +23,7 @@ std::size_t nearest_step(const TraceSums& samples, Vec2 place, std::size_t low, 
     return best;
 }
 
-constexpr double sagitta = 0.1;          // cells between a circle and its polygon
+constexpr double sagitta = 0.2;          // cells between a circle and its polygon
 constexpr double min_sine = 0.2;         // walls at a smaller angle do not intersect
 constexpr double frame_sine = 0.05;      // same with the edge of the raster, which is exact
 constexpr std::size_t corner_reach = 8;  // steps before and behind the end of a wall
@@ -155,7 +155,8 @@ void Drawer::add_arc_vertices(const WallSegment& segment, std::size_t first_vert
 void Drawer::add_circle(const WallSegment& segment) {
     const Circle& circle = *segment.circle;
     const double step = 2 * std::acos(std::max(0.0, 1 - sagitta / circle.radius));
-    const auto edges = 4 * static_cast<std::size_t>(std::ceil(std::numbers::pi / 2 / step));
+    // Even, because the circle is written as two arcs.
+    const auto edges = 2 * static_cast<std::size_t>(std::ceil(std::numbers::pi / step));
     const Vec2 from = samples_.at(segment.first) - circle.centre;
     const double begin = std::atan2(from.y, from.x);
     const double turn = twice_area(samples_) > 0 ? 1 : -1;

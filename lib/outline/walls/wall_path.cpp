@@ -339,8 +339,6 @@ Turns PathFinder::turns_up_to(double sharpest) const {
     return found;
 }
 
-/// Distances beyond the soft one count as areas; those of lower ground more, because a cell of it in a
-/// building is wrong by the height of the wall.
 void PathFinder::set_costs() {
     const std::size_t width = windows_.width;
     distance_costs_.resize((fractions + 1) * width);
@@ -348,13 +346,8 @@ void PathFinder::set_costs() {
         for (std::size_t w = 0; w < width; ++w) {
             const double shift = static_cast<double>(f) / fractions - 0.5;  // of the window from the step
             const double offset = -(shift + static_cast<double>(w) - static_cast<double>(half_)) * interval_;
-            const double away = std::abs(offset);
-            const double factor = higher_ * offset > 0 ? outside_cost : 1;
-            distance_costs_[f * width + w] = static_cast<float>(
-                away < soft_distance ? away * away / (2 * soft_distance)
-                                     : factor * (away - soft_distance) + soft_distance / 2);
-            if (w > 2 * half_)
-                distance_costs_[f * width + w] = infinite;
+            distance_costs_[f * width + w] =
+                w > 2 * half_ ? infinite : static_cast<float>(distance_cost(offset, higher_));
         }
 }
 
@@ -568,6 +561,13 @@ std::size_t middle_of_longest(const TraceSums& samples, const std::vector<std::s
 }
 
 }  // namespace
+
+double distance_cost(double offset, int higher) {
+    const double away = std::abs(offset);
+    const double factor = higher * offset > 0 ? outside_cost : 1;
+    return away < soft_distance ? away * away / (2 * soft_distance)
+                                : factor * (away - soft_distance) + soft_distance / 2;
+}
 
 std::optional<std::vector<WallSegment>> find_walls(const TraceSums& samples, std::size_t first,
                                                    std::size_t last, const std::vector<std::size_t>& points,

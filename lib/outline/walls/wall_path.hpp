@@ -11,6 +11,13 @@
 
 namespace d2b::outline {
 
+/// Cost of a step per cell of its length by the distance of its midpoint from its line, in cells. Distances
+/// beyond three quarters of a cell count as areas; those of lower ground more, because a cell of it in a
+/// building is wrong by the height of the wall.
+/// @param offset of the midpoint to the left of the line @param higher sign of offsets on lower ground; 0 if
+/// both sides are alike
+[[nodiscard]] double distance_cost(double offset, int higher);
+
 /// Divides a chain into walls by a shortest path: each step of the trace gets a line, which is one of a few
 /// directions and an offset. The least sum wins of the distances of the steps from their lines, a price per
 /// wall and a price per corner that is not a right angle. Distances below three quarters of a cell count by

@@ -9,6 +9,7 @@
 
 #include "outline/walls/chain_polyline.hpp"
 #include "outline/walls/frame_walls.hpp"
+#include "outline/walls/joined_walls.hpp"
 #include "outline/walls/wall_adjustment.hpp"
 #include "outline/walls/wall_path.hpp"
 
@@ -460,6 +461,8 @@ bool ChainWalls::plan(const std::vector<std::size_t>& points, const WallParamete
         if (turn < negligible)
             break;
     }
+    if (parameters.walls != Walls::right)
+        join_parallel_walls(samples_, parameters, *segments);
     const double limit = parameters.tolerance - wall_clearance;
     separate_cells(samples_, parameters.higher, limit, *segments);
     if (parameters.inset > 0)
