@@ -22,7 +22,7 @@ struct WallDirections {
 /// Steps at either end of a stretch that say nothing of its direction, because traces cut corners off by a
 /// cell.
 [[nodiscard]] constexpr std::size_t steps_at_corner(std::size_t steps) {
-    return steps < 12 ? 0 : 1;
+    return steps < 10 ? 0 : 1;
 }
 
 /// Smallest angle between two directions modulo 90 degrees, in radians, with its sign.
