@@ -280,7 +280,7 @@ constexpr std::array roof_face_table{
         "azimuth", "Azimuth", FieldType::real, Unit::none,
         "direction in which water runs, degrees clockwise from the north of the CRS of the output; NULL "
         "below a slope of 8 degrees",
-        [](const RoofFaceRecord& r) { return number(round_to_hundredths(r.azimuth)); }},
+        [](const RoofFaceRecord& r) { return number(std::fmod(round_to_hundredths(r.azimuth), 360)); }},
     Attribute<RoofFaceRecord>{"area_m2", "Area", FieldType::real, Unit::square_metre, "area in plan",
                               [](const RoofFaceRecord& r) { return area(r.area_m2); }},
     Attribute<RoofFaceRecord>{"roof_m2", "Roof area", FieldType::real, Unit::square_metre,

@@ -244,6 +244,18 @@ INSTANTIATE_TEST_SUITE_P(
                "EPSG:2263+5703"}),
     [](const auto& placed) { return placed.param.name; });
 
+/// Water runs 0.0029 degrees to the west of north, at atan(0.2): rounded to hundredths that is north, and 0
+/// as all directions are below 360.
+TEST(Roofs, NorthIsZeroDegrees) {
+    RoofRun town(with_shed(0.00001, 0.2));
+    town.place({391000, 1, 0, 5820000, 0, -1});
+    town.run();
+    const std::size_t shed = town.largest_pitched();
+    ASSERT_LT(shed, town.count(roof_layer));
+    EXPECT_NEAR(town.sink.number(roof_layer, shed, "slope"), 11.31, 0.01);
+    EXPECT_EQ(town.sink.number(roof_layer, shed, "azimuth"), 0);
+}
+
 /// Elevations in feet are of the same building; corners and fields have the unit of the raster.
 TEST(Roofs, ElevationsInFeet) {
     RoofRun metres;

@@ -150,7 +150,7 @@ Json CityJsonSink::solid(const SurfaceBuilding& building, const std::vector<std:
         Json surface{{"type", surface_types[static_cast<std::size_t>(FaceKind::roof)]},
                      {"slope", std::round(roof.slope * 100) / 100}};
         if (!std::isnan(roof.azimuth))
-            surface["azimuth"] = std::round(roof.azimuth * 100) / 100;
+            surface["azimuth"] = std::fmod(std::round(roof.azimuth * 100) / 100, 360);
         surfaces.push_back(std::move(surface));
     }
     return {{"type", "Solid"},
