@@ -130,14 +130,6 @@ void FootprintReader::for_each(const std::function<void(GivenFootprint&&)>& use)
 
 }  // namespace
 
-std::string footprint_layer_name(const std::string& dataset, const std::string& layer) {
-    const PolygonSource source = footprints_of({dataset, layer, {}});
-    const NetworkGuard gate(dataset);
-    Warnings unheard;  // they are reported when the footprints are read
-    const DatasetOwner opened = open_source(source, unheard);
-    return OGR_L_GetName(layer_of(opened.get(), source, unheard));
-}
-
 std::unique_ptr<FootprintSource> open_footprints(const FootprintChoice& choice, const DemInfo& dem,
                                                  const Callbacks& callbacks) {
     return std::make_unique<FootprintReader>(choice, dem, callbacks);

@@ -24,7 +24,4 @@ struct FootprintChoice {
                                                                const DemInfo& dem,
                                                                const Callbacks& callbacks = {});
 
-/// Returns the name of the layer that open_footprints() reads. @throws as it
-[[nodiscard]] std::string footprint_layer_name(const std::string& dataset, const std::string& layer);
-
 }  // namespace d2b::reading

@@ -224,6 +224,17 @@ OGRLayerH layer_of(GDALDatasetH dataset, const PolygonSource& source, Warnings& 
     return GDALDatasetGetLayerByName(dataset, names.front().c_str());
 }
 
+std::string layer_name(const PolygonSource& source) {
+    if (!source.layer.empty())
+        return source.layer;
+    const NetworkGuard gate(source.path);
+    const GdalMessages quiet;
+    const DatasetOwner dataset = open_guarded(source.path, GDAL_OF_VECTOR | GDAL_OF_READONLY);
+    const std::vector<std::string> names =
+        dataset ? geometry_layers(dataset.get()) : std::vector<std::string>();
+    return names.empty() ? "" : names.front();
+}
+
 TransformOwner transform_to_dem(OGRSpatialReferenceH from, const PolygonSource& source, const DemInfo& info,
                                 Warnings& warnings) {
     if (wkt_of(from).empty()) {

@@ -150,17 +150,17 @@ TEST_F(Footprints, mayLieInTheFileOfTheResult) {
 }
 
 TEST_F(Footprints, areNeverReplaced) {
+    expect_error(2,
+                 "The layer \"cadastre\" of \"mine.gpkg\" is that of -footprints, which -overwrite would "
+                 "replace; give another name with -nln.",
+                 with({"-overwrite", "-nln", "cadastre"}, "mine.gpkg"));
+    run_well({"-preset", "buildings", "-q", "-layers", "buildings", "--", "town.tif", "mine.geojson"});
     expect_error(
         2,
-        "The layer \"cadastre\" of \"mine.gpkg\" holds the footprints, which -overwrite would replace; "
-        "give another name with -nln.",
-        with({"-overwrite", "-nln", "cadastre"}, "mine.gpkg"));
-    run_well({"-preset", "buildings", "-q", "-layers", "buildings", "--", "town.tif", "mine.geojson"});
-    expect_error(2,
-                 "\"mine.geojson\" holds the footprints, and -overwrite would replace all of it; write to "
-                 "another file.",
-                 {"-preset", "buildings", "-q", "-footprints", "mine.geojson", "-overwrite", "--", "town.tif",
-                  "mine.geojson"});
+        "\"mine.geojson\" is the file of -footprints, which -overwrite would replace; write to another "
+        "file.",
+        {"-preset", "buildings", "-q", "-footprints", "mine.geojson", "-overwrite", "--", "town.tif",
+         "mine.geojson"});
 }
 
 /// A format with one layer gets the footprints alone.

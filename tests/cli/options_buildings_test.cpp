@@ -368,6 +368,25 @@ TEST_F(OptionEffect, exclude__isNotReplaced) {
                       "buildings", "--", "town.tif", "bridges.geojson"});
 }
 
+/// A GeoPackage may hold inputs and results, but not under one name.
+TEST_F(OptionEffect, exclude__itsLayerIsNotReplaced) {
+    write(path("town.tif"), town_raster(MadeTown::surface()));
+    write_layer(path("city.gpkg"), {"parcels", {{rectangle(0, 0, 170, 140)}}, 25833});
+    const auto with = [](const std::string& option, const std::string& name) {
+        return Arguments{"-preset", "buildings", "-q", "-overwrite", option,     "city.gpkg",
+                         "-nln",    name,        "--", "town.tif",   "city.gpkg"};
+    };
+    for (const std::string option : {"-exclude", "-split_by", "-mask", "-cutline"})
+        expect_error(2,
+                     "The layer \"parcels\" of \"city.gpkg\" is that of " + option +
+                         ", which -overwrite would replace; give another name with -nln.",
+                     with(option, "parcels"));
+    EXPECT_EQ(layer("city.gpkg", "parcels").records.size(), 1U);
+    run_well(with("-split_by", "found"));
+    EXPECT_EQ(layer_names(path("city.gpkg")),
+              (std::vector<std::string>{"parcels", "found", "found_contours"}));
+}
+
 TEST_F(OptionEffect, exclude_layer) {
     write_layer(path("bridges.gpkg"), bridges());
     write_layer(path("bridges.gpkg"), {"ships", {{rectangle(80, 20, 102, 32)}}, 25833});

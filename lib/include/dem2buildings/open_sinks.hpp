@@ -27,8 +27,8 @@ namespace d2b {
 [[nodiscard]] std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options,
                                                      const Callbacks& callbacks = {});
 
-/// Refuses to replace a file that a run reads, because decisions of an editor cannot be made again. Formats
-/// with transactions replace single layers, so they may hold both. @throws OptionError
+/// Refuses to replace polygons that a run reads, because decisions of an editor cannot be made again: their
+/// file, or in formats with transactions their layer. @throws OptionError
 void keep_inputs(const Options& options);
 
 /// Additional outputs named by the options; empty if there are none.

@@ -7,8 +7,8 @@
 
 #include "dem2buildings/error.hpp"
 #include "dem2buildings/open_sinks.hpp"
-#include "read/footprint_reader.hpp"
 #include "read/gdal_setup.hpp"
+#include "read/vector_layer.hpp"
 #include "write/destination.hpp"
 #include "write/io_error_monitor.hpp"
 #include "write/qgis/qgis_style.hpp"
@@ -219,23 +219,23 @@ bool is_same_dataset(const std::string& one, const std::string& other) {
     return one == other || std::filesystem::equivalent(one, other, error);
 }
 
-/// Refuses to replace the footprints that are read: their layer, or their file if -overwrite replaces it
-/// whole.
+/// Refuses to replace what an option reads: its layer, or its file if -overwrite replaces it whole.
 /// @throws OptionError
-void keep_footprints(const WriteOptions& options, const VectorFormat& format, Layers layers) {
-    if (!options.has_footprints() || !options.overwrite ||
-        !is_same_dataset(options.footprints, options.destination))
+void keep_input(const WriteOptions& options, const std::string& option,
+                const reading::PolygonSource& source) {
+    if (!options.overwrite || source.path.empty() || !is_same_dataset(source.path, options.destination))
         return;
+    const VectorFormat format = format_for(options);
     if (!format.transactions)
-        throw OptionError("\"" + options.destination +
-                          "\" holds the footprints, and -overwrite would replace all of it; write to another "
-                          "file.");
-    const std::string source = reading::footprint_layer_name(options.footprints, options.footprints_layer);
-    for (const std::string& name : names_of(options, format, layers))
-        if (EQUAL(name.c_str(), source.c_str()))
-            throw OptionError("The layer \"" + source + "\" of \"" + options.destination +
-                              "\" holds the footprints, which -overwrite would replace; give another name "
-                              "with -nln.");
+        throw OptionError("\"" + options.destination + "\" is the file of " + option +
+                          ", which -overwrite would replace; write to another file.");
+    if (source.layer.empty() && source.layer_option == "corrections_layer")
+        return;  // corrections are in layers of any name
+    const std::string layer = reading::layer_name(source);
+    for (const std::string& name : names_of(options, format, resolve_layers(options, options.layers, format)))
+        if (EQUAL(name.c_str(), layer.c_str()))
+            throw OptionError("The layer \"" + layer + "\" of \"" + options.destination + "\" is that of " +
+                              option + ", which -overwrite would replace; give another name with -nln.");
 }
 
 }  // namespace
@@ -244,21 +244,17 @@ void keep_footprints(const WriteOptions& options, const VectorFormat& format, La
 namespace d2b {
 
 void keep_inputs(const Options& options) {
-    const WriteOptions& write = options.write;
-    if (!write.overwrite)
-        return;
+    const DetectOptions& detect = options.detect;
     reading::register_formats();
-    const std::vector<std::pair<std::string, std::string>> inputs{
-        {"-exclude", options.detect.exclude},
-        {"-corrections", options.detect.corrections},
-        {"-split_by", options.detect.split_by},
-        {"-mask", options.detect.mask},
-        {"-cutline", options.read.cutline}};
-    for (const auto& [option, name] : inputs)
-        if (!name.empty() && writing::is_same_dataset(name, write.destination) &&
-            !writing::format_for(write).transactions)
-            throw OptionError("\"" + write.destination + "\" is the file of " + option +
-                              ", which -overwrite would replace; write to another file.");
+    const std::vector<std::pair<std::string, reading::PolygonSource>> inputs{
+        {"-exclude", {"exclusion dataset", "exclude_layer", detect.exclude, detect.exclude_layer}},
+        {"-corrections",
+         {"correction dataset", "corrections_layer", detect.corrections, detect.corrections_layer}},
+        {"-split_by", {"parcel dataset", "split_layer", detect.split_by, detect.split_layer}},
+        {"-mask", {"mask", "mask_layer", detect.mask, detect.mask_layer}},
+        {"-cutline", {"cutline", "cutline_layer", options.read.cutline, options.read.cutline_layer}}};
+    for (const auto& [option, source] : inputs)
+        writing::keep_input(options.write, option, source);
 }
 
 std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callbacks& callbacks) {
@@ -268,7 +264,9 @@ std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callba
     writing::Destination destination = writing::locate(options, format);
     if (writing::is_drawing(format))
         return writing::open_dxf_sink(options, format, destination);
-    writing::keep_footprints(options, format, layers);
+    writing::keep_input(
+        options, "-footprints",
+        {"footprint dataset", "footprints_layer", options.footprints, options.footprints_layer});
     std::optional<writing::ExistingDataset> existing =
         writing::find_existing(destination, format, options, layers);
     if (callbacks.on_warning && !options.layers && layers == Layers::buildings)
