@@ -130,14 +130,17 @@ class CachedCellArea {
     std::shared_ptr<State> state_;
 };
 
-/// Returns the sine of the angle between rows and columns on the ground.
-double sine_between(const Georeference& georeference, double stretch) {
+/// Sets the angle between rows and columns on the ground.
+void measure_angle(const Georeference& georeference, double stretch, CellSize& cell) {
     constexpr double rounding = 1e-6;
     const Position col = georeference.step(0, 1);
     const Position row = georeference.step(1, 0);
     const double lengths = std::hypot(col.x * stretch, col.y) * std::hypot(row.x * stretch, row.y);
     const double cosine = (col.x * row.x * stretch * stretch + col.y * row.y) / lengths;
-    return std::abs(cosine) < rounding ? 1 : std::abs(stretch * (col.x * row.y - col.y * row.x)) / lengths;
+    if (std::abs(cosine) < rounding)
+        return;
+    cell.cosine = cosine;
+    cell.sine = std::abs(stretch * (col.x * row.y - col.y * row.x)) / lengths;
 }
 
 /// Measures the square at the centre of the block, or as near to it as the raster reaches, because near a
@@ -188,9 +191,10 @@ CellSize cell_steps(const Window& window, const Georeference& georeference, cons
         const WorldRing ring{georeference.position(middle), georeference.position(to)};
         return geodesy.ring(ring).perimeter_m / 2;
     };
-    return {std::max(finest_cell_m, length({middle.row, middle.col + 1})),
-            std::max(finest_cell_m, length({middle.row + 1, middle.col})),
-            sine_between(georeference, x_stretch(georeference, crs, window))};
+    CellSize cell{std::max(finest_cell_m, length({middle.row, middle.col + 1})),
+                  std::max(finest_cell_m, length({middle.row + 1, middle.col}))};
+    measure_angle(georeference, x_stretch(georeference, crs, window), cell);
+    return cell;
 }
 
 double cell_size_m(const Window& window, const SquareArea& area) {

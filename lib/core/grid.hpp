@@ -87,7 +87,8 @@ struct Grid {
 struct CellSize {
     double across = 1;
     double down = 1;
-    double sine = 1;  ///< sine of the angle between these steps: less than 1 if the grid is sheared
+    double sine = 1;    ///< sine of the angle between these steps: less than 1 if the grid is sheared
+    double cosine = 0;  ///< its cosine: below 0 if the steps point away from each other
 
     [[nodiscard]] double area() const { return across * down * sine; }
 };

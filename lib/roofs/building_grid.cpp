@@ -26,6 +26,8 @@ BuildingGrid make_building_grid(const contours::BuildingCells& cells, const Latt
     grid.cell_m = std::sqrt(cell.across * cell.down);
     grid.x_step = cell.across / grid.cell_m;
     grid.y_step = cell.down / grid.cell_m;
+    grid.sine = cell.sine;
+    grid.cosine = cell.cosine;
     const auto size = grid.index(grid.rows, 0);
     grid.elevations.assign(size, std::numeric_limits<float>::quiet_NaN());
     grid.inside.assign(size, 0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -21,6 +22,8 @@ struct BuildingGrid {
     double x_step = 1;                 ///< width of a column, in sides of a square with the area of a cell
     double y_step = 1;                 ///< height of a row
     double cell_m = 1;                 ///< side in metres of a square with the area of a cell
+    double sine = 1;                   ///< sine of the angle between columns and rows
+    double cosine = 0;                 ///< its cosine: not 0 if the grid is sheared
     double datum = 0;                  ///< elevation of 0, in metres
     std::vector<float> elevations;     ///< NaN outside of the building and where not valid
     std::vector<std::uint8_t> inside;  ///< 1 in cells of the building
@@ -40,6 +43,10 @@ struct BuildingGrid {
     }
     /// Elevation of a cell; NaN outside of the building and where not valid.
     [[nodiscard]] double elevation(std::size_t cell) const { return static_cast<double>(elevations[cell]); }
+    /// Rise in metres per cell along the fall of a plane.
+    [[nodiscard]] double steepness(double slope_x, double slope_y) const {
+        return std::hypot(slope_x, (slope_y - cosine * slope_x) / sine);
+    }
     [[nodiscard]] double col(double x) const { return x / x_step + 0.5 * cols; }
     [[nodiscard]] double row(double y) const { return y / y_step + 0.5 * rows; }
 };

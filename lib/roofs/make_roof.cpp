@@ -55,6 +55,7 @@ FaceMeasure measured(const Plane& plane, const std::vector<std::size_t>& cells, 
     FaceMeasure face;
     face.slope_col = plane.slope_x / grid.cell_m;
     face.slope_row = plane.slope_y / grid.cell_m;
+    face.slope = grid.steepness(face.slope_col, face.slope_row);
     double squares = 0;
     std::int64_t near = 0;
     for (const std::size_t cell : cells) {
@@ -238,7 +239,7 @@ bool merge_coplanar(std::vector<LabelledFace>& faces, std::vector<Plane>& first,
 }  // namespace
 
 double slope_degrees(const FaceMeasure& face) {
-    return std::atan(std::hypot(face.slope_col, face.slope_row)) * degrees_per_radian;
+    return std::atan(face.slope) * degrees_per_radian;
 }
 
 Roof make_roof(const contours::BuildingCells& cells, const FinePolygon& footprint,

@@ -34,6 +34,7 @@ struct FaceMeasure {
     double area = 0;       ///< in plan, as a share of the footprint
     double slope_col = 0;  ///< rise per metre along a row
     double slope_row = 0;  ///< rise per metre down a column
+    double slope = 0;      ///< rise per metre along its fall
     double rmse_m = 0;
     double near = 0;         ///< share of the cells within half a metre of the plane
     std::int64_t cells = 0;  ///< valid cells with their centres in it

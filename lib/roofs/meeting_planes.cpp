@@ -200,7 +200,7 @@ void PlaneSystem::solve(std::span<const Meeting> meetings, std::vector<FacePlane
 
 double PlaneSystem::plausible_slope(std::size_t face, const Plane& plane) const {
     constexpr double least_share = 0.3;
-    const double slope = std::hypot(plane.slope_x, plane.slope_y);
+    const double slope = grid_.steepness(plane.slope_x, plane.slope_y);
     const Normal& normal = normals_[face];
     if (slope > steepest * grid_.cell_m || normal.low > normal.high)
         return 0;

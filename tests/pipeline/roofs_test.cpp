@@ -234,6 +234,8 @@ INSTANTIATE_TEST_SUITE_P(
         Placed{"rotated", {391000, c30, 0.5, 5820000, 0.5, -c30}, 266.565, 24.095},
         // Rows of half a metre: 0.4 a metre to the north.
         Placed{"oblong", {391000, 1, 0, 5820000, 0, -0.5}, 315, 29.496},
+        // Each row half a metre further east: 0.4 c + 0.2 r is 0.4 x, and water runs to the west.
+        Placed{"sheared", {391000, 1, 0.5, 5820000, 0, -1}, 270, 21.801},
         // A degree of latitude 60 has 111,412 m to the north and 55,800 m to the east.
         Placed{"geographic", {10, 1 / 55800.0, 0, 60, 0, -1 / 111412.0}, 296.565, 24.095, "EPSG:4326"},
         // Feet of 0.3048 m in the plane, elevations in metres: slopes are 1 / 0.9 of those with 0.9 m.
@@ -254,6 +256,16 @@ TEST(Roofs, NorthIsZeroDegrees) {
     ASSERT_LT(shed, town.count(roof_layer));
     EXPECT_NEAR(town.sink.number(roof_layer, shed, "slope"), 11.31, 0.01);
     EXPECT_EQ(town.sink.number(roof_layer, shed, "azimuth"), 0);
+}
+
+/// 2 c - r / 2 rises by 2 to the east and 1.5 to the north: 68.2 degrees, although only 64 if rows and
+/// columns were at right angles.
+TEST(Roofs, NoneIsTooSteepOnAShearedGrid) {
+    RoofRun town(with_shed(2, -0.5));
+    town.place({391000, 1, 0.5, 5820000, 0, -1});
+    town.run();
+    ASSERT_GT(town.count(roof_layer), 0U);
+    expect_sound(town);
 }
 
 /// Elevations in feet are of the same building; corners and fields have the unit of the raster.
