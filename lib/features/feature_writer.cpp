@@ -218,8 +218,8 @@ void FeatureWriter::assign_ids(AssignedIds& numbers, DrawnContour& drawn) {
 }
 
 void FeatureWriter::count(const DrawnContour& drawn) {
-    if (drawn.is_low_confidence)
-        return;
+    if (drawn.is_low_confidence || input_.setup.plan.asked.write.has_footprints())
+        return;  // footprints have contours of their own
     LevelReport& level = context_.report.levels[static_cast<std::size_t>(drawn.record.level)];
     ++level.contours;
     level.points += drawn.record.points;

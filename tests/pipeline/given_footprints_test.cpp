@@ -203,6 +203,12 @@ TEST(GivenFootprints, comeBackOnceEachAlsoWithoutHeights) {
     EXPECT_EQ(report.invalid, 1);
     EXPECT_EQ(report.flat, 1);
     EXPECT_EQ(report.missing, 1);
+    // The contours of what is missing are not written, and not counted.
+    std::int64_t written = 0;
+    for (const LevelReport& level : run.result.report.levels)
+        written += level.contours;
+    EXPECT_GT(written, 0);
+    EXPECT_EQ(written, run.result.report.contours);
 }
 
 /// Its lines cross in the middle of the hall; the repaired copy has two triangles of 50 m2.
