@@ -81,6 +81,18 @@ class Names(PythonCase):
         with self.assertRaisesRegex(dem2buildings.OptionError, READABLE):
             dem2buildings.extract(block(), preset=os.fsdecode(NAME), **PLACE)
 
+    def test_a_null_character_ends_no_name(self):
+        target = os.path.join(self.folder, "found.gpkg")
+        for call in (lambda: dem2buildings.extract(f"{THESIS}\0.txt"),
+                     lambda: dem2buildings.extract_file(f"{THESIS}\0.txt", target),
+                     lambda: dem2buildings.extract_file(THESIS, f"{target}\0.gpkg"),
+                     lambda: dem2buildings.extract_file(THESIS, target, nln="a\0b"),
+                     lambda: dem2buildings.extract_file(THESIS, target, surface=f"{target}.obj\0.stl"),
+                     lambda: dem2buildings.score(f"{target}\0.gpkg", target)):
+            with self.assertRaisesRegex(ValueError, "null character"):
+                call()
+        self.assertFalse(os.path.exists(target))
+
     def test_warnings(self):
         flat = self.write(b"_flat.asc", numpy.zeros((20, 20)))
         with warnings.catch_warnings(record=True) as caught:

@@ -58,6 +58,8 @@ class Options(PythonCase):
 
         self.assertEqual(texts("with_z", True), [[]])
         self.assertEqual(texts("with_z", False), [])
+        self.assertEqual(texts("with_z", numpy.True_), [[]])
+        self.assertEqual(texts("with_z", numpy.False_), [])
         self.assertEqual(texts("lod", 6), [["6"]])
         self.assertEqual(texts("lod", numpy.int64(6)), [["6"]])
         self.assertEqual(texts("min_height", 0.1), [["0.1"]])

@@ -4,6 +4,8 @@ import os
 
 import numpy
 
+from ._options import whole
+
 
 def is_path(value):
     """Whether it is a path, or several in a list or tuple."""
@@ -17,7 +19,7 @@ def paths(source):
     several = isinstance(source, (list, tuple))
     if several and not source:
         raise ValueError("The list of sources is empty; give at least one path.")
-    return [os.fsencode(path) for path in (source if several else [source])]
+    return [whole(os.fsencode(path)) for path in (source if several else [source])]
 
 
 def is_array(value):

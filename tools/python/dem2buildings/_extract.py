@@ -9,7 +9,7 @@ from . import _core
 from ._dem import elevations, is_array, is_path, paths, six_terms
 from ._errors import Error
 from ._footprints import with_columns, written
-from ._options import EXTRACT, EXTRACT_FILE, SCORE
+from ._options import EXTRACT, EXTRACT_FILE, SCORE, whole
 from ._result import Result
 
 
@@ -103,7 +103,7 @@ def extract_file(src, dst, *, progress=None, **options):
     ears = _Ears(EXTRACT_FILE, progress)
     with written(options), ears.errors():
         given = EXTRACT_FILE.given(options)
-        return json.loads(_core.extract_file(paths(src), os.fsencode(dst), given, arrays, ears))
+        return json.loads(_core.extract_file(paths(src), whole(os.fsencode(dst)), given, arrays, ears))
 
 
 @SCORE.describe
@@ -137,7 +137,7 @@ def _beside(options, dem=None):
 
 def _side(footprints):
     if not isinstance(footprints, Result):
-        return os.fsencode(footprints)
+        return whole(os.fsencode(footprints))
     if footprints.buildings is None:
         raise ValueError("The result has no buildings to compare; extract them with layers='both'.")
     return footprints.buildings

@@ -9,7 +9,16 @@ import os
 import re
 import textwrap
 
+import numpy
+
 from . import _core
+
+
+def whole(text):
+    """The same bytes, which no null character may end early."""
+    if b"\0" in text:
+        raise ValueError(f"{text!r} has a null character; leave it out")
+    return text
 
 
 @dataclasses.dataclass(frozen=True)
@@ -64,7 +73,7 @@ class Option:
         of a path that are not text stand there as os.fsdecode() has them."""
         kind = self.row["kind"]
         if kind == "switch":
-            if not isinstance(value, bool):
+            if not isinstance(value, (bool, numpy.bool_)):
                 raise TypeError(f"{self.argument} is a switch and must be True or False, not {value!r}")
             return [[]] if value else []
         if self.name == "snodata" and value != value:  # rasterio's NoData may be NaN, which is never valid
@@ -81,7 +90,7 @@ class Option:
 
     def encoded(self, text):
         """The bytes of one of these texts: of a path those of its name, else UTF-8."""
-        return os.fsencode(text) if self.is_path else text.encode("utf-8", "surrogateescape")
+        return whole(os.fsencode(text) if self.is_path else text.encode("utf-8", "surrogateescape"))
 
     def _text(self, value):
         if self.is_path and isinstance(value, (str, bytes, os.PathLike)):
