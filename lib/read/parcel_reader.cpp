@@ -158,6 +158,7 @@ void ParcelReader::require_some(const DemInfo& grid) {
         OGRGeometryH const geometry = OGR_F_GetGeometryRef(feature.get());
         any = geometry != nullptr && OGR_G_IsEmpty(geometry) == FALSE && OGR_G_GetDimension(geometry) > 0;
     }
+    OGR_L_ResetReading(layer_);  // an open query of SQLite would lock a destination in the same file
     if (messages.failed())
         throw InputError("The " + source_.name() + " cannot be read: " + messages.reason() + ".");
     if (!any)

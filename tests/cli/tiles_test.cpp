@@ -534,6 +534,28 @@ TEST_F(TilesTool, refusesADestinationThatIsThere) {
     EXPECT_FALSE(std::filesystem::exists(path("work")));
 }
 
+/// A GeoPackage may hold the parcels and the result, but not under one name.
+TEST_F(TilesTool, keepsParcelsInTheDestination) {
+    std::filesystem::copy(sample("town_parcels.gpkg"), path("city.gpkg"));
+    const auto plan = [&](const std::string& name) {
+        return Arguments{"plan", "-q", "-overwrite",       "-split_by", "city.gpkg",
+                         "-nln", name, sample("town.tif"), "city.gpkg", "work"};
+    };
+    expect_refused(
+        2,
+        "The layer \"parcels\" of \"city.gpkg\" is that of -split_by, which -overwrite would replace; "
+        "give another name with -nln.",
+        plan("parcels"));
+    well(plan("found"));
+    for (const Arguments& step : {Arguments{"find", "-q", "work", "0"},
+                                  {"join", "-q", "work"},
+                                  {"draw", "-q", "work", "0"},
+                                  {"merge", "-q", "work"}})
+        well(step);
+    EXPECT_EQ(layer_names(path("city.gpkg")),
+              (std::vector<std::string>{"parcels", "found", "found_contours"}));
+}
+
 TEST_F(TilesTool, printsTextsAboutItself) {
     EXPECT_TRUE(well({"--help"}).starts_with("Usage:\n  dem2buildings_tiles plan [options] <src_raster>"));
     EXPECT_EQ(well({"--help-all"}), well({"-help"}));

@@ -97,6 +97,7 @@ void plan(const TileCommand& command, const Callbacks& callbacks) {
         tiles::require_raster_names(options);
     if (!command.list.empty())
         mosaic.emplace(command.list, work, options.read.band);
+    keep_inputs(options);
     const Inputs inputs = open_inputs(options, callbacks);
     const auto sink = open_sink(options.write, callbacks);
     tiles::TileRun run({work, 0, command.side, {}, {}}, options, inputs.sources(), *sink, callbacks);
