@@ -73,6 +73,18 @@ double signed_area(const FineRing& ring) {
     return sum;
 }
 
+/// True if the rectangle around an outline is so much larger than the cells with elevations that a grid of it
+/// could take all memory, because the outline reaches far beyond the raster.
+bool is_far_larger(const FinePolygon& outline, std::size_t cells) {
+    constexpr double most_per_cell = 16;
+    constexpr double always = 1e6;
+    const auto [top, bottom] = std::ranges::minmax(outline.exterior, {}, &FinePoint::row);
+    const auto [west, east] = std::ranges::minmax(outline.exterior, {}, &FinePoint::col);
+    const double rectangle = static_cast<double>(bottom.row - top.row) / FinePoint::steps *
+                             static_cast<double>(east.col - west.col) / FinePoint::steps;
+    return rectangle > most_per_cell * static_cast<double>(cells) + always;
+}
+
 /// Roofs of given footprints, one per polygon.
 class GivenRoofs {
   public:
@@ -156,6 +168,8 @@ void GivenRoofs::make(std::size_t footprint, const contours::BuildingCells& cell
         for (const FineRing& ring : outline.interiors)
             area += signed_area(ring);
         areas_[at] = area;
+        if (is_far_larger(outline, cells.elevations.size()))
+            continue;  // it stays without faces
         try {
             const roofs::Roof roof = roofs::make_roof(cells, outline, parameters_, geos, stop);
             if (roof.faces.empty())

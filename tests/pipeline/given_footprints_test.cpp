@@ -407,6 +407,17 @@ TEST(GivenFootprints, haveRoofs) {
     EXPECT_NEAR(crossing_area, 100, 0.2);
 }
 
+TEST(GivenFootprints, haveNoRoofsFarBeyondTheRaster) {
+    FootprintRun run({{rectangle(13, 10, 20, 10)}, {rectangle(-2000, -2000, 4000, 4000)}});
+    run.options.write.roofs = true;
+    run.run();
+    EXPECT_FALSE(run.is_null(0, "roof_type"));
+    EXPECT_TRUE(run.is_null(1, "roof_type"));
+    EXPECT_FALSE(run.is_null(1, "p50"));
+    for (std::size_t i = 0; i < run.result.sink.features[3].size(); ++i)
+        EXPECT_EQ(run.result.sink.whole(3, i, "bldg_id"), 1);
+}
+
 /// Rough cells beside the buildings look like trees.
 TEST(GivenFootprints, knowTheirTrees) {
     TownRun town;
