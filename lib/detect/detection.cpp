@@ -1,6 +1,5 @@
 #include "detect/detection.hpp"
 
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -53,20 +52,6 @@ Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
     return low;
 }
 
-/// Corrects confidences for the share of buildings in the scene and around each object. Objects of a second
-/// pass are mostly trees, even if the first pass found all houses, so they do not serve as reference objects.
-void apply_priors(const Scene& scene, double filled, Candidates& judged, std::optional<Candidates>& second,
-                  Executor& threads) {
-    const std::span<DetectedObject> others =
-        second ? std::span<DetectedObject>(second->objects) : std::span<DetectedObject>();
-    const PriorShare prior = apply_scene_prior(filled, judged.objects, others);
-    if (!prior.usual_appearance)
-        return;
-    if (second)
-        apply_reference_prior(judged, scene.cell, prior, *second, threads);
-    apply_spatial_prior(judged.regions, scene.cell, prior, judged.objects, threads);
-}
-
 /// @param smooth receives the limits of smoothness in the usual pass
 Candidates detect_candidates(const Scene& scene, const DetectOptions& options, double min_area_m2,
                              SmoothnessThresholds& smooth, Executor& threads) {
@@ -79,12 +64,9 @@ Candidates detect_candidates(const Scene& scene, const DetectOptions& options, d
         low_roofs(scene, cells.flags, options.min_height, cells_covering(min_area_m2, scene.cell), threads);
     if (needs_multi_threshold(scene.side(), quality.filled))
         judged = multi_threshold_candidates(scene, cells, min_area_m2, quality, std::move(judged), threads);
-    std::optional<Candidates> second;
-    if (has_very_sparse_points(quality.filled))
-        second = relaxed_pass(scene, cells, min_area_m2, quality, judged.regions, threads);
-    apply_priors(scene, quality.filled, judged, second, threads);
-    if (second)
-        judged = merge_candidates(std::move(judged), *second, threads);
+    const PriorShare prior = apply_scene_prior(quality.filled, judged.objects);
+    if (prior.usual_appearance)
+        apply_spatial_prior(judged.regions, scene.cell, prior, judged.objects, threads);
     doubt_bridges(scene, judged.regions, judged.objects, threads);
     return add_swallowed_roofs(scene, cells, options.min_height, min_area_m2, quality, std::move(judged),
                                threads);

@@ -87,11 +87,12 @@ void keep_separate(const Mask& taken, const Regions& regions, Chosen& chosen) {
         chosen[label] |= apart[label];
 }
 
-/// Merges the chosen objects.
-/// @param cells cells of the chosen objects. Each connected part inherits the classification of the chosen
-/// object with most cells in it; the strictest pass wins ties, then the first object
+/// Merges the chosen objects. Each connected part inherits the classification of the chosen object with most
+/// cells in it; the strictest pass wins ties, then the first object.
+/// @param cells cells of the chosen objects
+/// @param rejected objects that are part of none of these stay rejected
 Candidates merge_selected(std::span<const Candidates> passes, const std::vector<Chosen>& chosen,
-                          const Mask& cells, Executor& threads) {
+                          const Mask& cells, const RejectedObjects& rejected, Executor& threads) {
     Candidates result;
     result.regions = connected_regions(cells, 1, 0, threads);
     const std::size_t count = result.regions.cells.size() - 1;
@@ -109,45 +110,44 @@ Candidates merge_selected(std::span<const Candidates> passes, const std::vector<
         }
     for (std::size_t part = 0; part < count; ++part)
         result.objects[part].cells = result.regions.cells[part + 1];
+    const auto is_in = [&](const FirstCell& cell) { return cells.at(cell.row, cell.col) != 0; };
+    result.rejected = rejected;
+    std::erase_if(result.rejected.small, is_in);
+    std::erase_if(result.rejected.low, is_in);
+    std::erase_if(result.rejected.crowns, [&](const CutCrown& crown) { return is_in(crown.first); });
     return result;
 }
 
-RejectedObjects still_rejected(RejectedObjects rejected, const Mask& cells) {
-    const auto is_in = [&](FirstCell cell) { return cells.at(cell.row, cell.col) != 0; };
-    std::erase_if(rejected.small, is_in);
-    std::erase_if(rejected.crowns, [&](const CutCrown& crown) { return is_in(crown.first); });
-    return rejected;
-}
-
+/// Limits of smoothness as multiples of the usual ones, and the penalty on the log-odds of their candidates.
+struct Level {
+    double scale;
+    double margin;  ///< factor on the margin for sparse points
+    double penalty;
+};
 // Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
-// docs/accuracy.md.
-constexpr std::array<double, 4> factors{0.5, 0.7, 1, 1.4};
-constexpr std::size_t regular_pass = 2;
-constexpr double wide_pass_penalty = 1.1;  // penalty on the log-odds
+// docs/research/sparse_points.md.
+constexpr std::array<Level, 5> levels{
+    {{0.5, 0.5, 0}, {0.7, 0.7, 0}, {1, 1, 0}, {1.4, 1.4, 1.1}, {1, 3, 0.85}}};
+constexpr std::size_t regular_level = 2;
 
-Candidates found_at(double factor, const Scene& scene, SceneCells& cells, double min_area_m2,
+Candidates found_at(const Level& level, const Scene& scene, SceneCells& cells, double min_area_m2,
                     SurfaceQuality quality, Executor& threads) {
-    quality.threshold_scale *= factor;
-    quality.margin_scale *= factor;
+    quality.threshold_scale *= level.scale;
+    quality.margin_scale *= level.margin;
     Candidates judged = find_candidates(scene, cells, min_area_m2, quality, threads);
-    if (factor > 1)
+    if (level.penalty > 0)
         for (DetectedObject& object : judged.objects)
-            object.confidence = less_sure(object.confidence, wide_pass_penalty);
+            object.confidence = less_sure(object.confidence, level.penalty);
     return judged;
 }
 
-// Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
-// docs/accuracy.md.
-constexpr double margin_scale = 3;
-constexpr double log_odds_penalty = 0.8;  // penalty on the log-odds
-
 }  // namespace
 
-void clear_with_border(const Regions& regions, Neighbours neighbours, Mask& cells, Executor& threads) {
+void clear_with_border(const Regions& regions, Mask& cells, Executor& threads) {
     for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
         for (std::int32_t r = band.begin; r < band.end; ++r)
             for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y) {
-                const std::int32_t beside = y == r || neighbours == Neighbours::eight ? 1 : 0;
+                const std::int32_t beside = y == r ? 1 : 0;
                 for (const RegionRun& run : regions.row(y))
                     std::fill(cells.row(r).begin() + std::max(run.begin - beside, 0),
                               cells.row(r).begin() + std::min(run.end + beside, cells.cols), std::uint8_t{0});
@@ -167,51 +167,31 @@ Candidates select_candidates(std::span<const Candidates> passes, std::size_t usu
         paint_chosen(passes[i].regions, chosen[i]);
     keep_separate(taken, shape, chosen[usual]);
     paint_chosen(shape, chosen[usual]);
-    Candidates result = merge_selected(passes, chosen, taken, threads);
-    result.rejected = still_rejected(passes[usual].rejected, taken);
-    return result;
+    return merge_selected(passes, chosen, taken, passes[usual].rejected, threads);
 }
 
 Candidates multi_threshold_candidates(const Scene& scene, SceneCells& cells, double min_area_m2,
                                       const SurfaceQuality& quality, Candidates usual, Executor& threads) {
-    std::array<Candidates, factors.size()> passes;
-    passes[regular_pass] = std::move(usual);
-    for (std::size_t i = 0; i < factors.size(); ++i)
-        if (i != regular_pass)
-            passes[i] = found_at(factors[i], scene, cells, min_area_m2, quality, threads);
-    return select_candidates(passes, regular_pass, threads);
+    std::vector<Candidates> passes(levels.size() - (has_very_sparse_points(quality.filled) ? 0 : 1));
+    passes[regular_level] = std::move(usual);
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        if (i + 1 == levels.size())
+            clear_with_border(passes[regular_level].regions, cells.elevated, threads);
+        if (i != regular_level)
+            passes[i] = found_at(levels[i], scene, cells, min_area_m2, quality, threads);
+    }
+    return select_candidates(passes, regular_level, threads);
 }
 
-Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m2, SurfaceQuality quality,
-                        const Regions& found, Executor& threads) {
-    clear_with_border(found, Neighbours::eight, cells.elevated, threads);
-    quality.margin_scale = margin_scale;
-    Candidates judged = find_candidates(scene, cells, min_area_m2, quality, threads);
-    judged.rejected.small.clear();
-    for (DetectedObject& object : judged.objects)
-        if (is_ambiguous(object))
-            object.confidence = less_sure(object.confidence, log_odds_penalty);
-    return judged;
-}
-
-Candidates merge_candidates(Candidates one, const Candidates& other, Executor& threads) {
-    Mask cells = mask_of(one.regions, threads);
-    paint(
-        other.regions, [](Label) { return true; }, 1, cells, threads);
-    Candidates both;
-    both.regions = connected_regions(cells, 1, 0, threads);
-    for_first_runs(both.regions, [&](std::int32_t r, const RegionRun& first) {
-        const RegionRun* run = run_at(one.regions.row(r), first.begin);
-        const Candidates& source = run != nullptr ? one : other;
-        if (run == nullptr)
-            run = run_at(other.regions.row(r), first.begin);
-        both.objects.push_back(source.objects[run->label - 1]);
-        both.features.push_back(source.features[run->label - 1]);
-    });
-    both.rejected = std::move(one.rejected);
-    both.rejected.crowns.insert(both.rejected.crowns.end(), other.rejected.crowns.begin(),
-                                other.rejected.crowns.end());
-    return both;
+Candidates merge_candidates(std::span<const Candidates> passes, Executor& threads) {
+    Mask cells = mask_of(passes.front().regions, threads);
+    std::vector<Chosen> all;
+    for (const Candidates& pass : passes) {
+        all.emplace_back(pass.objects.size() + 1, 1);
+        paint(
+            pass.regions, [](Label) { return true; }, 1, cells, threads);
+    }
+    return merge_selected(passes, all, cells, passes.front().rejected, threads);
 }
 
 }  // namespace d2b::detect

@@ -37,9 +37,11 @@ struct NestedCandidate {
 
 /// Repeats the detection with 0.5, 0.7 and 1.4 times the usual thresholds of smoothness, and selects the best
 /// candidates, see select_candidates(). Stricter thresholds separate crowns from houses, wider ones keep a
-/// rough house in one piece. Candidates found by wider thresholds are less often buildings, so their
-/// confidence is lowered.
-/// @param cells cells of the scene; their flags are changed
+/// rough house in one piece. Where has_very_sparse_points(), the widest thresholds have three times the
+/// margin for sparse points, and only apply beside the objects of the regular pass, because they merge houses
+/// with adjacent crowns. Candidates found by wider thresholds are less often buildings, so their confidence
+/// is lowered.
+/// @param cells cells of the scene; changed
 /// @param quality quality used by the regular pass
 /// @param usual candidates of the regular pass
 /// @return objects that share no edge. Halo: objects at the widest thresholds, the segments they meet, and 11
@@ -48,25 +50,11 @@ struct NestedCandidate {
                                                     const SurfaceQuality& quality, Candidates usual,
                                                     Executor& threads);
 
-/// Relaxed pass over the elevated cells outside of the objects found so far, with three times the margin for
-/// sparse points. Objects found so far are excluded, because such thresholds merge houses with adjacent
-/// crowns. Objects of this pass are less often buildings, so their confidence is lowered.
-/// @param cells cells of the scene as left by the first pass; changed
-/// @param quality quality used by the first pass
-/// @param found objects of the first pass
-/// @return objects that touch none of those, not even at a corner. Objects that are too small do not count as
-/// rejected, because they were too rough for the first pass. Halo: objects of both passes, the segments they
-/// meet, and 11 m and four cells around them.
-[[nodiscard]] Candidates relaxed_pass(const Scene& scene, SceneCells& cells, double min_area_m2,
-                                      SurfaceQuality quality, const Regions& found, Executor& threads);
+/// Clears the cells of regions and those at their sides.
+void clear_with_border(const Regions& regions, Mask& cells, Executor& threads);
 
-/// Neighbours of a cell: those at its sides, or at its corners as well.
-enum class Neighbours { four, eight };
-
-/// Clears the cells of regions and their neighbours.
-void clear_with_border(const Regions& regions, Neighbours neighbours, Mask& cells, Executor& threads);
-
-/// Merges two sets of objects that share no edge, in scan order.
-[[nodiscard]] Candidates merge_candidates(Candidates one, const Candidates& other, Executor& threads);
+/// Merges sets of objects that share no edge, in scan order. Those that the first one has rejected remain
+/// rejected unless an object covers them.
+[[nodiscard]] Candidates merge_candidates(std::span<const Candidates> passes, Executor& threads);
 
 }  // namespace d2b::detect

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <utility>
 
 #include "detect/classify.hpp"
 #include "detect/sampling_rules.hpp"
@@ -79,7 +77,7 @@ PriorShare prior_around(double share, const std::vector<DetectedObject>& objects
 }
 
 /// Replaces the usual prior share by another one.
-void replace_prior(double share, std::span<DetectedObject> objects) {
+void replace_prior(double share, std::vector<DetectedObject>& objects) {
     if (share == usual_share)
         return;
     const double change = odds(share) / odds(usual_share);
@@ -90,13 +88,12 @@ void replace_prior(double share, std::span<DetectedObject> objects) {
 
 // Radii up to 300 m are equally good in the places of docs/accuracy.md; units have a halo of that size.
 constexpr double neighbour_reach_m = 150;
-constexpr std::size_t no_reference = std::numeric_limits<std::size_t>::max();
 
 struct Candidate {
     double down = 0;  // metres
     double across = 0;
     double confidence = 0;
-    std::size_t object = 0;  ///< index among the reference objects; no_reference if it is not one of them
+    std::size_t object = 0;  ///< its index
 };
 
 /// Integer sums of rows and columns, exact in any order.
@@ -176,9 +173,8 @@ std::vector<Candidate> candidates_of(const Regions& regions, const CellSize& cel
     return result;
 }
 
-void correct(const Strips& reference_objects, const Candidate& candidate, const PriorShare& prior,
-             DetectedObject& object) {
-    const double share = reference_objects.share_around(candidate, (prior.least + prior.most) / 2);
+void correct(const Strips& all, const Candidate& candidate, const PriorShare& prior, DetectedObject& object) {
+    const double share = all.share_around(candidate, (prior.least + prior.most) / 2);
     const double change = odds(share) / odds(std::clamp(share, prior.least, prior.most));
     object.confidence = probability_of(odds(candidate.confidence) * change);
 }
@@ -211,14 +207,12 @@ double estimate_building_share(std::span<const double> ratios, double added) {
     return share;
 }
 
-PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects,
-                             std::span<DetectedObject> others) {
+PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects) {
     const std::vector<double> ratios = ratios_of(objects);
     const bool usual_appearance = has_usual_appearance(objects);
     if (has_very_sparse_points(filled) || ratios.size() < fewest_candidates || !usual_appearance) {
         const double share = lacks_certain_buildings(objects) ? max_share_of_few(ratios) : usual_share;
         replace_prior(share, objects);
-        replace_prior(share, others);
         return prior_around(share, objects, usual_appearance);
     }
     const double share = estimate_building_share(ratios);
@@ -236,18 +230,6 @@ void apply_spatial_prior(const Regions& regions, const CellSize& cell, const Pri
     threads.for_each(strips.all().size(), [&](std::size_t i) {
         for (const Candidate& candidate : strips.all()[i])
             correct(strips, candidate, prior, objects[candidate.object]);
-    });
-}
-
-void apply_reference_prior(const Candidates& reference_objects, const CellSize& cell, const PriorShare& prior,
-                           Candidates& judged, Executor& threads) {
-    const Regions& around = reference_objects.regions;
-    const Strips strips(candidates_of(around, cell, reference_objects.objects, threads),
-                        around.rows * cell.down);
-    std::vector<Candidate> candidates = candidates_of(judged.regions, cell, judged.objects, threads);
-    threads.for_each(candidates.size(), [&](std::size_t i) {
-        DetectedObject& object = judged.objects[std::exchange(candidates[i].object, no_reference)];
-        correct(strips, candidates[i], prior, object);
     });
 }
 

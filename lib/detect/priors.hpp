@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "detect/candidates.hpp"
+#include "core/executor.hpp"
 #include "detect/detection.hpp"
 #include "raster/regions.hpp"
 
@@ -45,11 +45,9 @@ struct PriorShare {
 /// estimated share if that is less than the usual one. Confidences of 0 and 1 never change. Sums follow the
 /// order of the objects.
 /// @param filled see SurfaceQuality
-/// @param others objects that do not contribute to the estimate, but are corrected for 2.5 times it
 /// @return range of shares that the new confidences imply: the share they were corrected for, or the range
 /// between the usual share (or 2.5 times the estimated one) and their own mean
-PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects,
-                             std::span<DetectedObject> others = {});
+PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects);
 
 /// Corrects confidences for the local share of buildings, because houses stand among houses, and crowns
 /// mistaken for houses stand among crowns. The share around a candidate is the mean confidence of the others
@@ -61,11 +59,5 @@ PriorShare apply_scene_prior(double filled, std::vector<DetectedObject>& objects
 /// @param prior see apply_scene_prior(); shares within this range change nothing
 void apply_spatial_prior(const Regions& regions, const CellSize& cell, const PriorShare& prior,
                          std::vector<DetectedObject>& objects, Executor& threads);
-
-/// Same, for objects that must not influence each other or the reference objects.
-/// @param reference_objects reference objects of the same scene, with confidences before their own spatial
-/// correction
-void apply_reference_prior(const Candidates& reference_objects, const CellSize& cell, const PriorShare& prior,
-                           Candidates& judged, Executor& threads);
 
 }  // namespace d2b::detect

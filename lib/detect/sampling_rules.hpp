@@ -21,8 +21,8 @@ namespace d2b::detect {
 /// Share of cells above which points are sparse.
 [[nodiscard]] double sparse_share();
 
-/// True if points are so sparse that houses are too rough for the usual limits of smoothness: a relaxed pass
-/// finds more of them, and no share of buildings can be estimated.
+/// True if points are so sparse that houses are too rough for the usual limits of smoothness: the widest
+/// limits find more of them, and no share of buildings can be estimated.
 [[nodiscard]] bool has_very_sparse_points(double filled);
 
 /// True if cells hold the highest of many points, which may lie anywhere in them.
@@ -45,7 +45,7 @@ namespace d2b::detect {
 [[nodiscard]] std::vector<double> stricter_scales(double side, double filled);
 
 /// Share of the cells of all objects that stricter limits have to take away for each share of roofs that they
-/// lose. It is less for very sparse points, because the relaxed pass finds a part of these roofs again.
+/// lose. It is less for very sparse points, because the widest limits find a part of these roofs again.
 [[nodiscard]] double price_of_lost_roofs(double filled);
 
 }  // namespace d2b::detect

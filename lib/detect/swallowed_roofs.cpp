@@ -60,7 +60,7 @@ Mask free_cells(const Scene& scene, const Regions& objects, Executor& threads) {
                 out[c] = allowed[c] != 0 ? out[c] : std::uint8_t{0};
         }
     });
-    clear_with_border(objects, Neighbours::four, result, threads);
+    clear_with_border(objects, result, threads);
     return result;
 }
 
@@ -331,16 +331,6 @@ Candidates classify_pieces(const Scene& scene, Mask cells, const Grid<std::uint8
     return result;
 }
 
-/// Removes objects that are part of a piece from those that were rejected.
-void keep_rejected(const Regions& pieces, RejectedObjects& rejected) {
-    const auto is_in = [&](const FirstCell& cell) {
-        return run_at(pieces.row(cell.row), cell.col) != nullptr;
-    };
-    std::erase_if(rejected.small, is_in);
-    std::erase_if(rejected.low, is_in);
-    std::erase_if(rejected.crowns, [&](const CutCrown& crown) { return is_in(crown.first); });
-}
-
 }  // namespace
 
 Candidates add_swallowed_roofs(const Scene& scene, SceneCells& cells, double min_height, double min_area_m2,
@@ -354,11 +344,11 @@ Candidates add_swallowed_roofs(const Scene& scene, SceneCells& cells, double min
         return found;
     Mask walled = mask_of(pieces, threads);
     fill_small_holes(walled, cells_covering(smallest_hole_m2, scene.cell), threads);
-    clear_with_border(found.regions, Neighbours::four, walled, threads);
+    clear_with_border(found.regions, walled, threads);
     flag_cells(scene, quality, cells, threads);
-    const Candidates roofs = classify_pieces(scene, std::move(walled), cells.flags, quality, threads);
-    keep_rejected(roofs.regions, found.rejected);
-    return merge_candidates(std::move(found), roofs, threads);
+    const std::array both{std::move(found),
+                          classify_pieces(scene, std::move(walled), cells.flags, quality, threads)};
+    return merge_candidates(both, threads);
 }
 
 }  // namespace d2b::detect

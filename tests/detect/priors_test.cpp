@@ -134,8 +134,7 @@ TEST(ScenePrior, SingleTreesOfFieldsAreNoHouses) {
     // Thirty trees, five of which look like small houses. The likelihood ratios of 0.55 and 0.15 are 0.8117
     // and 0.05404. One candidate with the usual share is added.
     std::vector<DetectedObject> trees = place(0, 5, 25);
-    std::vector<DetectedObject> others = objects_of({0, 0.55, 1});
-    const PriorShare prior = apply_scene_prior(0.2, trees, others);
+    const PriorShare prior = apply_scene_prior(0.2, trees);
     const double estimated = prior.most / 2.5;
     double sum = usual;
     for (const double ratio : {0.8117, 0.05404})
@@ -145,9 +144,6 @@ TEST(ScenePrior, SingleTreesOfFieldsAreNoHouses) {
     const double changed = 0.55 / 0.45 * change / (1 + 0.55 / 0.45 * change);
     EXPECT_NEAR(trees[0].confidence, changed, 1e-9);
     EXPECT_LT(changed, 0.1);
-    EXPECT_EQ(others[0].confidence, 0);
-    EXPECT_EQ(others[1].confidence, trees[0].confidence);
-    EXPECT_EQ(others[2].confidence, 1);
 }
 
 TEST(ScenePrior, AFewDoubtsAreNoFields) {
@@ -249,35 +245,6 @@ TEST(SpatialPrior, WhatIsCertainStaysAndIsNoNeighbour) {
 
 TEST(SpatialPrior, WhereNothingStands) {
     EXPECT_TRUE(Place(3, 3).corrected(half).empty());
-}
-
-TEST(ReferencePrior, BayesRuleWithTheShareOfOthersAlone) {
-    Candidates reference_objects;
-    reference_objects.regions = connected_regions(drawn({"#...#"}), 1, 0, threads());
-    reference_objects.objects = {{0.9, CounterEvidence::rough, 1},
-                                 {1, CounterEvidence::rough, 1}};  // a certain object is no witness
-    Candidates judged;
-    judged.regions = connected_regions(drawn({"..#.#"}), 1, 0, threads());
-    judged.objects = {{0.6, CounterEvidence::rough, 1}, {0, CounterEvidence::rough, 1}};
-    const CellSize cell{37.5, 37.5};
-    apply_reference_prior(reference_objects, cell, half, judged, threads());
-    const double weight = 0.75 * 0.75;  // half of the reach away
-    const double share = (0.5 + weight * 0.9) / (1 + weight);
-    const double odds = 0.6 / 0.4 * share / (1 - share);
-    EXPECT_NEAR(judged.objects[0].confidence, odds / (1 + odds), 1e-12);
-    EXPECT_EQ(judged.objects[1].confidence, 0);
-    EXPECT_EQ(reference_objects.objects[0].confidence, 0.9);
-}
-
-TEST(ReferencePrior, WhereThereIsNone) {
-    Candidates reference_objects;
-    reference_objects.regions = connected_regions(drawn({"..."}), 1, 0, threads());
-    Candidates judged;
-    judged.regions = connected_regions(drawn({"#.#"}), 1, 0, threads());
-    judged.objects = {{0.6, CounterEvidence::rough, 1}, {0.8, CounterEvidence::rough, 1}};
-    apply_reference_prior(reference_objects, {1, 1}, half, judged, threads());
-    EXPECT_NEAR(judged.objects[0].confidence, 0.6, 1e-12);
-    EXPECT_NEAR(judged.objects[1].confidence, 0.8, 1e-12);
 }
 
 TEST(SpatialPrior, TheSameOnAnyNumberOfThreads) {
