@@ -143,6 +143,25 @@ template <typename Sum, typename Work>
     return all;
 }
 
+/// Calls work(row) for all rows of a grid, on all threads.
+template <typename Work>
+void for_rows(Executor& threads, std::int32_t rows, std::int32_t cols, const Work& work) {
+    for_row_bands(threads, rows, cols, [&](RowBand band) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            work(r);
+    });
+}
+
+/// Same as reduce_row_bands(), with work(row, sum).
+template <typename Sum, typename Work>
+[[nodiscard]] Sum reduce_rows(Executor& threads, std::int32_t rows, std::int32_t cols, const Sum& nothing,
+                              const Work& work) {
+    return reduce_row_bands(threads, rows, cols, nothing, [&](RowBand band, Sum& sum) {
+        for (std::int32_t r = band.begin; r < band.end; ++r)
+            work(r, sum);
+    });
+}
+
 /// Calls work(begin, end) with the cell indices of each band of a grid, on all threads.
 template <typename T, typename Work>
 void for_cells(Executor& threads, const Grid<T>& grid, const Work& work) {

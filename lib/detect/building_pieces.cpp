@@ -123,19 +123,18 @@ void write_pieces(const Regions& regions, const std::vector<Label>& number, Dete
     const Label pieces = *std::max_element(number.begin(), number.end());
     shift_doubtful(detection, pieces);
     std::vector<DetectedObject> objects(pieces);
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r)) {
-            const std::span<Label> cells = detection.labels.row(r).subspan(
-                static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
-            const Label label = number[run.label];
-            DetectedObject& object = objects[label - 1];
-            if (object.cells == 0) {
-                object = detection.objects[cells.front() - 1];
-                object.cells = 0;
-            }
-            object.cells += run.end - run.begin;
-            std::fill(cells.begin(), cells.end(), label);
+    for_runs(regions, [&](std::int32_t r, const RegionRun& run) {
+        const std::span<Label> cells = detection.labels.row(r).subspan(
+            static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
+        const Label label = number[run.label];
+        DetectedObject& object = objects[label - 1];
+        if (object.cells == 0) {
+            object = detection.objects[cells.front() - 1];
+            object.cells = 0;
         }
+        object.cells += run.end - run.begin;
+        std::fill(cells.begin(), cells.end(), label);
+    });
     objects.insert(objects.end(), detection.objects.begin() + detection.buildings, detection.objects.end());
     detection.objects = std::move(objects);
     detection.buildings = pieces;

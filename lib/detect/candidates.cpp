@@ -20,20 +20,18 @@ constexpr double blurred_below = 0.5;
 /// Returns the cells of a mask whose four neighbours belong to it as well.
 Mask inside_of(const Mask& cells, Executor& threads) {
     Mask inside = Mask::unset(cells.rows, cells.cols, threads);
-    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        for (std::int32_t row = band.begin; row < band.end; ++row) {
-            const std::span<std::uint8_t> out = inside.row(row);
-            if (row == 0 || row + 1 == cells.rows) {
-                std::fill(out.begin(), out.end(), std::uint8_t{0});
-                continue;
-            }
-            const std::span<const std::uint8_t> here = cells.row(row);
-            const std::span<const std::uint8_t> above = cells.row(row - 1);
-            const std::span<const std::uint8_t> below = cells.row(row + 1);
-            for (std::size_t c = 1; c + 1 < out.size(); ++c)
-                out[c] = here[c] & here[c - 1] & here[c + 1] & above[c] & below[c];
-            out.front() = out.back() = 0;
+    for_rows(threads, cells.rows, cells.cols, [&](std::int32_t row) {
+        const std::span<std::uint8_t> out = inside.row(row);
+        if (row == 0 || row + 1 == cells.rows) {
+            std::fill(out.begin(), out.end(), std::uint8_t{0});
+            return;
         }
+        const std::span<const std::uint8_t> here = cells.row(row);
+        const std::span<const std::uint8_t> above = cells.row(row - 1);
+        const std::span<const std::uint8_t> below = cells.row(row + 1);
+        for (std::size_t c = 1; c + 1 < out.size(); ++c)
+            out[c] = here[c] & here[c - 1] & here[c + 1] & above[c] & below[c];
+        out.front() = out.back() = 0;
     });
     return inside;
 }
@@ -87,15 +85,13 @@ Mask exclude_vegetation(const Scene& scene, const SceneCells& cells, Executor& t
 /// Flags rows with cells taller than trees.
 std::vector<std::uint8_t> tall_rows(const Scene& scene, Executor& threads) {
     std::vector<std::uint8_t> tall(static_cast<std::size_t>(scene.surface.rows));
-    for_row_bands(threads, scene.surface.rows, scene.surface.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const std::span<const float> z = scene.surface.row(r);
-            const std::span<const float> ground = scene.terrain.row(r);
-            int any = 0;
-            for (std::size_t c = 0; c < z.size(); ++c)
-                any |= z[c] - ground[c] > taller_than_trees_m ? 1 : 0;
-            tall[static_cast<std::size_t>(r)] = static_cast<std::uint8_t>(any);
-        }
+    for_rows(threads, scene.surface.rows, scene.surface.cols, [&](std::int32_t r) {
+        const std::span<const float> z = scene.surface.row(r);
+        const std::span<const float> ground = scene.terrain.row(r);
+        int any = 0;
+        for (std::size_t c = 0; c < z.size(); ++c)
+            any |= z[c] - ground[c] > taller_than_trees_m ? 1 : 0;
+        tall[static_cast<std::size_t>(r)] = static_cast<std::uint8_t>(any);
     });
     return tall;
 }

@@ -1,6 +1,6 @@
-#include "detect/classify.hpp"
-
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 

@@ -1,13 +1,13 @@
 #include "detect/corrections.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <map>
 #include <utility>
 
 #include "detect/building_pieces.hpp"
 #include "detect/divide_buildings.hpp"
-#include "detect/left_out.hpp"
 
 namespace d2b::detect {
 namespace {
@@ -43,9 +43,74 @@ class BuildingMaker {
           merged_(detection.objects.size() + 1),
           changed_(detection.objects.size() + 1) {}
 
-    void add_area(const SceneCorrection& correction);
-    void add_point(const SceneCorrection& correction);
-    void renumber(Executor& threads);
+    void add_area(const SceneCorrection& correction) {
+        std::map<Label, std::int64_t> met;  // cells by object
+        for_correction_cells(correction, scene_.surface.cols,
+                             [&](std::size_t i) { ++met[detection_.labels.values[i]]; });
+        std::vector<Label> whole;
+        std::int64_t size = 0;
+        for (const auto& [label, cells] : met)
+            if (label != 0 && label <= found() && merged_[label] == 0 && 2 * cells >= cells_[label]) {
+                whole.push_back(label);
+                size += cells_[label];
+            }
+        std::vector<std::size_t> taken;
+        for_correction_cells(correction, scene_.surface.cols, [&](std::size_t i) {
+            const Label label = detection_.labels.values[i];
+            const bool is_free =
+                label == 0 ? scene_.height(i) > min_height_ : label <= found() && merged_[label] == 0;
+            if (is_free && !std::ranges::binary_search(whole, label))
+                taken.push_back(i);
+        });
+        if (size + std::ssize(taken) < min_cells_)
+            return;
+        detection_.objects.emplace_back();
+        const auto own = static_cast<Label>(detection_.objects.size());
+        confirm(own);
+        for (const Label label : whole)
+            merged_[label] = own;
+        for (const std::size_t i : taken) {
+            Label& label = detection_.labels.values[i];
+            changed_[label] = label != 0;
+            label = own;
+        }
+    }
+    void add_point(const SceneCorrection& correction) {
+        for_correction_cells(correction, scene_.surface.cols, [&](std::size_t i) {
+            if (const Label label = label_of(i); label != 0)
+                confirm(label);
+        });
+    }
+    /// Makes an object of each connected piece of the changed cells, and drops pieces that are too small.
+    void renumber(Executor& threads) {
+        std::vector<Label> object_of;
+        const Grid<Label> labels = changed_pieces(object_of, threads);
+        std::vector<Label> order;  // labels by their first cells
+        std::vector<std::int64_t> cells(object_of.size());
+        for (const Label label : labels.values)
+            if (label != 0 && ++cells[label] == 1)
+                order.push_back(label);
+        std::vector<Label> number(object_of.size());
+        std::vector<DetectedObject> objects;
+        for (const bool sure : {true, false}) {
+            for (const Label label : order) {
+                const Label object = object_of[label];
+                const bool is_building =
+                    object <= detection_.buildings || detection_.objects[object - 1].confirmed;
+                if (is_building != sure)
+                    continue;
+                objects.push_back(detection_.objects[object - 1]);
+                number[label] = static_cast<Label>(objects.size());
+                objects.back().cells = cells[label];
+                objects.back().whole = number[label];
+            }
+            if (sure)
+                detection_.buildings = static_cast<Label>(objects.size());
+        }
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            detection_.labels.values[i] = number[labels.values[i]];
+        detection_.objects = std::move(objects);
+    }
 
   private:
     [[nodiscard]] std::vector<std::int64_t> cells_by_object() const {
@@ -62,7 +127,31 @@ class BuildingMaker {
     }
     /// Labels the connected pieces of the changed cells after the other objects; 0 where one is too small.
     /// @param[out] object_of object of each label
-    [[nodiscard]] Grid<Label> changed_pieces(std::vector<Label>& object_of, Executor& threads) const;
+    [[nodiscard]] Grid<Label> changed_pieces(std::vector<Label>& object_of, Executor& threads) const {
+        const auto count = static_cast<Label>(detection_.objects.size());
+        Mask in_changed(detection_.labels.rows, detection_.labels.cols);
+        for (std::size_t i = 0; i < in_changed.size(); ++i) {
+            const Label label = label_of(i);
+            in_changed.values[i] = label != 0 && has_changed(label) ? 1 : 0;
+        }
+        const Regions pieces = joined_regions(
+            in_changed, [&](std::size_t i, std::size_t j) { return label_of(i) == label_of(j); }, threads);
+        const Grid<Label> piece = piece_grid(pieces, threads);
+        object_of.assign(count + pieces.cells.size(), 0);
+        for (Label label = 1; label <= count; ++label)
+            object_of[label] = label;
+        Grid<Label> labels(in_changed.rows, in_changed.cols);
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            Label label = label_of(i);
+            if (in_changed.values[i] != 0) {
+                const Label object = label;
+                label = pieces.cells[piece.values[i]] < min_cells_ ? 0 : count + piece.values[i];
+                object_of[label] = label == 0 ? 0 : object;
+            }
+            labels.values[i] = label;
+        }
+        return labels;
+    }
     /// True for a polygon, and for an object that has lost cells to one.
     [[nodiscard]] bool has_changed(Label label) const { return label > found() || changed_[label]; }
     void confirm(Label label) {
@@ -80,110 +169,13 @@ class BuildingMaker {
     std::vector<bool> changed_;        ///< by label of an object that was found: it has lost cells
 };
 
-void BuildingMaker::add_area(const SceneCorrection& correction) {
-    std::map<Label, std::int64_t> met;  // cells by object
-    for_correction_cells(correction, scene_.surface.cols,
-                         [&](std::size_t i) { ++met[detection_.labels.values[i]]; });
-    std::vector<Label> whole;
-    std::int64_t size = 0;
-    for (const auto& [label, cells] : met)
-        if (label != 0 && label <= found() && merged_[label] == 0 && 2 * cells >= cells_[label]) {
-            whole.push_back(label);
-            size += cells_[label];
-        }
-    std::vector<std::size_t> taken;
-    for_correction_cells(correction, scene_.surface.cols, [&](std::size_t i) {
-        const Label label = detection_.labels.values[i];
-        const bool is_free =
-            label == 0 ? scene_.height(i) > min_height_ : label <= found() && merged_[label] == 0;
-        if (is_free && !std::ranges::binary_search(whole, label))
-            taken.push_back(i);
-    });
-    if (size + std::ssize(taken) < min_cells_)
-        return;
-    detection_.objects.emplace_back();
-    const auto own = static_cast<Label>(detection_.objects.size());
-    confirm(own);
-    for (const Label label : whole)
-        merged_[label] = own;
-    for (const std::size_t i : taken) {
-        Label& label = detection_.labels.values[i];
-        changed_[label] = label != 0;
-        label = own;
-    }
-}
-
-void BuildingMaker::add_point(const SceneCorrection& correction) {
-    for_correction_cells(correction, scene_.surface.cols, [&](std::size_t i) {
-        if (const Label label = label_of(i); label != 0)
-            confirm(label);
-    });
-}
-
-Grid<Label> BuildingMaker::changed_pieces(std::vector<Label>& object_of, Executor& threads) const {
-    const auto count = static_cast<Label>(detection_.objects.size());
-    Mask in_changed(detection_.labels.rows, detection_.labels.cols);
-    for (std::size_t i = 0; i < in_changed.size(); ++i) {
-        const Label label = label_of(i);
-        in_changed.values[i] = label != 0 && has_changed(label) ? 1 : 0;
-    }
-    const Regions pieces = joined_regions(
-        in_changed, [&](std::size_t i, std::size_t j) { return label_of(i) == label_of(j); }, threads);
-    const Grid<Label> piece = piece_grid(pieces, threads);
-    object_of.assign(count + pieces.cells.size(), 0);
-    for (Label label = 1; label <= count; ++label)
-        object_of[label] = label;
-    Grid<Label> labels(in_changed.rows, in_changed.cols);
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        Label label = label_of(i);
-        if (in_changed.values[i] != 0) {
-            const Label object = label;
-            label = pieces.cells[piece.values[i]] < min_cells_ ? 0 : count + piece.values[i];
-            object_of[label] = label == 0 ? 0 : object;
-        }
-        labels.values[i] = label;
-    }
-    return labels;
-}
-
-/// Makes an object of each connected piece of the changed cells, and drops pieces that are too small.
-void BuildingMaker::renumber(Executor& threads) {
-    std::vector<Label> object_of;
-    const Grid<Label> labels = changed_pieces(object_of, threads);
-    std::vector<Label> order;  // labels by their first cells
-    std::vector<std::int64_t> cells(object_of.size());
-    for (const Label label : labels.values)
-        if (label != 0 && ++cells[label] == 1)
-            order.push_back(label);
-    std::vector<Label> number(object_of.size());
-    std::vector<DetectedObject> objects;
-    for (const bool sure : {true, false}) {
-        for (const Label label : order) {
-            const Label object = object_of[label];
-            const bool is_building =
-                object <= detection_.buildings || detection_.objects[object - 1].confirmed;
-            if (is_building != sure)
-                continue;
-            objects.push_back(detection_.objects[object - 1]);
-            number[label] = static_cast<Label>(objects.size());
-            objects.back().cells = cells[label];
-            objects.back().whole = number[label];
-        }
-        if (sure)
-            detection_.buildings = static_cast<Label>(objects.size());
-    }
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        detection_.labels.values[i] = number[labels.values[i]];
-    detection_.objects = std::move(objects);
-}
-
 /// Returns the object with most cells of each piece; the first one wins ties.
 std::vector<Label> main_objects(const Regions& pieces, const Grid<Label>& objects) {
     std::vector<std::map<Label, std::int64_t>> shared(pieces.cells.size());
-    for (std::int32_t r = 0; r < pieces.rows; ++r)
-        for (const RegionRun& run : pieces.row(r))
-            for (std::int32_t c = run.begin; c < run.end; ++c)
-                ++shared[run.label][objects.at(r, c)];
+    for_runs(pieces, [&](std::int32_t r, const RegionRun& run) {
+        for (std::int32_t c = run.begin; c < run.end; ++c)
+            ++shared[run.label][objects.at(r, c)];
+    });
     std::vector<Label> most(pieces.cells.size());
     for (std::size_t piece = 1; piece < most.size(); ++piece)
         if (!shared[piece].empty())
@@ -191,6 +183,28 @@ std::vector<Label> main_objects(const Regions& pieces, const Grid<Label>& object
                               return entry.second;
                           })->first;
     return most;
+}
+
+/// Cells of an object.
+struct CountedCells {
+    std::int64_t all = 0;
+    std::int64_t inside = 0;  ///< those in a mask
+};
+
+/// @return by label - 1
+std::vector<CountedCells> count_cells(const Detection& detection, const Mask& mask, Executor& threads) {
+    std::vector<CountedCells> counts(detection.objects.size());
+    const Grid<Label>& labels = detection.labels;
+    for_rows(threads, labels.rows, labels.cols, [&](std::int32_t r) {
+        const auto in_mask = mask.row(r).begin();
+        for_equal_runs(labels.row(r), [&](std::int32_t begin, std::int32_t end, Label label) {
+            CountedCells& object = counts[label - 1];
+            const std::int64_t inside = std::count(in_mask + begin, in_mask + end, std::uint8_t{1});
+            std::atomic_ref(object.all).fetch_add(end - begin, std::memory_order_relaxed);
+            std::atomic_ref(object.inside).fetch_add(inside, std::memory_order_relaxed);
+        });
+    });
+    return counts;
 }
 
 }  // namespace
@@ -239,6 +253,17 @@ void cut_by_corrections(const Scene& scene, double width_m, std::int64_t min_cel
     for (const SceneCorrection& correction : scene.corrections)
         if (std::ranges::any_of(correction.cuts, separates))
             detection.effective_cuts.push_back(correction.index);
+}
+
+void mark_left_out(const Mask& where, LeftOut reason, Detection& detection, Executor& threads) {
+    const std::vector<CountedCells> counts = count_cells(detection, where, threads);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        DetectedObject& object = detection.objects[i];
+        const bool is_decided = object.confirmed || object.left_out == LeftOut::denied;
+        if (counts[i].inside > 0 && 2 * counts[i].inside >= counts[i].all &&
+            (reason == LeftOut::denied || !is_decided))
+            object.left_out = reason;
+    }
 }
 
 void mark_denied(const Scene& scene, Detection& detection, Executor& threads) {

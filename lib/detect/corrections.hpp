@@ -23,6 +23,11 @@ void confirm_buildings(const Scene& scene, double min_height, std::int64_t min_c
 void cut_by_corrections(const Scene& scene, double width_m, std::int64_t min_cells, Detection& detection,
                         Executor& threads);
 
+/// Marks objects of which half or more lies in a mask of 0 and 1. They keep their cells, because units must
+/// agree on them at seams; merging the units drops them. LeftOut::excluded does not apply to objects that an
+/// editor has confirmed, or has denied already.
+void mark_left_out(const Mask& where, LeftOut reason, Detection& detection, Executor& threads);
+
 /// Marks the objects that an editor denies: those below points, and those of which half or more lies in
 /// polygons.
 void mark_denied(const Scene& scene, Detection& detection, Executor& threads);

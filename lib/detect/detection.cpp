@@ -30,28 +30,6 @@ std::vector<FirstCell> first_cells(const Regions& regions, const Chosen& chosen)
     return cells;
 }
 
-Mask low_cells(const Scene& scene, float min_height, Executor& threads) {
-    Mask low = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
-    for_row_bands(threads, low.rows, low.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const std::span<const float> z = scene.surface.row(r);
-            const std::span<const float> ground = scene.terrain.row(r);
-            const std::span<std::uint8_t> out = low.row(r);
-            for (std::size_t c = 0; c < out.size(); ++c) {
-                const float height = z[c] - ground[c];
-                const int above = height > lowest_roof_m ? 1 : 0;  // 0 if NaN
-                out[c] = static_cast<std::uint8_t>(above & (height <= min_height ? 1 : 0));
-            }
-            if (scene.allowed == nullptr)
-                continue;
-            const std::span<const std::uint8_t> allowed = scene.allowed->row(r);
-            for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] &= allowed[c];
-        }
-    });
-    return low;
-}
-
 /// @param smooth receives the limits of smoothness in the usual pass
 Candidates detect_candidates(const Scene& scene, const DetectOptions& options, double min_area_m2,
                              SmoothnessThresholds& smooth, Executor& threads) {
@@ -104,7 +82,11 @@ std::vector<FirstCell> low_roofs(const Scene& scene, const Grid<std::uint8_t>& f
                                  std::int64_t min_cells, Executor& threads) {
     if (!(min_height > static_cast<double>(lowest_roof_m)))
         return {};
-    const Mask low = low_cells(scene, static_cast<float>(min_height), threads);
+    const auto is_low = [most = static_cast<float>(min_height)](float z, float ground) {
+        const float height = z - ground;
+        return height > lowest_roof_m && height <= most;
+    };
+    const Mask low = cells_where(scene, is_low, threads);
     return first_cells(smooth_regions(scene, low, flags, threads),
                        [&](std::int64_t cells) { return cells >= min_cells; });
 }

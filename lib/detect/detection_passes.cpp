@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/grid.hpp"
-#include "detect/classify.hpp"
 #include "detect/priors.hpp"
 #include "raster/regions.hpp"
 
@@ -78,11 +77,11 @@ bool any(const Mask& mask, std::int32_t row, std::int32_t begin, std::int32_t en
 /// Also chooses objects that neither overlap nor touch a mask.
 void keep_separate(const Mask& taken, const Regions& regions, Chosen& chosen) {
     Chosen apart(chosen.size(), 1);
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r))
-            if (any(taken, r, run.begin - 1, run.end + 1) || any(taken, r - 1, run.begin, run.end) ||
-                any(taken, r + 1, run.begin, run.end))
-                apart[run.label] = 0;
+    for_runs(regions, [&](std::int32_t r, const RegionRun& run) {
+        if (any(taken, r, run.begin - 1, run.end + 1) || any(taken, r - 1, run.begin, run.end) ||
+            any(taken, r + 1, run.begin, run.end))
+            apart[run.label] = 0;
+    });
     for (std::size_t label = 1; label < chosen.size(); ++label)
         chosen[label] |= apart[label];
 }
@@ -124,6 +123,7 @@ struct Level {
     double margin;  ///< factor on the margin for sparse points
     double penalty;
 };
+
 // Fitted on La Rochelle, on simulated sparse scans of high-resolution places, and on scenes, see
 // docs/research/sparse_points.md.
 constexpr std::array<Level, 5> levels{
@@ -144,14 +144,13 @@ Candidates found_at(const Level& level, const Scene& scene, SceneCells& cells, d
 }  // namespace
 
 void clear_with_border(const Regions& regions, Mask& cells, Executor& threads) {
-    for_row_bands(threads, cells.rows, cells.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y) {
-                const std::int32_t beside = y == r ? 1 : 0;
-                for (const RegionRun& run : regions.row(y))
-                    std::fill(cells.row(r).begin() + std::max(run.begin - beside, 0),
-                              cells.row(r).begin() + std::min(run.end + beside, cells.cols), std::uint8_t{0});
-            }
+    for_rows(threads, cells.rows, cells.cols, [&](std::int32_t r) {
+        for (std::int32_t y = std::max(r - 1, 0); y <= std::min(r + 1, cells.rows - 1); ++y) {
+            const std::int32_t beside = y == r ? 1 : 0;
+            for (const RegionRun& run : regions.row(y))
+                std::fill(cells.row(r).begin() + std::max(run.begin - beside, 0),
+                          cells.row(r).begin() + std::min(run.end + beside, cells.cols), std::uint8_t{0});
+        }
     });
 }
 

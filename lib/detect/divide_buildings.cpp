@@ -41,12 +41,72 @@ class CellAssigner {
           step_(roof_step(scene)),
           owners_(pieces) {}
 
-    void mark_cut(Label count);
-    void unassign(const Grid<Label>& pieces, const Mask& where);
-    [[nodiscard]] Mask near_cuts(Executor& threads) const;
-    [[nodiscard]] Grid<Label> stepless(Executor& threads) const;
+    void mark_cut(Label count) {
+        std::vector<Label> building_of(count + std::size_t{1}, 0);
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            building_of[pieces_.values[i]] = buildings_.values[i];
+        first_piece_.assign(std::size_t{1} + *std::max_element(building_of.begin() + 1, building_of.end()),
+                            0);
+        std::vector<bool> is_cut(first_piece_.size(), false);
+        for (Label piece = 1; piece <= count; ++piece) {
+            Label& first = first_piece_[building_of[piece]];
+            is_cut[building_of[piece]] = first != 0;
+            first = first == 0 ? piece : first;
+        }
+        in_cut_building_ = Mask(pieces_.rows, pieces_.cols);
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            in_cut_building_.values[i] = pieces_.values[i] != 0 && is_cut[buildings_.values[i]] ? 1 : 0;
+    }
+    /// Unassigns the cells that an opening removes.
+    /// @param pieces pieces, or parts of them
+    /// @param where cells that may be unassigned
+    void unassign(const Grid<Label>& pieces, const Mask& where) {
+        Mask kept = open_pieces(pieces);
+        std::vector<std::size_t> off;
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            if (in_cut_building_.values[i] != 0 && kept.values[i] == 0 && where.values[i] != 0)
+                off.push_back(i);
+        // Restores the corners that an opening rounds off.
+        const int corner = static_cast<int>(std::ceil(width_ / 4 / scene_.side())) + 1;
+        for (int round = 0; round < corner; ++round)
+            grow(pieces, off, kept);
+        for (const std::size_t i : off)
+            if (kept.values[i] == 0)
+                owners_.values[i] = 0;
+    }
+    [[nodiscard]] Mask near_cuts(Executor& threads) const {
+        Mask whole(pieces_.rows, pieces_.cols, 1);
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            if (in_cut_building_.values[i] != 0)
+                for_neighbours(i, [&](std::size_t j) {
+                    if (pieces_.values[j] != pieces_.values[i] &&
+                        buildings_.values[j] == buildings_.values[i])
+                        whole.values[i] = 0;
+                });
+        Mask near = erode(whole, width_, scene_.cell, threads);
+        for (std::uint8_t& value : near.values)
+            value ^= 1;
+        return near;
+    }
+    [[nodiscard]] Grid<Label> stepless(Executor& threads) const {
+        return piece_grid(joined_regions(
+                              in_cut_building_,
+                              [&](std::size_t i, std::size_t j) {
+                                  return pieces_.values[i] == pieces_.values[j] && !is_step(i, j);
+                              },
+                              threads),
+                          threads);
+    }
     [[nodiscard]] const Mask& cut_building_cells() const { return in_cut_building_; }
-    void assign_all();
+    void assign_all() {
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            if (in_cut_building_.values[i] != 0 && owners_.values[i] == 0)
+                unassigned_.push_back(i);
+        flood(false);
+        flood(true);
+        for (const std::size_t i : unassigned_)
+            owners_.values[i] = first_piece_[buildings_.values[i]];
+    }
     [[nodiscard]] Grid<Label> take() { return std::move(owners_); }
 
   private:
@@ -67,10 +127,75 @@ class CellAssigner {
     [[nodiscard]] bool is_step(std::size_t i, std::size_t j) const {
         return !(std::abs(scene_.surface.values[i] - scene_.surface.values[j]) <= step_);
     }
-    [[nodiscard]] Mask open_pieces(const Grid<Label>& pieces) const;
-    void grow(const Grid<Label>& pieces, const std::vector<std::size_t>& cells, Mask& kept) const;
-    [[nodiscard]] Label choice(std::size_t cell, bool across_steps) const;
-    void flood(bool across_steps);
+    /// Opening of pieces, or of parts of them.
+    [[nodiscard]] Mask open_pieces(const Grid<Label>& pieces) const {
+        Mask kept(pieces.rows, pieces.cols);
+        const auto keep = [&](const ElementRow& part, std::int32_t r, std::int32_t c) {
+            const std::int32_t y = r + part.down;
+            const std::int32_t left = std::max(c + part.left, 0);
+            if (y >= 0 && y < pieces.rows)
+                std::fill_n(&kept.at(y, left), std::min(c + part.right + 1, pieces.cols) - left,
+                            std::uint8_t{1});
+        };
+        for (std::int32_t r = 0; r < pieces.rows; ++r)
+            for (std::int32_t c = 0; c < pieces.cols; ++c)
+                if (in_cut_building_.at(r, c) != 0 && fits(pieces, element_, r, c))
+                    for (const ElementRow& part : element_)
+                        keep(part, r, c);
+        return kept;
+    }
+    /// One step of dilation within pieces, restricted to the given cells.
+    void grow(const Grid<Label>& pieces, const std::vector<std::size_t>& cells, Mask& kept) const {
+        std::vector<std::size_t> back;
+        for (const std::size_t i : cells)
+            if (kept.values[i] == 0)
+                for_neighbours(i, [&](std::size_t j) {
+                    if (kept.values[j] != 0 && pieces.values[j] == pieces.values[i])
+                        back.push_back(i);
+                });
+        for (const std::size_t i : back)
+            kept.values[i] = 1;
+    }
+    /// Returns the owner for an unassigned cell; 0 if there is none yet.
+    [[nodiscard]] Label choice(std::size_t cell, bool across_steps) const {
+        std::array<std::pair<int, Label>, 4> votes{};
+        for_neighbours(cell, [&](std::size_t j) {
+            const Label owner = owners_.values[j];
+            if (owner == 0 || buildings_.values[j] != buildings_.values[cell] ||
+                (!across_steps && is_step(cell, j)))
+                return;
+            for (auto& [count, label] : votes)
+                if (count == 0 || label == owner) {
+                    ++count;
+                    label = owner;
+                    break;
+                }
+        });
+        const Label own = pieces_.values[cell];
+        const auto better = [&](const std::pair<int, Label>& a, const std::pair<int, Label>& b) {
+            if (across_steps && (a.second == own) != (b.second == own) && a.first > 0 && b.first > 0)
+                return a.second == own;
+            if (a.first != b.first)
+                return a.first > b.first;
+            if ((a.second == own) != (b.second == own))
+                return a.second == own;
+            return a.second < b.second;
+        };
+        return std::ranges::min(votes, better).second;
+    }
+    /// Flood fill in rounds. Each round reads only the previous one, so the order of cells does not matter.
+    void flood(bool across_steps) {
+        std::vector<std::pair<std::size_t, Label>> found;
+        do {
+            found.clear();
+            for (const std::size_t i : unassigned_)
+                if (const Label owner = choice(i, across_steps); owner != 0)
+                    found.emplace_back(i, owner);
+            for (const auto& [i, owner] : found)
+                owners_.values[i] = owner;
+            std::erase_if(unassigned_, [&](std::size_t i) { return owners_.values[i] != 0; });
+        } while (!found.empty());
+    }
 
     const Scene& scene_;
     const Grid<Label>& pieces_;
@@ -84,146 +209,6 @@ class CellAssigner {
     std::vector<std::size_t> unassigned_;  // unassigned cells
 };
 
-void CellAssigner::mark_cut(Label count) {
-    std::vector<Label> building_of(count + std::size_t{1}, 0);
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-        building_of[pieces_.values[i]] = buildings_.values[i];
-    first_piece_.assign(std::size_t{1} + *std::max_element(building_of.begin() + 1, building_of.end()), 0);
-    std::vector<bool> is_cut(first_piece_.size(), false);
-    for (Label piece = 1; piece <= count; ++piece) {
-        Label& first = first_piece_[building_of[piece]];
-        is_cut[building_of[piece]] = first != 0;
-        first = first == 0 ? piece : first;
-    }
-    in_cut_building_ = Mask(pieces_.rows, pieces_.cols);
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-        in_cut_building_.values[i] = pieces_.values[i] != 0 && is_cut[buildings_.values[i]] ? 1 : 0;
-}
-
-/// Opening of pieces, or of parts of them.
-Mask CellAssigner::open_pieces(const Grid<Label>& pieces) const {
-    Mask kept(pieces.rows, pieces.cols);
-    const auto keep = [&](const ElementRow& part, std::int32_t r, std::int32_t c) {
-        const std::int32_t y = r + part.down;
-        const std::int32_t left = std::max(c + part.left, 0);
-        if (y >= 0 && y < pieces.rows)
-            std::fill_n(&kept.at(y, left), std::min(c + part.right + 1, pieces.cols) - left, std::uint8_t{1});
-    };
-    for (std::int32_t r = 0; r < pieces.rows; ++r)
-        for (std::int32_t c = 0; c < pieces.cols; ++c)
-            if (in_cut_building_.at(r, c) != 0 && fits(pieces, element_, r, c))
-                for (const ElementRow& part : element_)
-                    keep(part, r, c);
-    return kept;
-}
-
-/// One step of dilation within pieces, restricted to the given cells.
-void CellAssigner::grow(const Grid<Label>& pieces, const std::vector<std::size_t>& cells, Mask& kept) const {
-    std::vector<std::size_t> back;
-    for (const std::size_t i : cells)
-        if (kept.values[i] == 0)
-            for_neighbours(i, [&](std::size_t j) {
-                if (kept.values[j] != 0 && pieces.values[j] == pieces.values[i])
-                    back.push_back(i);
-            });
-    for (const std::size_t i : back)
-        kept.values[i] = 1;
-}
-
-/// Unassigns the cells that an opening removes.
-/// @param pieces pieces, or parts of them
-/// @param where cells that may be unassigned
-void CellAssigner::unassign(const Grid<Label>& pieces, const Mask& where) {
-    Mask kept = open_pieces(pieces);
-    std::vector<std::size_t> off;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (in_cut_building_.values[i] != 0 && kept.values[i] == 0 && where.values[i] != 0)
-            off.push_back(i);
-    // Restores the corners that an opening rounds off.
-    const int corner = static_cast<int>(std::ceil(width_ / 4 / scene_.side())) + 1;
-    for (int round = 0; round < corner; ++round)
-        grow(pieces, off, kept);
-    for (const std::size_t i : off)
-        if (kept.values[i] == 0)
-            owners_.values[i] = 0;
-}
-
-Mask CellAssigner::near_cuts(Executor& threads) const {
-    Mask whole(pieces_.rows, pieces_.cols, 1);
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-        if (in_cut_building_.values[i] != 0)
-            for_neighbours(i, [&](std::size_t j) {
-                if (pieces_.values[j] != pieces_.values[i] && buildings_.values[j] == buildings_.values[i])
-                    whole.values[i] = 0;
-            });
-    Mask near = erode(whole, width_, scene_.cell, threads);
-    for (std::uint8_t& value : near.values)
-        value ^= 1;
-    return near;
-}
-
-Grid<Label> CellAssigner::stepless(Executor& threads) const {
-    return piece_grid(joined_regions(
-                          in_cut_building_,
-                          [&](std::size_t i, std::size_t j) {
-                              return pieces_.values[i] == pieces_.values[j] && !is_step(i, j);
-                          },
-                          threads),
-                      threads);
-}
-
-/// Returns the owner for an unassigned cell; 0 if there is none yet.
-Label CellAssigner::choice(std::size_t cell, bool across_steps) const {
-    std::array<std::pair<int, Label>, 4> votes{};
-    for_neighbours(cell, [&](std::size_t j) {
-        const Label owner = owners_.values[j];
-        if (owner == 0 || buildings_.values[j] != buildings_.values[cell] ||
-            (!across_steps && is_step(cell, j)))
-            return;
-        for (auto& [count, label] : votes)
-            if (count == 0 || label == owner) {
-                ++count;
-                label = owner;
-                break;
-            }
-    });
-    const Label own = pieces_.values[cell];
-    const auto better = [&](const std::pair<int, Label>& a, const std::pair<int, Label>& b) {
-        if (across_steps && (a.second == own) != (b.second == own) && a.first > 0 && b.first > 0)
-            return a.second == own;
-        if (a.first != b.first)
-            return a.first > b.first;
-        if ((a.second == own) != (b.second == own))
-            return a.second == own;
-        return a.second < b.second;
-    };
-    return std::ranges::min(votes, better).second;
-}
-
-/// Flood fill in rounds. Each round reads only the previous one, so the order of cells does not matter.
-void CellAssigner::flood(bool across_steps) {
-    std::vector<std::pair<std::size_t, Label>> found;
-    do {
-        found.clear();
-        for (const std::size_t i : unassigned_)
-            if (const Label owner = choice(i, across_steps); owner != 0)
-                found.emplace_back(i, owner);
-        for (const auto& [i, owner] : found)
-            owners_.values[i] = owner;
-        std::erase_if(unassigned_, [&](std::size_t i) { return owners_.values[i] != 0; });
-    } while (!found.empty());
-}
-
-void CellAssigner::assign_all() {
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-        if (in_cut_building_.values[i] != 0 && owners_.values[i] == 0)
-            unassigned_.push_back(i);
-    flood(false);
-    flood(true);
-    for (const std::size_t i : unassigned_)
-        owners_.values[i] = first_piece_[buildings_.values[i]];
-}
-
 Regions cut(const Mask& cells, const ParcelGrid& parcels, const Grid<Label>& labels, Executor& threads) {
     const auto cols = static_cast<std::size_t>(labels.cols);
     return joined_regions(
@@ -235,27 +220,15 @@ Regions cut(const Mask& cells, const ParcelGrid& parcels, const Grid<Label>& lab
         threads);
 }
 
-/// Calls use(run, row, begin, end) for all runs, with the index range of their cells.
-template <typename Use>
-void for_runs(const Regions& regions, const Use& use) {
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r)) {
-            const std::size_t first = static_cast<std::size_t>(r) * static_cast<std::size_t>(regions.cols);
-            use(run, r, first + static_cast<std::size_t>(run.begin),
-                first + static_cast<std::size_t>(run.end));
-        }
-}
-
 /// Returns the first cells of pieces that are not the largest piece of any object.
 /// @param objects resulting objects, by cell
 std::vector<FirstCell> pieces_gone(const Regions& pieces, const Grid<Label>& objects) {
     std::map<std::pair<Label, Label>, std::int64_t> shared;  // keyed by object and piece
-    std::vector<FirstCell> first(pieces.cells.size(), {-1, -1});
-    for_runs(pieces, [&](const RegionRun& run, std::int32_t row, std::size_t begin, std::size_t end) {
-        if (first[run.label].row < 0)
-            first[run.label] = {row, run.begin};
-        for (std::size_t i = begin; i < end; ++i)
-            ++shared[{objects.values[i], run.label}];
+    std::vector<FirstCell> first(pieces.cells.size());
+    for_first_runs(pieces, [&](std::int32_t r, const RegionRun& run) { first[run.label] = {r, run.begin}; });
+    for_runs(pieces, [&](std::int32_t r, const RegionRun& run) {
+        for (std::int32_t c = run.begin; c < run.end; ++c)
+            ++shared[{objects.at(r, c), run.label}];
     });
     std::vector<bool> stays(pieces.cells.size(), false);
     for (auto of_object = shared.begin(); of_object != shared.end();) {
@@ -311,26 +284,24 @@ Regions stepless_pieces(const Scene& scene, float split_height, const Detection&
 }
 
 void add_cells(const Scene& scene, const Regions& regions, PieceAdjacencyGraph& graph) {
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r)) {
-            PieceAdjacencyGraph::Piece& piece = graph.piece(run.label);
-            piece.cells += run.end - run.begin;
-            for (std::int32_t c = run.begin; c < run.end; ++c)
-                if (const float z = scene.surface.at(r, c); !std::isnan(z)) {
-                    ++piece.heights;
-                    piece.height_sum += static_cast<double>(z);
-                }
-        }
+    for_runs(regions, [&](std::int32_t r, const RegionRun& run) {
+        PieceAdjacencyGraph::Piece& piece = graph.piece(run.label);
+        piece.cells += run.end - run.begin;
+        for (std::int32_t c = run.begin; c < run.end; ++c)
+            if (const float z = scene.surface.at(r, c); !std::isnan(z)) {
+                ++piece.heights;
+                piece.height_sum += static_cast<double>(z);
+            }
+    });
 }
 
 void mark_wide(const Grid<Label>& pieces, const Regions& regions, const Element& element,
                PieceAdjacencyGraph& graph) {
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r)) {
-            bool& wide = graph.piece(run.label).wide;
-            for (std::int32_t c = run.begin; c < run.end && !wide; ++c)
-                wide = fits(pieces, element, r, c);
-        }
+    for_runs(regions, [&](std::int32_t r, const RegionRun& run) {
+        bool& wide = graph.piece(run.label).wide;
+        for (std::int32_t c = run.begin; c < run.end && !wide; ++c)
+            wide = fits(pieces, element, r, c);
+    });
 }
 
 }  // namespace

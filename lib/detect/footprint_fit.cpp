@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <mutex>
+#include <set>
 
 #include "detect/ground_level.hpp"
 #include "detect/smoothness.hpp"
@@ -14,30 +16,22 @@ namespace {
 /// Renumbers the labels of a grid from 1, in ascending order, so that tables by label are short.
 /// @return the labels, in ascending order
 std::vector<Label> renumber_present(Grid<Label>& labels, Executor& threads) {
-    const std::vector<RowBand> bands = row_bands(labels.rows, labels.cols);
-    std::vector<std::vector<Label>> here(bands.size());
-    const auto sort_unique = [](std::vector<Label>& list) {
-        std::ranges::sort(list);
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    };
-    threads.for_each(bands.size(), [&](std::size_t i) {
-        for (std::int32_t r = bands[i].begin; r < bands[i].end; ++r)
-            for_equal_runs(labels.row(r),
-                           [&](std::int32_t, std::int32_t, Label label) { here[i].push_back(label); });
-        sort_unique(here[i]);
+    std::set<Label> found;
+    std::mutex mutex;
+    for_rows(threads, labels.rows, labels.cols, [&](std::int32_t r) {
+        std::vector<Label> here;
+        for_equal_runs(labels.row(r),
+                       [&](std::int32_t, std::int32_t, Label label) { here.push_back(label); });
+        const std::lock_guard lock(mutex);
+        found.insert(here.begin(), here.end());
     });
-    std::vector<Label> present;
-    for (const std::vector<Label>& some : here)
-        present.insert(present.end(), some.begin(), some.end());
-    sort_unique(present);
-    threads.for_each(bands.size(), [&](std::size_t i) {
-        for (std::int32_t r = bands[i].begin; r < bands[i].end; ++r) {
-            const std::span<Label> row = labels.row(r);
-            for_equal_runs(row, [&](std::int32_t begin, std::int32_t end, Label label) {
-                const auto number = std::ranges::lower_bound(present, label) - present.begin() + 1;
-                std::fill(row.begin() + begin, row.begin() + end, static_cast<Label>(number));
-            });
-        }
+    std::vector<Label> present(found.begin(), found.end());
+    for_rows(threads, labels.rows, labels.cols, [&](std::int32_t r) {
+        const std::span<Label> row = labels.row(r);
+        for_equal_runs(row, [&](std::int32_t begin, std::int32_t end, Label label) {
+            const auto number = std::ranges::lower_bound(present, label) - present.begin() + 1;
+            std::fill(row.begin() + begin, row.begin() + end, static_cast<Label>(number));
+        });
     });
     return present;
 }

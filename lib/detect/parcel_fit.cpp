@@ -35,8 +35,18 @@ ShiftSteps shift_steps(double cell_m) {
 /// steps included) next to one, else 0.
 class WallGrid {
   public:
-    WallGrid(const Scene& scene, const Detection& detection, bool below, std::int32_t step,
-             Executor& threads);
+    WallGrid(const Scene& scene, const Detection& detection, bool below, std::int32_t step, Executor& threads)
+        : scene_(scene),
+          detection_(detection),
+          least_step_(walls_to_steps * roof_step(scene)),
+          down_(below ? 1 : 0),
+          right_(below ? 0 : 1),
+          weights_(scene.surface.rows, scene.surface.cols) {
+        for_rows(threads, weights_.rows, weights_.cols, [&](std::int32_t r) {
+            for (std::int32_t c = 0; c < weights_.cols; ++c)
+                weigh(r, c, step);
+        });
+    }
     /// @pre the cell is in the grid
     [[nodiscard]] std::int64_t at(std::int32_t r, std::int32_t c) const { return weights_.at(r, c); }
 
@@ -44,8 +54,24 @@ class WallGrid {
     [[nodiscard]] bool is_building(std::int32_t r, std::int32_t c) const {
         return detection_.is_building(detection_.labels.at(r, c));
     }
-    [[nodiscard]] bool is_wall(std::int32_t r, std::int32_t c) const;
-    void weigh(std::int32_t r, std::int32_t c, std::int32_t step);
+    [[nodiscard]] bool is_wall(std::int32_t r, std::int32_t c) const {
+        const std::int32_t to_r = r + down_;
+        const std::int32_t to_c = c + right_;
+        if (!weights_.holds(r, c) || !weights_.holds(to_r, to_c))
+            return false;
+        if (is_building(r, c) != is_building(to_r, to_c))
+            return true;
+        return is_building(r, c) &&
+               std::abs(scene_.surface.at(r, c) - scene_.surface.at(to_r, to_c)) > least_step_;
+    }
+    void weigh(std::int32_t r, std::int32_t c, std::int32_t step) {
+        for (std::int32_t beside = 0; beside <= step; ++beside)
+            for (const std::int32_t away : {-beside, beside})
+                if (is_wall(r + away * down_, c + away * right_)) {
+                    weights_.at(r, c) = 2 * beside <= step ? 2 : 1;
+                    return;
+                }
+    }
 
     const Scene& scene_;
     const Detection& detection_;
@@ -54,41 +80,6 @@ class WallGrid {
     std::int32_t right_;
     Mask weights_;
 };
-
-WallGrid::WallGrid(const Scene& scene, const Detection& detection, bool below, std::int32_t step,
-                   Executor& threads)
-    : scene_(scene),
-      detection_(detection),
-      least_step_(walls_to_steps * roof_step(scene)),
-      down_(below ? 1 : 0),
-      right_(below ? 0 : 1),
-      weights_(scene.surface.rows, scene.surface.cols) {
-    for_row_bands(threads, weights_.rows, weights_.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (std::int32_t c = 0; c < weights_.cols; ++c)
-                weigh(r, c, step);
-    });
-}
-
-bool WallGrid::is_wall(std::int32_t r, std::int32_t c) const {
-    const std::int32_t to_r = r + down_;
-    const std::int32_t to_c = c + right_;
-    if (!weights_.holds(r, c) || !weights_.holds(to_r, to_c))
-        return false;
-    if (is_building(r, c) != is_building(to_r, to_c))
-        return true;
-    return is_building(r, c) &&
-           std::abs(scene_.surface.at(r, c) - scene_.surface.at(to_r, to_c)) > least_step_;
-}
-
-void WallGrid::weigh(std::int32_t r, std::int32_t c, std::int32_t step) {
-    for (std::int32_t beside = 0; beside <= step; ++beside)
-        for (const std::int32_t away : {-beside, beside})
-            if (is_wall(r + away * down_, c + away * right_)) {
-                weights_.at(r, c) = 2 * beside <= step ? 2 : 1;
-                return;
-            }
-}
 
 /// Edges between cells and their right, or lower, neighbours.
 class EdgeCounter {
@@ -216,7 +207,23 @@ class FitOfRows {
           fit_(fit),
           step_(walls_to_steps * roof_step(scene)) {}
 
-    void add_cell(std::int32_t r, std::int32_t c);
+    void add_cell(std::int32_t r, std::int32_t c) {
+        if (!is_building(r, c))
+            return;
+        const ParcelCell& cell = parcels_.at(r, c);
+        ++fit_.cells;
+        if (cell.parcel != ParcelCell::no_parcel) {
+            ++fit_.inside;
+            fit_.several += cell.several ? 1 : 0;
+            fit_.invalid += cell.invalid ? 1 : 0;
+        }
+        for (const bool below : {false, true}) {
+            const std::int32_t to_r = r + (below ? 1 : 0);
+            const std::int32_t to_c = c + (below ? 0 : 1);
+            if (is_building(to_r, to_c) && separated_by_parcel(cell, parcels_.at(to_r, to_c), below))
+                add_pair(r, c, below);
+        }
+    }
 
   private:
     [[nodiscard]] bool is_building(std::int32_t r, std::int32_t c) const {
@@ -225,9 +232,67 @@ class FitOfRows {
     [[nodiscard]] bool is_step(std::int32_t r, std::int32_t c, std::int32_t to_r, std::int32_t to_c) const {
         return std::abs(scene_.surface.at(r, c) - scene_.surface.at(to_r, to_c)) > step_;
     }
-    void add_pair(std::int32_t r, std::int32_t c, bool below);
-    [[nodiscard]] CellVector across(std::int32_t r, std::int32_t c, bool below) const;
-    [[nodiscard]] std::optional<double> wall_from(CellVector edge, CellVector way) const;
+    void add_pair(std::int32_t r, std::int32_t c, bool below) {
+        ++fit_.cuts;
+        const CellVector way = across(r, c, below);
+        const CellVector edge{r + (below ? 1.0 : 0.5), c + (below ? 0.5 : 1.0)};
+        std::optional<double> nearest;
+        if (is_step(r, c, r + (below ? 1 : 0), c + (below ? 0 : 1)))
+            nearest = 0;
+        for (const double sign : {-1.0, 1.0})
+            if (const auto wall = wall_from(edge, {sign * way.row, sign * way.col});
+                wall && (!nearest || *wall < *nearest))
+                nearest = wall;
+        if (nearest)
+            ++fit_.distances[std::min(static_cast<std::size_t>(*nearest / bin_m), ParcelFit::bins - 1)];
+    }
+    /// Returns the vector of one metre from one side to the other, between the centroids of their
+    /// surroundings.
+    [[nodiscard]] CellVector across(std::int32_t r, std::int32_t c, bool below) const {
+        const std::int64_t from = parcels_.at(r, c).parcel;
+        const std::int64_t to = parcels_.at(r + (below ? 1 : 0), c + (below ? 0 : 1)).parcel;
+        std::array<CellVector, 2> sums{};
+        std::array<std::int64_t, 2> counts{};
+        for (std::int32_t y = std::max(r - cut_radius, 0); y <= std::min(r + cut_radius, parcels_.rows - 1);
+             ++y)
+            for (std::int32_t x = std::max(c - cut_radius, 0);
+                 x <= std::min(c + cut_radius, parcels_.cols - 1); ++x)
+                for (const std::size_t side : {0U, 1U})
+                    if (from != to && parcels_.at(y, x).parcel == (side == 0 ? from : to)) {
+                        sums[side].row += (y - r) * scene_.cell.down;
+                        sums[side].col += (x - c) * scene_.cell.across;
+                        ++counts[side];
+                    }
+        CellVector way{below ? 1.0 : 0.0, below ? 0.0 : 1.0};
+        if (from != to) {
+            const auto middle = [&](std::size_t side, double CellVector::*axis) {
+                return sums[side].*axis / static_cast<double>(counts[side]);
+            };
+            way = {middle(1, &CellVector::row) - middle(0, &CellVector::row),
+                   middle(1, &CellVector::col) - middle(0, &CellVector::col)};
+        }
+        const double length = std::hypot(way.row, way.col);
+        return {way.row / length / scene_.cell.down, way.col / length / scene_.cell.across};
+    }
+    /// @param way direction in cells per metre
+    /// @return distance in m
+    [[nodiscard]] std::optional<double> wall_from(CellVector edge, CellVector way) const {
+        const double stride = scene_.side();
+        const auto cell_at = [&](double metres) {
+            return std::pair(static_cast<std::int32_t>(std::floor(edge.row + metres * way.row)),
+                             static_cast<std::int32_t>(std::floor(edge.col + metres * way.col)));
+        };
+        std::pair<std::int32_t, std::int32_t> before = cell_at(stride / 2);
+        for (int step = 0; step * stride < ParcelFit::reach_m; ++step) {
+            const auto [r, c] = cell_at((step + 0.5) * stride);
+            if (!scene_.surface.holds(r, c))
+                return std::nullopt;
+            if (!is_building(r, c) || is_step(before.first, before.second, r, c))
+                return step * stride;
+            before = {r, c};
+        }
+        return std::nullopt;
+    }
 
     const Scene& scene_;
     const ParcelGrid& parcels_;
@@ -235,87 +300,6 @@ class FitOfRows {
     ParcelFit& fit_;
     float step_;
 };
-
-void FitOfRows::add_cell(std::int32_t r, std::int32_t c) {
-    if (!is_building(r, c))
-        return;
-    const ParcelCell& cell = parcels_.at(r, c);
-    ++fit_.cells;
-    if (cell.parcel != ParcelCell::no_parcel) {
-        ++fit_.inside;
-        fit_.several += cell.several ? 1 : 0;
-        fit_.invalid += cell.invalid ? 1 : 0;
-    }
-    for (const bool below : {false, true}) {
-        const std::int32_t to_r = r + (below ? 1 : 0);
-        const std::int32_t to_c = c + (below ? 0 : 1);
-        if (is_building(to_r, to_c) && separated_by_parcel(cell, parcels_.at(to_r, to_c), below))
-            add_pair(r, c, below);
-    }
-}
-
-/// Returns the vector of one metre from one side to the other, between the centroids of their surroundings.
-CellVector FitOfRows::across(std::int32_t r, std::int32_t c, bool below) const {
-    const std::int64_t from = parcels_.at(r, c).parcel;
-    const std::int64_t to = parcels_.at(r + (below ? 1 : 0), c + (below ? 0 : 1)).parcel;
-    std::array<CellVector, 2> sums{};
-    std::array<std::int64_t, 2> counts{};
-    for (std::int32_t y = std::max(r - cut_radius, 0); y <= std::min(r + cut_radius, parcels_.rows - 1); ++y)
-        for (std::int32_t x = std::max(c - cut_radius, 0); x <= std::min(c + cut_radius, parcels_.cols - 1);
-             ++x)
-            for (const std::size_t side : {0U, 1U})
-                if (from != to && parcels_.at(y, x).parcel == (side == 0 ? from : to)) {
-                    sums[side].row += (y - r) * scene_.cell.down;
-                    sums[side].col += (x - c) * scene_.cell.across;
-                    ++counts[side];
-                }
-    CellVector way{below ? 1.0 : 0.0, below ? 0.0 : 1.0};
-    if (from != to) {
-        const auto middle = [&](std::size_t side, double CellVector::*axis) {
-            return sums[side].*axis / static_cast<double>(counts[side]);
-        };
-        way = {middle(1, &CellVector::row) - middle(0, &CellVector::row),
-               middle(1, &CellVector::col) - middle(0, &CellVector::col)};
-    }
-    const double length = std::hypot(way.row, way.col);
-    return {way.row / length / scene_.cell.down, way.col / length / scene_.cell.across};
-}
-
-/// @param way direction in cells per metre
-/// @return distance in m
-std::optional<double> FitOfRows::wall_from(CellVector edge, CellVector way) const {
-    const double stride = scene_.side();
-    const auto cell_at = [&](double metres) {
-        return std::pair(static_cast<std::int32_t>(std::floor(edge.row + metres * way.row)),
-                         static_cast<std::int32_t>(std::floor(edge.col + metres * way.col)));
-    };
-    std::pair<std::int32_t, std::int32_t> before = cell_at(stride / 2);
-    for (int step = 0; step * stride < ParcelFit::reach_m; ++step) {
-        const auto [r, c] = cell_at((step + 0.5) * stride);
-        if (!scene_.surface.holds(r, c))
-            return std::nullopt;
-        if (!is_building(r, c) || is_step(before.first, before.second, r, c))
-            return step * stride;
-        before = {r, c};
-    }
-    return std::nullopt;
-}
-
-void FitOfRows::add_pair(std::int32_t r, std::int32_t c, bool below) {
-    ++fit_.cuts;
-    const CellVector way = across(r, c, below);
-    const CellVector edge{r + (below ? 1.0 : 0.5), c + (below ? 0.5 : 1.0)};
-    std::optional<double> nearest;
-    if (is_step(r, c, r + (below ? 1 : 0), c + (below ? 0 : 1)))
-        nearest = 0;
-    for (const double sign : {-1.0, 1.0})
-        if (const auto wall = wall_from(edge, {sign * way.row, sign * way.col});
-            wall && (!nearest || *wall < *nearest))
-            nearest = wall;
-    if (nearest)
-        ++fit_.distances[std::min(static_cast<std::size_t>(*nearest / bin_m), ParcelFit::bins - 1)];
-}
-
 }  // namespace
 
 void ShiftCounts::merge(const ShiftCounts& other) {
@@ -328,10 +312,9 @@ void count_shifts(const Scene& scene, const Detection& detection, const Window& 
     for (const bool below : {false, true}) {
         const EdgeCounter counter(scene, detection, below, threads);
         counts.merge(
-            reduce_row_bands(threads, own.rows, own.cols, ShiftCounts(), [&](RowBand band, ShiftCounts& sum) {
-                for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
-                    for (std::int32_t c = own.col; c < own.end_col(); ++c)
-                        counter.count(r, c, sum);
+            reduce_rows(threads, own.rows, own.cols, ShiftCounts(), [&](std::int32_t r, ShiftCounts& sum) {
+                for (std::int32_t c = own.col; c < own.end_col(); ++c)
+                    counter.count(own.row + r, c, sum);
             }));
     }
 }
@@ -378,11 +361,10 @@ void ParcelFit::merge(const ParcelFit& other) {
 
 void add_fit(const Scene& scene, const Detection& detection, const Window& own, ParcelFit& fit,
              Executor& threads) {
-    fit.merge(reduce_row_bands(threads, own.rows, own.cols, ParcelFit(), [&](RowBand band, ParcelFit& sum) {
+    fit.merge(reduce_rows(threads, own.rows, own.cols, ParcelFit(), [&](std::int32_t r, ParcelFit& sum) {
         FitOfRows rows(scene, detection, sum);
-        for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r)
-            for (std::int32_t c = own.col; c < own.end_col(); ++c)
-                rows.add_cell(r, c);
+        for (std::int32_t c = own.col; c < own.end_col(); ++c)
+            rows.add_cell(own.row + r, c);
     }));
     count_shifts(scene, detection, own, fit.shifts, threads);
 }

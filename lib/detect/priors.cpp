@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "detect/classify.hpp"
 #include "detect/sampling_rules.hpp"
 
 namespace d2b::detect {

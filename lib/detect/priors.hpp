@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -8,6 +10,21 @@
 #include "raster/regions.hpp"
 
 namespace d2b::detect {
+
+/// Odds of a probability, finite even for 1.
+[[nodiscard]] inline double odds(double probability) {
+    constexpr double least_doubt = 1e-15;
+    return probability / std::max(1 - probability, least_doubt);
+}
+
+[[nodiscard]] inline double probability_of(double odds) {
+    return odds / (1 + odds);
+}
+
+/// Lowers the log-odds of a probability.
+[[nodiscard]] inline double less_sure(double probability, double log_odds) {
+    return probability_of(odds(probability) * std::exp(-log_odds));
+}
 
 /// Estimates the share of buildings among the candidates of a scene. Confidences are only valid for the share
 /// in the training data of classify(); wooded scenes have fewer buildings.

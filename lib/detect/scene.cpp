@@ -15,55 +15,40 @@ std::int64_t cells_covering(double area_m2, const CellSize& cell) {
 }
 
 Mask elevated_cells(const Scene& scene, double min_height, Executor& threads) {
-    Mask result = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
-    for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
-        const auto least = static_cast<float>(min_height);
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            // Local spans, because stores of bytes may alias anything and would otherwise prevent
-            // vectorisation. Same wherever bytes of cells are written.
-            const std::span<const float> z = scene.surface.row(r);
-            const std::span<const float> ground = scene.terrain.row(r);
-            const std::span<std::uint8_t> out = result.row(r);
-            for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] = z[c] - ground[c] > least ? 1 : 0;  // 0 if NaN
-            if (scene.allowed == nullptr)
-                continue;
-            const std::span<const std::uint8_t> allowed = scene.allowed->row(r);
-            for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] = allowed[c] != 0 ? out[c] : std::uint8_t{0};
-        }
-    });
-    return result;
+    return cells_where(
+        scene, [least = static_cast<float>(min_height)](float z, float ground) { return z - ground > least; },
+        threads);
 }
 
 namespace {
 
 constexpr std::int32_t rows_at_once = 256;
 
-/// Calls use(index of the first value, values) for each band of rows.
-template <typename Use>
-void for_each_band(DemSource& source, const Window& all, Context& context, Use use) {
+/// Reads a window as converted values.
+template <typename T, typename Convert>
+Grid<T> read_cells(DemSource& source, const Window& all, Context& context, const Convert& convert) {
     const StageClock clock(context.report, Stage::read);
+    Grid<T> cells(all.rows, all.cols);
     std::vector<double> values;
-    std::size_t first = 0;
     for (std::int32_t r = all.row; r < all.end_row(); r += rows_at_once) {
         const Window band{r, all.col, std::min(rows_at_once, all.end_row() - r), all.cols};
         values.resize(static_cast<std::size_t>(band.points()));
         source.read(band, values);
-        use(first, values);
-        first += values.size();
+        std::ranges::transform(values, cells.row(r - all.row).data(), convert);
     }
+    return cells;
 }
 
 }  // namespace
 
 MetreGrid read_grid(DemSource& source, const Window& part, double factor, Context& context) {
-    MetreGrid grid(part.rows, part.cols);
-    for_each_band(source, part, context, [&](std::size_t first, const std::vector<double>& values) {
-        for (std::size_t i = 0; i < values.size(); ++i)
-            grid.values[first + i] = static_cast<float>(values[i] * factor);
-    });
-    return grid;
+    return read_cells<float>(source, part, context,
+                             [&](double value) { return static_cast<float>(value * factor); });
+}
+
+Mask read_mask(DemSource& source, const Window& part, Context& context) {
+    return read_cells<std::uint8_t>(
+        source, part, context, [](double value) { return std::uint8_t{!std::isnan(value) && value != 0}; });
 }
 
 std::vector<SceneCorrection> corrections_in(const std::vector<Correction>& all, const Window& part) {
@@ -83,15 +68,6 @@ std::vector<SceneCorrection> corrections_in(const std::vector<Correction>& all, 
             here.push_back(std::move(correction));
     }
     return here;
-}
-
-Mask read_mask(DemSource& source, const Window& part, Context& context) {
-    Mask mask(part.rows, part.cols);
-    for_each_band(source, part, context, [&](std::size_t first, const std::vector<double>& values) {
-        for (std::size_t i = 0; i < values.size(); ++i)
-            mask.values[first + i] = !std::isnan(values[i]) && values[i] != 0 ? 1 : 0;
-    });
-    return mask;
 }
 
 }  // namespace d2b::detect

@@ -61,6 +61,27 @@ struct Scene {
 /// Returns the smallest number of cells that cover an area, capped at a number no raster reaches.
 [[nodiscard]] std::int64_t cells_covering(double area_m2, const CellSize& cell);
 
+/// Returns the cells within the allowed area of which is(elevation, terrain) is true.
+template <typename Is>
+[[nodiscard]] Mask cells_where(const detect::Scene& scene, const Is& is, Executor& threads) {
+    Mask result = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
+    for_rows(threads, result.rows, result.cols, [&](std::int32_t r) {
+        // Local spans, because stores of bytes may alias anything and would otherwise prevent vectorisation.
+        // Same wherever bytes of cells are written.
+        const std::span<const float> z = scene.surface.row(r);
+        const std::span<const float> ground = scene.terrain.row(r);
+        const std::span<std::uint8_t> out = result.row(r);
+        for (std::size_t c = 0; c < out.size(); ++c)
+            out[c] = is(z[c], ground[c]) ? 1 : 0;
+        if (scene.allowed == nullptr)
+            return;
+        const std::span<const std::uint8_t> allowed = scene.allowed->row(r);
+        for (std::size_t c = 0; c < out.size(); ++c)
+            out[c] = allowed[c] != 0 ? out[c] : std::uint8_t{0};
+    });
+    return result;
+}
+
 /// Returns the cells higher above the terrain than a threshold, within the allowed area.
 [[nodiscard]] Mask elevated_cells(const detect::Scene& scene, double min_height, Executor& threads);
 

@@ -77,22 +77,19 @@ void add_fit(const MetreGrid& surface, const MetreGrid& ground, const Window& ce
              Executor& threads) {
     const auto col = static_cast<std::size_t>(cells.col);
     const auto cols = static_cast<std::size_t>(cells.cols);
-    const auto add_band = [&](RowBand band, GroundFit& some) {
-        for (std::int32_t r = cells.row + band.begin; r < cells.row + band.end; ++r)
-            some.add(surface.row(r).subspan(col, cols), ground.row(r).subspan(col, cols));
+    const auto add_row = [&](std::int32_t r, GroundFit& some) {
+        some.add(surface.row(cells.row + r).subspan(col, cols), ground.row(cells.row + r).subspan(col, cols));
     };
-    fit.merge(reduce_row_bands(threads, cells.rows, cells.cols, GroundFit(fit.min_height()), add_band));
+    fit.merge(reduce_rows(threads, cells.rows, cells.cols, GroundFit(fit.min_height()), add_row));
 }
 
 constexpr std::int64_t least_missing = 20;  // at least one in this many cells
 Mask known_cells(const MetreGrid& surface, const Window& own, Executor& threads) {
     Mask known = Mask::unset(own.rows, own.cols, threads);
-    for_row_bands(threads, own.rows, own.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const float* row = surface.row(own.row + r).data() + own.col;
-            std::ranges::transform(row, row + own.cols, known.row(r).data(),
-                                   [](float z) { return static_cast<std::uint8_t>(z == z ? 1 : 0); });
-        }
+    for_rows(threads, own.rows, own.cols, [&](std::int32_t r) {
+        const float* row = surface.row(own.row + r).data() + own.col;
+        std::ranges::transform(row, row + own.cols, known.row(r).data(),
+                               [](float z) { return static_cast<std::uint8_t>(z == z ? 1 : 0); });
     });
     return known;
 }
@@ -113,7 +110,10 @@ void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first
                GroundSlope& slope, Executor& threads) {
     constexpr std::int32_t every = 16;
     const auto end_col = static_cast<std::size_t>(std::min(cells.end_col(), ground.cols - 1));
-    const auto add_row = [&](std::int32_t r, GroundSlope& sum) {
+    const auto add_row = [&](std::int32_t row, GroundSlope& sum) {
+        const std::int32_t r = cells.row + row;
+        if ((first_row + r) % every != 0)
+            return;
         const auto here = ground.row(r);
         const auto below = ground.row(r + 1);
         for (auto c = static_cast<std::size_t>(cells.col); c < end_col; ++c)
@@ -121,12 +121,7 @@ void add_slope(const MetreGrid& ground, const CellSize& cell, std::int32_t first
                     static_cast<double>(below[c] - here[c]) / cell.down);
     };
     const std::int32_t rows = std::min(cells.end_row(), ground.rows - 1) - cells.row;
-    slope.merge(
-        reduce_row_bands(threads, rows, ground.cols, GroundSlope(), [&](RowBand band, GroundSlope& sum) {
-            for (std::int32_t r = band.begin; r < band.end; ++r)
-                if ((first_row + cells.row + r) % every == 0)
-                    add_row(cells.row + r, sum);
-        }));
+    slope.merge(reduce_rows(threads, rows, ground.cols, GroundSlope(), add_row));
 }
 
 void ValidIslands::merge(const ValidIslands& other) {

@@ -78,6 +78,8 @@ std::optional<SlopeSampling> SlopeErrors::sampling() const {
 
 SlopeErrors slope_errors(const Scene& scene, const Mask& roofs, Executor& threads) {
     const auto add_row = [&](std::int32_t r, SlopeErrors& counts) {
+        if (r == 0 || r + 1 == roofs.rows)
+            return;
         for (std::int32_t c = 1; c + 1 < roofs.cols; ++c) {
             if (!is_inside(roofs, r, c))
                 continue;
@@ -89,11 +91,7 @@ SlopeErrors slope_errors(const Scene& scene, const Mask& roofs, Executor& thread
             counts.planar += error < planar_cells * scene.side() ? 1 : 0;
         }
     };
-    return reduce_row_bands(
-        threads, roofs.rows, roofs.cols, SlopeErrors(), [&](RowBand band, SlopeErrors& counts) {
-            for (std::int32_t r = std::max(band.begin, 1); r < std::min(band.end, roofs.rows - 1); ++r)
-                add_row(r, counts);
-        });
+    return reduce_rows(threads, roofs.rows, roofs.cols, SlopeErrors(), add_row);
 }
 
 }  // namespace d2b::detect

@@ -126,10 +126,8 @@ SmoothnessThresholds smoothness_thresholds(double side, const SurfaceQuality& qu
 Grid<std::uint8_t> smoothness(const MetreGrid& surface, const SmoothnessThresholds& limits,
                               Executor& threads) {
     auto result = Grid<std::uint8_t>::unset(surface.rows, surface.cols, threads);
-    for_row_bands(threads, surface.rows, surface.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            flag_row(surface, r, limits, result.row(r));
-    });
+    for_rows(threads, surface.rows, surface.cols,
+             [&](std::int32_t r) { flag_row(surface, r, limits, result.row(r)); });
     return result;
 }
 

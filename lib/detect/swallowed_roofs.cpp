@@ -46,20 +46,8 @@ std::int32_t wall_cells(const Scene& scene) {
 
 /// Returns the valid cells within the allowed area that neither belong to an object nor touch one.
 Mask free_cells(const Scene& scene, const Regions& objects, Executor& threads) {
-    Mask result = Mask::unset(scene.surface.rows, scene.surface.cols, threads);
-    for_row_bands(threads, result.rows, result.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const std::span<const float> z = scene.surface.row(r);
-            const std::span<std::uint8_t> out = result.row(r);
-            for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] = std::isnan(z[c]) ? 0 : 1;
-            if (scene.allowed == nullptr)
-                continue;
-            const std::span<const std::uint8_t> allowed = scene.allowed->row(r);
-            for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] = allowed[c] != 0 ? out[c] : std::uint8_t{0};
-        }
-    });
+    Mask result = cells_where(
+        scene, [](float z, float) { return !std::isnan(z); }, threads);
     clear_with_border(objects, result, threads);
     return result;
 }
@@ -107,13 +95,12 @@ Mask tops_of_walls(const Scene& scene, const Mask& free, Executor& threads) {
 /// Flags the regions that have a cell of a mask, by label.
 std::vector<std::uint8_t> regions_with(const Regions& regions, const Mask& mask) {
     std::vector<std::uint8_t> has(regions.cells.size(), 0);
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r)) {
-            const auto cells = mask.row(r);
-            const auto end = cells.begin() + run.end;
-            if (std::find(cells.begin() + run.begin, end, 1) != end)
-                has[run.label] = 1;
-        }
+    for_runs(regions, [&](std::int32_t r, const RegionRun& run) {
+        const auto cells = mask.row(r);
+        const auto end = cells.begin() + run.end;
+        if (std::find(cells.begin() + run.begin, end, 1) != end)
+            has[run.label] = 1;
+    });
     return has;
 }
 

@@ -162,26 +162,23 @@ constexpr double least_crown_m2 = 4;
 Mask roofs_of(const Scene& scene, const SmoothSegments& segments, const Mask& objects, Executor& threads) {
     const std::int64_t least = cells_covering(large_segment_m2, scene.cell);
     Mask roofs(objects.rows, objects.cols, 0, threads);
-    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (const RegionRun& run : segments.regions.row(r))
-                if (segments.pieces[run.label - 1].cells >= least)
-                    std::copy(objects.row(r).begin() + run.begin, objects.row(r).begin() + run.end,
-                              roofs.row(r).begin() + run.begin);
+    for_rows(threads, objects.rows, objects.cols, [&](std::int32_t r) {
+        for (const RegionRun& run : segments.regions.row(r))
+            if (segments.pieces[run.label - 1].cells >= least)
+                std::copy(objects.row(r).begin() + run.begin, objects.row(r).begin() + run.end,
+                          roofs.row(r).begin() + run.begin);
     });
     return roofs;
 }
 
 Regions parts_beside(const Mask& roofs, const Mask& objects, std::int64_t min_cells, Executor& threads) {
     Mask rest = Mask::unset(objects.rows, objects.cols, threads);
-    for_row_bands(threads, objects.rows, objects.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const std::span<const std::uint8_t> object = objects.row(r);
-            const std::span<const std::uint8_t> roof = roofs.row(r);
-            const std::span<std::uint8_t> out = rest.row(r);
-            for (std::size_t c = 0; c < out.size(); ++c)
-                out[c] = object[c] > roof[c] ? 1 : 0;
-        }
+    for_rows(threads, objects.rows, objects.cols, [&](std::int32_t r) {
+        const std::span<const std::uint8_t> object = objects.row(r);
+        const std::span<const std::uint8_t> roof = roofs.row(r);
+        const std::span<std::uint8_t> out = rest.row(r);
+        for (std::size_t c = 0; c < out.size(); ++c)
+            out[c] = object[c] > roof[c] ? 1 : 0;
     });
     return connected_regions(rest, 1, min_cells, threads);
 }

@@ -26,32 +26,20 @@ RowBand slab_of(RowBand rows, std::int32_t slab) {
     return {begin, std::min(begin + slab_rows, rows.end)};
 }
 
-/// Core of a unit in the grid of its extent.
-struct Own {
-    std::int32_t row;
-    std::int32_t col;
-    std::int32_t end_row;
-    std::int32_t end_col;
-};
-
 using Lines = UnitEdges::Lines;
 
-Lines rows_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
+/// Returns the cells of a window on both sides of a seam between rows, or between columns.
+Lines lines_at(const Grid<Label>& labels, const Window& own, std::int32_t seam, bool between_rows) {
     Lines lines;
-    for (const std::int32_t side : {0, 1})
-        if (seam > 0 && seam < labels.rows) {
-            const auto row = labels.row(seam - 1 + side);
-            lines[static_cast<std::size_t>(side)].assign(row.begin() + own.col, row.begin() + own.end_col);
-        }
-    return lines;
-}
-
-Lines cols_at(const Grid<Label>& labels, const Own& own, std::int32_t seam) {
-    Lines lines;
-    for (const std::int32_t side : {0, 1})
-        if (seam > 0 && seam < labels.cols)
-            for (std::int32_t row = own.row; row < own.end_row; ++row)
-                lines[static_cast<std::size_t>(side)].push_back(labels.at(row, seam - 1 + side));
+    for (const std::int32_t side : {0, 1}) {
+        std::vector<Label>& line = lines[static_cast<std::size_t>(side)];
+        const std::int32_t at = seam - 1 + side;
+        if (between_rows && seam > 0 && seam < labels.rows)
+            line.assign(labels.row(at).begin() + own.col, labels.row(at).begin() + own.end_col());
+        else if (!between_rows && seam > 0 && seam < labels.cols)
+            for (std::int32_t row = own.row; row < own.end_row(); ++row)
+                line.push_back(labels.at(row, at));
+    }
     return lines;
 }
 
@@ -281,10 +269,10 @@ void UnitEdges::add(Label more) {
 }
 
 UnitEdges edges_of(const Unit& unit, const Grid<Label>& labels) {
-    const Own own{unit.own.row - unit.seen.row, unit.own.col - unit.seen.col,
-                  unit.own.end_row() - unit.seen.row, unit.own.end_col() - unit.seen.col};
-    return {rows_at(labels, own, own.row), cols_at(labels, own, own.col), rows_at(labels, own, own.end_row),
-            cols_at(labels, own, own.end_col)};
+    const Window own{unit.own.row - unit.seen.row, unit.own.col - unit.seen.col, unit.own.rows,
+                     unit.own.cols};
+    return {lines_at(labels, own, own.row, true), lines_at(labels, own, own.col, false),
+            lines_at(labels, own, own.end_row(), true), lines_at(labels, own, own.end_col(), false)};
 }
 
 void UnitSeams::add(std::int32_t col, UnitEdges&& edges, UnitMerger& merger) {

@@ -34,15 +34,12 @@ class RegionGrowing {
         for (const BlockIndex& n : neighbours_8)
             steps_.push_back(
                 static_cast<float>(slope * std::hypot(n.row * blocks.cell.down, n.col * blocks.cell.across)));
-        for_row_bands(threads, grid_.rows, grid_.cols, [&](RowBand band) {
-            for (std::int32_t i = band.begin; i < band.end; ++i) {
-                const std::span<const float> z = grid_.row(i);
-                const std::span<const float> limit = limits.row(i);
-                const std::span<std::uint8_t> out = mask_.row(i);
-                for (std::size_t j = 0; j < out.size(); ++j)
-                    out[j] =
-                        static_cast<std::uint8_t>((z[j] != no_value ? 1 : 0) & (z[j] <= limit[j] ? 1 : 0));
-            }
+        for_rows(threads, grid_.rows, grid_.cols, [&](std::int32_t i) {
+            const std::span<const float> z = grid_.row(i);
+            const std::span<const float> limit = limits.row(i);
+            const std::span<std::uint8_t> out = mask_.row(i);
+            for (std::size_t j = 0; j < out.size(); ++j)
+                out[j] = static_cast<std::uint8_t>((z[j] != no_value ? 1 : 0) & (z[j] <= limit[j] ? 1 : 0));
         });
     }
 

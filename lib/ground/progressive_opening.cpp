@@ -174,12 +174,10 @@ void lower_limits(MetreGrid& limits, const AlignedGrid& fine, const AlignedGrid&
 MetreGrid spread_limits(const MetreGrid& limits, const CellSize& cell, Executor& threads) {
     MetreGrid around = minimum_3x3(limits, threads);
     const auto rise = static_cast<float>(limit_slope * smaller_side(cell));
-    for_row_bands(threads, limits.rows, limits.cols, [&](RowBand band) {
-        for (std::int32_t i = band.begin; i < band.end; ++i) {
-            for (float& limit : around.row(i))
-                limit += rise;
-            lower_row(limits.row(i), around.row(i));
-        }
+    for_rows(threads, limits.rows, limits.cols, [&](std::int32_t i) {
+        for (float& limit : around.row(i))
+            limit += rise;
+        lower_row(limits.row(i), around.row(i));
     });
     return around;
 }

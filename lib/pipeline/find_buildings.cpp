@@ -10,7 +10,6 @@
 #include "detect/corrections.hpp"
 #include "detect/detection.hpp"
 #include "detect/ground_level.hpp"
-#include "detect/left_out.hpp"
 #include "detect/scene.hpp"
 #include "ground/ground.hpp"
 

@@ -297,11 +297,9 @@ std::vector<CellBox> bounding_boxes(const Regions& regions) {
 
 Grid<Label> label_grid(const Regions& regions, std::span<const Label> number, Executor& threads) {
     Grid<Label> result(regions.rows, regions.cols, 0, threads);
-    for_row_bands(threads, regions.rows, regions.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (const RegionRun& run : regions.row(r))
-                std::fill(result.row(r).begin() + run.begin, result.row(r).begin() + run.end,
-                          number[run.label]);
+    for_rows(threads, regions.rows, regions.cols, [&](std::int32_t r) {
+        for (const RegionRun& run : regions.row(r))
+            std::fill(result.row(r).begin() + run.begin, result.row(r).begin() + run.end, number[run.label]);
     });
     return result;
 }

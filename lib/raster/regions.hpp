@@ -123,16 +123,24 @@ void for_runs_by_label(Executor& threads, const Regions& regions, const Use& use
     });
 }
 
+/// Calls use(row, run) for all runs, in scan order.
+template <typename Use>
+void for_runs(const Regions& regions, const Use& use) {
+    for (std::int32_t r = 0; r < regions.rows; ++r)
+        for (const RegionRun& run : regions.row(r))
+            use(r, run);
+}
+
 /// Calls use(row, run) for the first run of each region, in the order of the labels.
 template <typename Use>
 void for_first_runs(const Regions& regions, const Use& use) {
     Label seen = 0;
-    for (std::int32_t r = 0; r < regions.rows; ++r)
-        for (const RegionRun& run : regions.row(r))
-            if (run.label > seen) {
-                seen = run.label;
-                use(r, run);
-            }
+    for_runs(regions, [&](std::int32_t r, const RegionRun& run) {
+        if (run.label <= seen)
+            return;
+        seen = run.label;
+        use(r, run);
+    });
 }
 
 /// Returns the run of a row that contains a column, or null.
@@ -142,11 +150,10 @@ void for_first_runs(const Regions& regions, const Use& use) {
 /// @param has has(label): true if the region has it
 template <typename Has>
 void paint(const Regions& regions, const Has& has, std::uint8_t value, Mask& mask, Executor& threads) {
-    for_row_bands(threads, regions.rows, regions.cols, [&](RowBand band) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            for (const RegionRun& run : regions.row(r))
-                if (has(run.label))
-                    std::fill_n(mask.row(r).data() + run.begin, run.end - run.begin, value);
+    for_rows(threads, regions.rows, regions.cols, [&](std::int32_t r) {
+        for (const RegionRun& run : regions.row(r))
+            if (has(run.label))
+                std::fill_n(mask.row(r).data() + run.begin, run.end - run.begin, value);
     });
 }
 

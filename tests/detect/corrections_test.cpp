@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "detect/left_out.hpp"
 #include "detect_case.hpp"
 #include "support/test_threads.hpp"
 
