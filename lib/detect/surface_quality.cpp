@@ -125,37 +125,20 @@ constexpr std::int64_t fewest_pairs = 300;
 // filled cells are known.
 constexpr double cells_a_pair = 1.6;
 
-struct RoughCells {
-    const MetreGrid& surface;
-    const Mask& elevated;
-    const Grid<std::uint8_t>& flags;
-
-    /// @param row receives the rough cells, with one more element at the end
-    void find(std::int32_t r, std::span<std::uint8_t> row) const {
-        const std::uint8_t* const high = elevated.row(r).data();
-        const std::uint8_t* const flag = flags.row(r).data();
-        std::uint8_t* const out = row.data();
-        constexpr int bit = std::countr_zero(std::uint8_t{smooth_enough});
-        for (std::size_t c = 0; c + 1 < row.size(); ++c)
-            out[c] = static_cast<std::uint8_t>(high[c] & ((flag[c] >> bit & 1) ^ 1));
-        row.back() = 0;
-    }
-    void add_band(RowBand band, HeightDifferences& differences) const {
-        const auto cols = static_cast<std::size_t>(surface.cols);
-        std::vector<std::uint8_t> here(cols + 1);
-        std::vector<std::uint8_t> below(cols + 1);
-        find(band.begin, here);
-        for (std::int32_t r = band.begin; r < band.end; ++r) {
-            const std::int32_t next = std::min(r + 1, surface.rows - 1);
-            if (next > r)
-                find(next, below);
-            else
-                std::fill(below.begin(), below.end(), std::uint8_t{0});
-            add_differences(surface.row(r), surface.row(next).data(), here, below, differences);
-            here.swap(below);
+/// Adds the differences between the cells of a mask in a row and their neighbours to the right and below.
+/// @param here, below mask of these cells and of one more behind them
+void add_differences(const float* z, const float* z_below, std::span<const std::uint8_t> here,
+                     std::span<const std::uint8_t> below, HeightDifferences& differences) {
+    const auto cells = static_cast<std::int32_t>(here.size()) - 1;
+    for_mask_runs(here, 1, [&](std::int32_t begin, std::int32_t end) {
+        for (std::int32_t c = begin; c < std::min(end, cells); ++c) {
+            if (c + 1 < end)
+                add_difference(std::abs(z[c] - z[c + 1]), differences);
+            if (below[static_cast<std::size_t>(c)] != 0)
+                add_difference(std::abs(z[c] - z_below[c]), differences);
         }
-    }
-};
+    });
+}
 
 }  // namespace
 
@@ -234,12 +217,11 @@ std::optional<double> value_step(const StepHistogram& counts) {
 
 std::optional<double> value_step(const MetreGrid& surface, Executor& threads) {
     const std::int32_t stride = sampled_row_stride(surface.rows, surface.cols);
-    return value_step(reduce_row_bands(threads, surface.rows, surface.cols, StepHistogram(),
-                                       [&](RowBand band, StepHistogram& some) {
-                                           for (std::int32_t r = band.begin; r < band.end; ++r)
-                                               if (r % stride == 0)
-                                                   some.add(surface.row(r));
-                                       }));
+    return value_step(reduce_rows(threads, surface.rows, surface.cols, StepHistogram(),
+                                  [&](std::int32_t r, StepHistogram& some) {
+                                      if (r % stride == 0)
+                                          some.add(surface.row(r));
+                                  }));
 }
 
 double nearest_round_step(double step) {
@@ -258,11 +240,9 @@ double rounding_noise(double step) {
 }
 
 double surface_noise(const MetreGrid& surface, const Mask& elevated, Executor& threads) {
-    const auto add_band = [&](RowBand band, Bends& some) {
-        for (std::int32_t r = band.begin; r < band.end; ++r)
-            add_row(surface.row(r), elevated.row(r), some);
-    };
-    const Bends sum = reduce_row_bands(threads, surface.rows, surface.cols, Bends(), add_band);
+    const Bends sum =
+        reduce_rows(threads, surface.rows, surface.cols, Bends(),
+                    [&](std::int32_t r, Bends& some) { add_row(surface.row(r), elevated.row(r), some); });
     const auto all = static_cast<double>(sum.all);
     // Repeated and rounded values fall into the first bin.
     if (sum.all < fewest_bends || static_cast<double>(sum.counts[0]) >= upper_share * all)
@@ -280,19 +260,33 @@ void add_difference(float difference, HeightDifferences& differences) {
                 : difference_bins);
 }
 
-void add_differences(std::span<const float> heights, const float* heights_below,
-                     std::span<const std::uint8_t> here, std::span<const std::uint8_t> below,
-                     HeightDifferences& differences) {
-    const float* const z = heights.data();
-    const auto cells = static_cast<std::int32_t>(heights.size());
-    for_mask_runs(here, 1, [&](std::int32_t begin, std::int32_t end) {
-        for (std::int32_t c = begin; c < std::min(end, cells); ++c) {
-            if (c + 1 < end)
-                add_difference(std::abs(z[c] - z[c + 1]), differences);
-            if (below[static_cast<std::size_t>(c)] != 0)
-                add_difference(std::abs(z[c] - heights_below[c]), differences);
+HeightDifferences rough_differences(const MetreGrid& surface, const Mask& elevated,
+                                    const Grid<std::uint8_t>& flags, const Window& own, Executor& threads) {
+    const std::int32_t known = std::min(own.cols + 1, surface.cols - own.col);
+    const auto find = [&](std::int32_t r, std::span<std::uint8_t> row) {
+        std::ranges::fill(row, std::uint8_t{0});
+        if (r >= surface.rows)
+            return;
+        const std::uint8_t* const high = elevated.row(r).data() + own.col;
+        const std::uint8_t* const flag = flags.row(r).data() + own.col;
+        std::uint8_t* const out = row.data();
+        constexpr int bit = std::countr_zero(std::uint8_t{smooth_enough});
+        for (std::int32_t c = 0; c < known; ++c)
+            out[c] = static_cast<std::uint8_t>(high[c] & ((flag[c] >> bit & 1) ^ 1));
+    };
+    const auto add_band = [&](RowBand band, HeightDifferences& differences) {
+        std::vector<std::uint8_t> here(static_cast<std::size_t>(own.cols) + 1);
+        std::vector<std::uint8_t> below(here.size());
+        find(own.row + band.begin, here);
+        for (std::int32_t r = own.row + band.begin; r < own.row + band.end; ++r) {
+            find(r + 1, below);
+            add_differences(surface.row(r).data() + own.col,
+                            surface.row(std::min(r + 1, surface.rows - 1)).data() + own.col, here, below,
+                            differences);
+            here.swap(below);
         }
-    });
+    };
+    return reduce_row_bands(threads, own.rows, own.cols, HeightDifferences(), add_band);
 }
 
 double interpolated_fraction(const HeightDifferences& differences) {
@@ -308,10 +302,8 @@ double interpolated_fraction(const HeightDifferences& differences) {
 
 double interpolated_fraction(const MetreGrid& surface, const Mask& elevated, const Grid<std::uint8_t>& flags,
                              Executor& threads) {
-    const RoughCells rough{surface, elevated, flags};
-    const auto add_band = [&](RowBand band, HeightDifferences& some) { rough.add_band(band, some); };
     return interpolated_fraction(
-        reduce_row_bands(threads, surface.rows, surface.cols, HeightDifferences(), add_band));
+        rough_differences(surface, elevated, flags, {0, 0, surface.rows, surface.cols}, threads));
 }
 
 }  // namespace d2b::detect

@@ -8,6 +8,7 @@
 
 #include "core/executor.hpp"
 #include "core/grid.hpp"
+#include "dem2buildings/dem_source.hpp"
 #include "detect/scene.hpp"
 
 namespace d2b::detect {
@@ -85,13 +86,11 @@ using HeightDifferences = Histogram<1000>;
 /// Adds one difference.
 /// @param difference metres, not negative; NaN is ignored
 void add_difference(float difference, HeightDifferences& differences);
-/// Adds the differences of cells of a mask to the next cell in the row and to the cell below, if these belong
-/// to the mask as well.
-/// @param heights heights of a row, followed by one more if the mask continues
-/// @param here, below mask of these cells and of one more behind them
-void add_differences(std::span<const float> heights, const float* heights_below,
-                     std::span<const std::uint8_t> here, std::span<const std::uint8_t> below,
-                     HeightDifferences& differences);
+/// Returns the differences between elevated, rough neighbours, of which the left or upper one is in a window.
+/// @param flags result of smoothness()
+[[nodiscard]] HeightDifferences rough_differences(const MetreGrid& surface, const Mask& elevated,
+                                                  const Grid<std::uint8_t>& flags, const Window& own,
+                                                  Executor& threads);
 
 /// Estimates the share of cells that no laser pulse hit and that were filled with the height of a neighbour,
 /// as is common in survey products. It measures how sparse the points are. Only pairs of elevated cells on

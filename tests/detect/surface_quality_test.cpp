@@ -83,30 +83,29 @@ TEST(InterpolatedFraction, LooksAtWhatIsElevatedRoughAndValid) {
     EXPECT_EQ(interpolated_fraction(wider, elevated, rough, threads()), expected);
 }
 
-TEST(InterpolatedFraction, CountsEachPairOfAMaskOnce) {
+TEST(RoughDifferences, CountsEachPairOfAWindowOnce) {
     std::mt19937 random(3);  // NOLINT: the same masks in every run
-    for (const std::size_t cells : {1U, 2U, 63U, 64U, 65U, 130U}) {
-        std::vector<float> here(cells + 1);
-        std::vector<float> below(cells + 1);
-        std::vector<std::uint8_t> mask(cells + 1);
-        std::vector<std::uint8_t> mask_below(cells + 1);
-        for (std::size_t c = 0; c <= cells; ++c) {
-            here[c] = static_cast<float>(random() % 8);
-            below[c] = static_cast<float>(random() % 8);
-            mask[c] = random() % 4 == 0 ? 0 : 1;
-            mask_below[c] = random() % 2 == 0 ? 0 : 1;
+    for (const std::int32_t cols : {1, 2, 63, 64, 65, 130}) {
+        MetreGrid surface(5, cols);
+        Mask elevated(5, cols);
+        const Grid<std::uint8_t> flags(5, cols);
+        for (std::size_t i = 0; i < surface.size(); ++i) {
+            surface.values[i] = static_cast<float>(random() % 8);
+            elevated.values[i] = random() % 4 == 0 ? 0 : 1;
         }
-        HeightDifferences expected;
-        for (std::size_t c = 0; c < cells; ++c) {
-            if (mask[c] == 1 && mask[c + 1] == 1)
-                add_difference(std::abs(here[c] - here[c + 1]), expected);
-            if (mask[c] == 1 && mask_below[c] == 1)
-                add_difference(std::abs(here[c] - below[c]), expected);
+        for (const Window& own : {Window{0, 0, 5, cols}, Window{1, cols / 3, 2, (cols + 1) / 2}}) {
+            HeightDifferences expected;
+            for (std::int32_t r = own.row; r < own.end_row(); ++r)
+                for (std::int32_t c = own.col; c < own.end_col(); ++c)
+                    for (const std::int32_t down : {0, 1})
+                        if (elevated.at(r, c) != 0 && elevated.holds(r + down, c + 1 - down) &&
+                            elevated.at(r + down, c + 1 - down) != 0)
+                            add_difference(std::abs(surface.at(r, c) - surface.at(r + down, c + 1 - down)),
+                                           expected);
+            const HeightDifferences found = rough_differences(surface, elevated, flags, own, threads());
+            EXPECT_EQ(found.all, expected.all) << cols;
+            EXPECT_EQ(found.counts, expected.counts) << cols;
         }
-        HeightDifferences found;
-        add_differences(std::span(here).first(cells), below.data(), mask, mask_below, found);
-        EXPECT_EQ(found.all, expected.all) << cells;
-        EXPECT_EQ(found.counts, expected.counts) << cells;
     }
 }
 
