@@ -118,7 +118,7 @@ TEST(WallDirections, OneWallIsNotAFrame) {
                                stretch(12, 40)};
     const auto frames = [&] {
         DirectionHistogram histogram;
-        histogram.add(house);
+        DirectionHistogram::add(house, {&histogram});
         return histogram.frames(4);
     };
     ASSERT_EQ(frames().size(), 1U);

@@ -77,9 +77,10 @@ struct ChainState {
     bool pending = true;      ///< has yet to be drawn for its own sake
     bool ends_moved = false;  ///< its end nodes may have moved
     WallDirections directions;
-    std::size_t price = 0;               ///< index of the price of its walls among those tried in turn
-    std::optional<ChainEnds> ends;       ///< open chains only
-    std::unique_ptr<ChainFitter> chain;  ///< set once it has been drawn
+    std::optional<double> main_direction;  ///< of its own stretches, if it follows another chain
+    std::size_t price = 0;                 ///< index of the price of its walls among those tried in turn
+    std::optional<ChainEnds> ends;         ///< open chains only
+    std::unique_ptr<ChainFitter> chain;    ///< set once it has been drawn
     PlacedPolyline polyline;
 };
 

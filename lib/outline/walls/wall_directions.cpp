@@ -17,7 +17,8 @@ double angle_between(double from, double to) {
     return turn - std::round(turn / quarter_turn) * quarter_turn;
 }
 
-void DirectionHistogram::add(const std::vector<Stretch>& stretches) {
+void DirectionHistogram::add(const std::vector<Stretch>& stretches,
+                             std::initializer_list<DirectionHistogram*> to) {
     constexpr double min_length = 2.5;   // cells
     constexpr double wall_length = 5;    // cells
     constexpr double long_stretch = 8;   // cells; its weight per cell is 1
@@ -30,13 +31,16 @@ void DirectionHistogram::add(const std::vector<Stretch>& stretches) {
         const double weight = stretch.length * std::min(stretch.length / long_stretch, max_weight) / spread;
         const double at =
             (stretch.angle - std::floor(stretch.angle / quarter_turn) * quarter_turn) / degree * 2;
-        walls_[static_cast<std::size_t>(at) % bins] += stretch.length >= wall_length ? 1 : 0;
+        for (DirectionHistogram* histogram : to)
+            histogram->walls_[static_cast<std::size_t>(at) % bins] += stretch.length >= wall_length ? 1 : 0;
         const int reach = static_cast<int>(std::ceil(6 * spread));  // three standard deviations
         for (int k = -reach; k <= reach; ++k) {
             const double bin = std::floor(at) + k;
             const double away = (bin - at) / 2 / spread;
             const auto i = static_cast<std::size_t>(bin + 2.0 * bins) % bins;
-            weights_[i] += weight * std::exp(-away * away / 2);
+            const double share = weight * std::exp(-away * away / 2);
+            for (DirectionHistogram* histogram : to)
+                histogram->weights_[i] += share;
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <numbers>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct Stretch {
 /// their length because their direction is known better, and are spread less for the same reason.
 class DirectionHistogram {
   public:
-    void add(const std::vector<Stretch>& stretches);
+    /// Adds stretches to several histograms at a time, because their weights take long to compute.
+    static void add(const std::vector<Stretch>& stretches, std::initializer_list<DirectionHistogram*> to);
     /// Adds the weights of another one, but not its walls.
     void add(const DirectionHistogram& other, double weight);
     void take_walls_of(const DirectionHistogram& building) { walls_ = building.walls_; }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/disjoint_sets.hpp"
@@ -218,7 +219,15 @@ void WallLayout::find_frames() {
     for (std::uint32_t c = 0; c < graph_.chains.size(); ++c) {
         stop_.check();
         const bool is_tier = graph_.chains[c].rank > WallGraph::highest_low_rank;
-        (is_tier ? tiers : groups)[footprints.group_of(c)].add(fitter(c).stretches());
+        DirectionHistogram& group = (is_tier ? tiers : groups)[footprints.group_of(c)];
+        if (reference_chain(graph_, cluster_, c) == WallGraph::none) {
+            DirectionHistogram::add(fitter(c).stretches(), {&group});
+            continue;
+        }
+        DirectionHistogram own;
+        DirectionHistogram::add(fitter(c).stretches(), {&own, &group});
+        if (own.total() > 0)
+            states_[c].main_direction = own.frames(1).front();
     }
     // Ridges and steps of a roof run as its walls do, and no crown hides them.
     constexpr double tier_weight = 0.5;
@@ -228,8 +237,9 @@ void WallLayout::find_frames() {
         if (reference_chain(graph_, cluster_, c) != WallGraph::none)
             continue;
         const ChainFitter& chain = fitter(c);
+        // Found again, because histograms of all chains of a cluster take too much memory.
         DirectionHistogram own;
-        own.add(chain.stretches());
+        DirectionHistogram::add(chain.stretches(), {&own});
         // A short chain says little, so that its building counts as much at least.
         constexpr double weight_of_short = 50;
         const DirectionHistogram& building = groups.at(footprints.group_of(c));
@@ -250,13 +260,11 @@ WallDirections WallLayout::directions(std::uint32_t c) const {
         constexpr double apart = 8.0 / 180 * std::numbers::pi;
         directions.frames = states_[base].directions.frames;
         directions.frames.resize(std::min(directions.frames.size(), most_frames_of(chain, options_.walls)));
-        DirectionHistogram own;
-        own.add(chain.stretches());
-        const double main = own.frames(1).front();
-        if (!right && own.total() > 0 && std::ranges::none_of(directions.frames, [&](double frame) {
-                return std::abs(angle_between(frame, main)) < apart;
+        const std::optional<double> main = states_[c].main_direction;
+        if (!right && main && std::ranges::none_of(directions.frames, [&](double frame) {
+                return std::abs(angle_between(frame, *main)) < apart;
             }))
-            directions.frames.push_back(main);
+            directions.frames.push_back(*main);
     } else {
         directions.frames = states_[c].directions.frames;
     }

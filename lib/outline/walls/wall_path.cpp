@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -128,33 +129,41 @@ struct Windows {
         return padding + heading * (width + padding);
     }
 };
-constexpr std::size_t lanes = 8;
+constexpr std::size_t lanes = 4;
 constexpr std::size_t quarter_turns = 4;  // headings of a family
 
-/// Least of the values of lanes.
-float least_of(std::array<float, lanes>& values) {
-    for (std::size_t half = lanes / 2; half > 0; half /= 2)
-        for (std::size_t i = 0; i < half; ++i)
-            values[i] = std::min(values[i], values[i + half]);
-    return values[0];
+/// Costs that are computed at a time. A vector of the compiler, because it keeps an array in memory.
+using Lanes [[gnu::vector_size(lanes * sizeof(float))]] = float;
+
+Lanes load(const float* costs) {
+    Lanes values;
+    std::memcpy(&values, costs, sizeof values);
+    return values;
 }
 
-using Lanes = std::array<float, lanes>;
+void store(Lanes values, float* costs) {
+    std::memcpy(costs, &values, sizeof values);
+}
+
+Lanes smaller(Lanes a, Lanes b) {
+    return b < a ? b : a;
+}
+
+float least_of(Lanes values) {
+    return std::min(std::min(values[0], values[2]), std::min(values[1], values[3]));
+}
 
 /// Adds infinite costs before or after a window.
 void pad(std::size_t padding, float* costs) {
     for (std::size_t block = 0; block < padding; block += lanes)
-        for (std::size_t lane = 0; lane < lanes; ++lane)
-            costs[block + lane] = infinite;
+        store(Lanes{} + infinite, costs + block);
 }
 
-/// Advances all headings by a step, and finds the least cost of each in each zone. The costs of a block are
-/// put into a variable first, because they might be anywhere for all that the compiler knows.
+/// Advances all headings by a step, and finds the least cost of each in each zone.
 /// @param beginnings costs of beginning a wall, [zone][heading]
 /// @param endings [zone][family][twice the quarter turns]
-D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector<HeadingStep>& steps,
-                                       const float* before, const float* beginnings, float* costs,
-                                       float* endings) {
+void advance_headings(const Windows& windows, const std::vector<HeadingStep>& steps, const float* before,
+                      const float* beginnings, float* costs, float* endings) {
     const std::size_t n = steps.size();
     const std::size_t width = windows.width;
     const std::size_t padding = windows.padding;
@@ -170,33 +179,38 @@ D2B_MULTIVERSION void advance_headings(const Windows& windows, const std::vector
         const float from_wide = beginnings[h];
         const float from_middle = beginnings[n + h];
         const float from_narrow = beginnings[2 * n + h];
-        Lanes least_wide;
-        Lanes least_middle;
-        Lanes least_narrow;
-        least_wide.fill(infinite);
-        least_middle.fill(infinite);
-        least_narrow.fill(infinite);
-        for (std::size_t block = 0; block < width; block += lanes) {
-            Lanes cost;
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
-                const std::size_t w = block + lane;
-                const float turned =
-                    std::min(std::min(from_wide + wide[w], from_middle + middle[w]), from_narrow + narrow[w]);
-                cost[lane] = std::min(same[w], turned) + (step.factor * step.costs[w] + step.fixed);
-                least_wide[lane] = std::min(least_wide[lane], cost[lane] + wide[w]);
-                least_middle[lane] = std::min(least_middle[lane], cost[lane] + middle[w]);
-                least_narrow[lane] = std::min(least_narrow[lane], cost[lane] + narrow[w]);
-            }
-            std::copy(cost.begin(), cost.end(), own + block);
+        Lanes least_wide = Lanes{} + infinite;
+        Lanes least_middle = least_wide;
+        Lanes least_narrow = least_wide;
+        for (std::size_t w = 0; w < width; w += lanes) {
+            const Lanes in_wide = load(wide + w);
+            const Lanes in_middle = load(middle + w);
+            const Lanes in_narrow = load(narrow + w);
+            const Lanes turned =
+                smaller(smaller(from_wide + in_wide, from_middle + in_middle), from_narrow + in_narrow);
+            const Lanes cost =
+                smaller(load(same + w), turned) + (step.factor * load(step.costs + w) + step.fixed);
+            store(cost, own + w);
+            least_wide = smaller(least_wide, cost + in_wide);
+            least_middle = smaller(least_middle, cost + in_middle);
+            least_narrow = smaller(least_narrow, cost + in_narrow);
         }
         pad(padding, own + width);
         float* ending = endings + 2 * (h - h % quarter_turns) + h % quarter_turns;
-        for (Lanes* least : {&least_wide, &least_middle, &least_narrow}) {
-            ending[0] = ending[quarter_turns] = least_of(*least);
+        for (const Lanes least : {least_wide, least_middle, least_narrow}) {
+            ending[0] = ending[quarter_turns] = least_of(least);
             ending += 2 * n;
         }
     }
 }
+
+/// Costs of the chain that a thread is at. They are kept for the next one, because most chains are so short
+/// that allocating them takes as long as the search.
+struct ChainCosts {
+    CellValues<float> lines;
+    CellValues<float> beginnings;
+};
+thread_local ChainCosts chain_costs;
 
 /// Shortest path over the lines of consecutive steps.
 class PathFinder {
@@ -258,6 +272,7 @@ class PathFinder {
     std::vector<Heading> headings_;
     std::vector<std::uint8_t> sharp_;  // per step
     double price_;
+    double tie_price_;
     double interval_;  // cells between offsets
     int higher_;       // sign of the offset of a step from a line on the lower ground; 0 if both sides count
     double per_interval_;
@@ -271,9 +286,8 @@ class PathFinder {
     std::vector<std::int64_t> bases_;    // of that step
     std::vector<float> endings_;  // least costs of a wall that ends, [zone][family][twice the quarter turns]
     std::size_t row_;             // size of the costs of a step
-    // Uninitialised at first, because setting a whole block to zero takes as long as a short chain.
-    CellValues<float> costs_;       // of the steps of a block
-    CellValues<float> beginnings_;  // of the block's steps and the next one, [step][zone][heading]
+    CellValues<float>& costs_;    // of the steps of a block
+    CellValues<float>& beginnings_;  // of the block's steps and the next one, [step][zone][heading]
 };
 
 PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameters,
@@ -284,13 +298,16 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
       headings_(std::move(headings)),
       sharp_(std::move(sharp)),
       price_(parameters.price),
+      tie_price_(tie * std::sqrt(price_)),
       interval_(std::max(0.25, parameters.tolerance / 20)),
       higher_(samples.mirrored() ? -parameters.higher : parameters.higher),
       per_interval_(1 / interval_),
       half_(static_cast<std::size_t>(reach(parameters.tolerance) / interval_)),
       steps_(headings_.size()),
       bases_(headings_.size()),
-      endings_(2 * zone_count * headings_.size()) {
+      endings_(2 * zone_count * headings_.size()),
+      costs_(chain_costs.lines),
+      beginnings_(chain_costs.beginnings) {
     windows_.width = (2 * half_ + lanes) / lanes * lanes;
     // A window moves by the length of a step at most, and one line by rounding. Beyond its width all is
     // alike.
@@ -305,8 +322,8 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
     }
     row_ = windows_.begin(headings_.size());
     const std::size_t most = std::min(longest, block);
-    costs_.resize(most * row_);
-    beginnings_.resize((most + 1) * zone_count * headings_.size());
+    costs_.resize(std::max(costs_.size(), most * row_));
+    beginnings_.resize(std::max(beginnings_.size(), (most + 1) * zone_count * headings_.size()));
     turns_ = turns_up_to(sharpest_cosine);
     if (std::ranges::find(sharp_, 1) != sharp_.end())
         sharp_turns_ = turns_up_to(sharp_cosine);
@@ -357,7 +374,6 @@ void PathFinder::set_steps(std::size_t step) {
     const Vec2 along = samples_.at(step + 1) - samples_.at(step);
     const Vec2 middle = samples_.midpoint(step);
     const double size = length(along);
-    const double tie_price = tie * std::sqrt(price_);
     const auto farthest = static_cast<std::int64_t>(windows_.padding);
     for (std::size_t h = 0; h < headings_.size(); ++h) {
         const double facing = dot(along, headings_[h].along);
@@ -367,7 +383,7 @@ void PathFinder::set_steps(std::size_t step) {
         const auto fraction = static_cast<std::size_t>(nearest_integer((whole - at + 0.5) * fractions));
         steps_[h] = {std::clamp(base - bases_[h], -farthest, farthest),
                      distance_costs_.data() + fraction * windows_.width, static_cast<float>(size),
-                     static_cast<float>(tie_price * (size - facing))};
+                     static_cast<float>(tie_price_ * (size - facing))};
         bases_[h] = base;
     }
 }
@@ -404,8 +420,7 @@ void PathFinder::advance(std::size_t step, const float* before, float* costs, fl
     for (const FamilyTurn& turn : turns(step).allowed) {
         const float* ended = endings_.data() + turn.ending;
         float* begun = beginnings + turn.beginning;
-        for (std::size_t q = 0; q < quarter_turns; ++q)
-            begun[q] = std::min(begun[q], ended[q] + turn.cost);
+        store(smaller(load(begun), load(ended) + turn.cost), begun);
     }
     set_steps(step);
     advance_headings(windows_, steps_, before, beginnings, costs, endings_.data());

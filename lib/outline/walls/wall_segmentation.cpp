@@ -309,7 +309,9 @@ class Separator {
     Separator(const TraceSums& samples, int higher)
         : samples_(samples),
           left_cost_(higher < 0 ? low_cell_cost : 1),
-          right_cost_(higher > 0 ? low_cell_cost : 1) {}
+          right_cost_(higher > 0 ? low_cell_cost : 1) {
+        events_.reserve(2 * samples.steps());
+    }
     /// @return cells to the left of the direction of the chain
     double move(const WallSegment& segment) {
         find_events(segment);
@@ -333,7 +335,8 @@ void Separator::find_events(const WallSegment& segment) {
     const Vec2 left = (dot(run, segment.line.along) > 0 ? 1 : -1) * samples_.left_of(segment.line.along);
     TraceSums::Cells before{{infinity, infinity}, {infinity, infinity}};
     const auto add = [&](Vec2 cell, Vec2 cell_before, double cost) {
-        if (!(length(cell - cell_before) < 0.1))
+        const Vec2 apart = cell - cell_before;
+        if (!(dot(apart, apart) < 0.01))
             events_.push_back({dot(left, cell - segment.line.through), cost});
     };
     for (std::size_t step = segment.first; step < segment.last; ++step) {
