@@ -1,5 +1,6 @@
 #include "raster/regions.hpp"
 
+#include <bit>
 #include <tuple>
 #include <utility>
 
@@ -174,15 +175,20 @@ Regions regions_of(std::int32_t rows, std::int32_t cols, const LinksOfRow& links
 
 constexpr std::uint64_t every_byte = 0x0101010101010101U;
 
+/// Reads eight cells from `c` on as one number, whose lowest byte is the first.
+std::uint64_t eight_cells(std::span<const std::uint8_t> links, std::int32_t c) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, links.data() + c, sizeof eight);
+    return std::endian::native == std::endian::little ? eight : __builtin_bswap64(eight);
+}
+
 /// Returns the first cell from `c` on that belongs to a region, or the end of the row. Tests eight cells at a
 /// time, because most rows are mostly empty.
 std::int32_t next_in(std::span<const std::uint8_t> links, std::int32_t c) {
     const auto end = static_cast<std::int32_t>(links.size());
-    for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
-        std::memcpy(&eight, links.data() + c, sizeof eight);
-        if (eight != 0)
-            break;
-    }
+    for (; c + 8 <= end; c += 8)
+        if (const std::uint64_t eight = eight_cells(links, c); eight != 0)
+            return c + std::countr_zero(eight) / 8;
     while (c < end && links[static_cast<std::size_t>(c)] == 0)
         ++c;
     return c;
@@ -192,12 +198,13 @@ std::int32_t next_in(std::span<const std::uint8_t> links, std::int32_t c) {
 /// `joined_end` were joined to the row above already.
 std::int32_t skip_linked(std::span<const std::uint8_t> links, std::int32_t c, std::int32_t joined_end) {
     const auto end = static_cast<std::int32_t>(links.size());
-    for (std::uint64_t eight = 0; c + 8 <= end; c += 8) {
-        std::memcpy(&eight, links.data() + c, sizeof eight);
-        const bool left = (~eight & every_byte * link_left) == 0;
-        const bool up = (eight & every_byte * link_up) != 0;
-        if (!left || (up && c + 8 > joined_end))
-            break;
+    for (; c + 8 <= end; c += 8) {
+        const std::uint64_t eight = eight_cells(links, c);
+        const std::int32_t joined = std::max(joined_end - c, 0);
+        const std::uint64_t up =
+            joined < 8 ? eight & every_byte * link_up & ~std::uint64_t{0} << 8 * joined : 0;
+        if (const std::uint64_t stops = (~eight & every_byte * link_left) | up; stops != 0)
+            return c + std::countr_zero(stops) / 8;
     }
     return c;
 }
