@@ -210,7 +210,7 @@ TEST(Rejected, OutlinesThatStayAsTracedNameWhatTheyAreOf) {
     town.options.write.rejected = true;
     town.options.levels.lod = 6;
     town.options.filter.noise_factor = 4;
-    town.options.outline.wall_tolerance = 0.2;  // no wall comes so near to a staircase
+    town.options.outline.wall_tolerance = 0.02;  // no wall comes so near to its trace
     town.run();
     expect_all_are_there(town.sink, town.report);
     int kept = 0;
@@ -238,7 +238,7 @@ TEST(Rejected, OutlinesThatStayAsTracedNameWhatTheyAreOf) {
 TEST(FeatureRecords, SayWhatTheFieldsSay) {
     TownRun town(MadeTown::slanted());
     town.options.write.rejected = true;
-    town.options.outline.wall_tolerance = 0.2;  // no wall comes so near to a staircase
+    town.options.outline.wall_tolerance = 0.02;  // no wall comes so near to its trace
     town.run();
     ASSERT_EQ(town.count(buildings), 3U);
     for (std::size_t i = 0; i < town.count(buildings); ++i) {
