@@ -55,7 +55,7 @@ const std::map<std::string, std::vector<Texts>>& values() {
         {"regularize_tolerance", {{"0.5"}}},
         {"wall_inset", {{"0.1"}}},
         {"simplify", {{"1.2"}}},
-        {"flow_ready", {{"3"}}},
+        {"flow_ready", {{"5"}}},
         {"min_gap", {{"30"}}},
         {"min_wall", {{"4"}}},
         {"storey_height", {{"2"}}},

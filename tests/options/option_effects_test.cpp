@@ -53,7 +53,7 @@ bool takes_its_object(const std::string& one, const std::string& other) {
         {"-max_building_width 5", high},
         {"-split_height 3", high},
         {"-arcs", {"-zrange", "-off"}},
-        {"-flow_ready 3", of_short_walls},
+        {"-flow_ready 5", of_short_walls},
         {"-min_wall 4", of_short_walls},
         {"-regularize right", of_oblique_walls},
         {"-regularize free", of_oblique_walls},
