@@ -81,7 +81,8 @@ struct PolygonSource {
 /// OptionError if the named one does not exist
 [[nodiscard]] OGRLayerH layer_of(GDALDatasetH dataset, const PolygonSource& source, Warnings& warnings);
 
-/// Returns the name of the layer that layer_of() takes; "" if there is none, which is reported when it is read.
+/// Returns the name of the layer that layer_of() takes; "" if there is none, which is reported when it is
+/// read.
 [[nodiscard]] std::string layer_name(const PolygonSource& source);
 
 /// Returns the transformation from the CRS of the layer to that of the DEM, or null if they are the same or
