@@ -1,33 +1,34 @@
 #include "elevations/statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
-#include <limits>
 
 namespace d2b {
 
-/// Uses pairs, the vectors of the compiler, because it keeps arrays in memory.
+/// Uses lanes, so that the loop vectorises.
 ValueRange value_range(std::span<const double> values) {
-    using Pair [[gnu::vector_size(2 * sizeof(double))]] = double;
-    Pair lowest = Pair{} + ValueRange{}.lowest;
-    Pair highest = Pair{} + ValueRange{}.highest;
-    Pair known{};
-    const auto update = [&](Pair z) {
-        lowest = z < lowest ? z : lowest;
-        highest = z > highest ? z : highest;
-        known += z == z ? Pair{1, 1} : Pair{};
+    constexpr std::size_t lanes = 4;
+    std::array<double, lanes> lowest{};
+    std::array<double, lanes> highest{};
+    std::array<double, lanes> known{};
+    lowest.fill(ValueRange{}.lowest);
+    highest.fill(ValueRange{}.highest);
+    const auto update = [&](std::size_t i, std::size_t lane) {
+        const double z = values[i];
+        lowest[lane] = z < lowest[lane] ? z : lowest[lane];
+        highest[lane] = z > highest[lane] ? z : highest[lane];
+        known[lane] += z == z ? 1.0 : 0.0;
     };
     std::size_t i = 0;
-    for (Pair pair; i + 2 <= values.size(); i += 2) {
-        std::memcpy(&pair, &values[i], sizeof pair);
-        update(pair);
-    }
-    if (i < values.size())
-        update(Pair{values[i], std::numeric_limits<double>::quiet_NaN()});
-    return {std::min(lowest[0], lowest[1]), std::max(highest[0], highest[1]),
-            static_cast<std::size_t>(known[0] + known[1])};
+    for (; i + lanes <= values.size(); i += lanes)
+        for (std::size_t lane = 0; lane < lanes; ++lane)
+            update(i + lane, lane);
+    for (; i < values.size(); ++i)
+        update(i, 0);
+    return {std::ranges::min(lowest), std::ranges::max(highest),
+            static_cast<std::size_t>(known[0] + known[1] + known[2] + known[3])};
 }
 
 void ElevationStatistics::add(std::span<const double> elevations) {

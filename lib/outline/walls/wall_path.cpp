@@ -204,13 +204,17 @@ void advance_headings(const Windows& windows, const std::vector<HeadingStep>& st
     }
 }
 
-/// Costs of the chain that a thread is at. They are kept for the next one, because most chains are so short
-/// that allocating them takes as long as the search.
 struct ChainCosts {
     CellValues<float> lines;
     CellValues<float> beginnings;
 };
-thread_local ChainCosts chain_costs;
+
+/// Returns the costs of the chain that the thread is at. They are kept for the next one, because most chains
+/// are so short that allocating them takes as long as the search.
+ChainCosts& costs_of_thread() {
+    static thread_local ChainCosts costs;
+    return costs;
+}
 
 /// Shortest path over the lines of consecutive steps.
 class PathFinder {
@@ -306,8 +310,8 @@ PathFinder::PathFinder(const TraceSums& samples, const WallParameters& parameter
       steps_(headings_.size()),
       bases_(headings_.size()),
       endings_(2 * zone_count * headings_.size()),
-      costs_(chain_costs.lines),
-      beginnings_(chain_costs.beginnings) {
+      costs_(costs_of_thread().lines),
+      beginnings_(costs_of_thread().beginnings) {
     windows_.width = (2 * half_ + lanes) / lanes * lanes;
     // A window moves by the length of a step at most, and one line by rounding. Beyond its width all is
     // alike.
