@@ -415,6 +415,24 @@ TEST(Walls, ADiscBecomesACircle) {
         EXPECT_NEAR(std::hypot(p.x - 30.2, p.y + 29.7), 18, 0.4);
 }
 
+TEST(Walls, ASquareThatLacksItsCornersIsNoCircle) {
+    const OutlineRules rules = walls(Walls::automatic, 2.5);
+    for (const double half : {4.0, 4.5, 5.0, 6.0}) {
+        const Drawn square(paint(40,
+                                 [&](Place p) {
+                                     const Place q = in_frame(p, {20.3, -19.8}, half / 10);
+                                     const double u = std::abs(q.x);
+                                     const double v = std::abs(q.y);
+                                     return u < half && v < half && u + v < 1.65 * half ? 1 : 0;
+                                 }),
+                           rules);
+        EXPECT_EQ(square.exterior(1).size(), 4U) << half;
+        const Drawn disc(
+            paint(40, [&](Place p) { return std::hypot(p.x - 20.3, p.y + 19.8) < half ? 1 : 0; }), rules);
+        EXPECT_EQ(disc.outliner.outline(1).arcs.size(), 2U) << half;
+    }
+}
+
 TEST(Walls, WhatIsSmallerThanTheToleranceStaysAsItWasTraced) {
     const Drawn drawn(paint(12, [](Place p) { return p.x > 5 && p.x < 6 && p.y < -5 && p.y > -6 ? 1 : 0; }),
                       walls(Walls::free));

@@ -159,6 +159,25 @@ std::optional<WallSegment> fit_arc(const TraceSums& samples, const WallParameter
     return WallSegment{first, last, 0, {}, circle};
 }
 
+/// True if a rectangle in some direction lies nearer to a ring than a circle: a square house without its
+/// corners would be round otherwise.
+bool is_rather_rectangle(const TraceSums& samples, const Circle& circle) {
+    constexpr int directions = 18;
+    double round = 0;
+    for (std::size_t step = 0; step < samples.steps(); ++step)
+        round += std::pow(circle.offset(samples.midpoint(step)), 2);
+    for (int i = 0; i < directions; ++i) {
+        const auto rectangle = fit_rectangle(samples, i * std::numbers::pi / 2 / directions);
+        double squares = rectangle ? 0 : round;
+        for (const WallSegment& side : rectangle.value_or(std::vector<WallSegment>()))
+            for (std::size_t step = side.first; step < side.last; ++step)
+                squares += std::pow(side.line.offset(samples.midpoint(step)), 2);
+        if (squares < round)
+            return true;
+    }
+    return false;
+}
+
 /// Direction of the turn between two stretches: 1 or -1, or 0 if the turn is too sharp or too slight for an
 /// arc.
 int turn(const PricedStretch& a, const PricedStretch& b) {
@@ -225,8 +244,9 @@ std::vector<WallSegment> find_circular_arcs(const TraceSums& samples, const std:
     for (const PricedStretch& stretch : stretches)
         cost += stretch.cost;
     if (samples.closed() && on_frame.empty())
-        if (const auto circle = fit_arc(samples, parameters, 0, samples.steps(), cost))
-            return {*circle};
+        if (const auto ring = fit_arc(samples, parameters, 0, samples.steps(), cost);
+            ring && !is_rather_rectangle(samples, *ring->circle))
+            return {*ring};
     std::vector<WallSegment> arcs;
     for (std::size_t i = 0; i < stretches.size();) {
         std::size_t end = end_of_turn(stretches, i);
