@@ -20,4 +20,13 @@ double adjust_frames(const TraceSums& samples, const std::vector<WallSegment>& w
 void turn_walls(const TraceSums& samples, const WallDirections& from, const WallDirections& to,
                 std::vector<WallSegment>& walls);
 
+/// Joins parallel walls with jogs between them to one wall, turned by a few degrees, where that costs less by
+/// the prices of find_walls(). Needed because the walls of a frame have one direction, while those of a
+/// building differ by a degree or two: a long wall would be drawn as a flight of steps.
+///
+/// Do not use it where all corners have to be right angles.
+/// @param walls of a chain, in its order; nothing is done to arcs and walls on the edge of the raster
+void join_parallel_walls(const TraceSums& samples, const WallParameters& parameters,
+                         std::vector<WallSegment>& walls);
+
 }  // namespace d2b::outline

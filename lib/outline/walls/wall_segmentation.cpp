@@ -9,7 +9,6 @@
 
 #include "outline/walls/chain_polyline.hpp"
 #include "outline/walls/frame_walls.hpp"
-#include "outline/walls/joined_walls.hpp"
 #include "outline/walls/wall_adjustment.hpp"
 #include "outline/walls/wall_path.hpp"
 
@@ -131,22 +130,27 @@ std::vector<PricedStretch> stretches_of(const TraceSums& samples, const std::vec
     return stretches;
 }
 
+/// Sum of the squared distances of the midpoints of steps from a line or circle.
+template <typename Shape>
+double squares_from(const Shape& shape, const TraceSums& samples, std::size_t first, std::size_t last) {
+    double sum = 0;
+    for (std::size_t step = first; step < last; ++step)
+        sum += std::pow(shape.offset(samples.midpoint(step)), 2);
+    return sum;
+}
+
 /// Returns an arc to replace a run of stretches if it is the cheaper description.
 std::optional<WallSegment> fit_arc(const TraceSums& samples, const WallParameters& parameters,
                                    std::size_t first, std::size_t last, double replaced_cost) {
     const std::optional<Circle> circle = fit_circle(samples, first, last);
     if (!circle || circle->radius < min_radius)
         return {};
-    double squares = 0;
-    double largest = 0;
     const double limit = std::min(parameters.tolerance, max_arc_distance) - wall_clearance;
-    for (std::size_t i = first; i < last; ++i) {
-        squares += std::pow(circle->offset(samples.midpoint(i)), 2);
-        largest = std::max(largest, std::abs(circle->offset(samples.at(i))));
-        if (largest > limit)
+    for (std::size_t i = first; i < last; ++i)
+        if (std::abs(circle->offset(samples.at(i))) > limit)
             return {};
-    }
-    const double cost = arc_price + parameters.misfit(squares, static_cast<double>(last - first));
+    const double cost = arc_price + parameters.misfit(squares_from(*circle, samples, first, last),
+                                                      static_cast<double>(last - first));
     const double sweep =
         static_cast<double>(last - first) / 1.27 / circle->radius;  // a staircase is 4 / pi times longer
     const bool whole = samples.closed() && last - first == samples.steps();
@@ -163,15 +167,14 @@ std::optional<WallSegment> fit_arc(const TraceSums& samples, const WallParameter
 /// corners would be round otherwise.
 bool is_rather_rectangle(const TraceSums& samples, const Circle& circle) {
     constexpr int directions = 18;
-    double round = 0;
-    for (std::size_t step = 0; step < samples.steps(); ++step)
-        round += std::pow(circle.offset(samples.midpoint(step)), 2);
+    const double round = squares_from(circle, samples, 0, samples.steps());
     for (int i = 0; i < directions; ++i) {
         const auto rectangle = fit_rectangle(samples, i * std::numbers::pi / 2 / directions);
-        double squares = rectangle ? 0 : round;
-        for (const WallSegment& side : rectangle.value_or(std::vector<WallSegment>()))
-            for (std::size_t step = side.first; step < side.last; ++step)
-                squares += std::pow(side.line.offset(samples.midpoint(step)), 2);
+        if (!rectangle)
+            continue;
+        double squares = 0;
+        for (const WallSegment& side : *rectangle)
+            squares += squares_from(side.line, samples, side.first, side.last);
         if (squares < round)
             return true;
     }
