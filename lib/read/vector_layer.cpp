@@ -224,12 +224,12 @@ OGRLayerH layer_of(GDALDatasetH dataset, const PolygonSource& source, Warnings& 
     return GDALDatasetGetLayerByName(dataset, names.front().c_str());
 }
 
-std::string layer_name(const PolygonSource& source) {
-    if (!source.layer.empty())
-        return source.layer;
-    const NetworkGuard gate(source.path);
+std::string layer_name(const std::string& path, const std::string& layer) {
+    if (!layer.empty())
+        return layer;
+    const NetworkGuard gate(path);
     const GdalMessages quiet;
-    const DatasetOwner dataset = open_guarded(source.path, GDAL_OF_VECTOR | GDAL_OF_READONLY);
+    const DatasetOwner dataset = open_guarded(path, GDAL_OF_VECTOR | GDAL_OF_READONLY);
     const std::vector<std::string> names =
         dataset ? geometry_layers(dataset.get()) : std::vector<std::string>();
     return names.empty() ? "" : names.front();

@@ -81,9 +81,9 @@ struct PolygonSource {
 /// OptionError if the named one does not exist
 [[nodiscard]] OGRLayerH layer_of(GDALDatasetH dataset, const PolygonSource& source, Warnings& warnings);
 
-/// Returns the name of the layer that layer_of() takes; "" if there is none, which is reported when it is
-/// read.
-[[nodiscard]] std::string layer_name(const PolygonSource& source);
+/// Returns the name of the layer that layer_of() takes if an option names this one, or none; "" if there is
+/// none, which is reported when it is read.
+[[nodiscard]] std::string layer_name(const std::string& path, const std::string& layer);
 
 /// Returns the transformation from the CRS of the layer to that of the DEM, or null if they are the same or
 /// the layer has none.

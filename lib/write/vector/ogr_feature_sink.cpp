@@ -219,23 +219,37 @@ bool is_same_dataset(const std::string& one, const std::string& other) {
     return one == other || std::filesystem::equivalent(one, other, error);
 }
 
+/// Polygons that an option reads.
+struct InputPolygons {
+    std::string option;
+    std::string path;
+    std::string layer;  ///< "": the first one
+};
+
+/// Refuses to replace a whole file that an option reads. @return true if the destination is this file, so
+/// that its layers may be replaced
+/// @throws OptionError
+bool keep_file(const WriteOptions& options, const InputPolygons& input) {
+    if (!options.overwrite || input.path.empty() || !is_same_dataset(input.path, options.destination))
+        return false;
+    if (!format_for(options).transactions)
+        throw OptionError("\"" + options.destination + "\" is the file of " + input.option +
+                          ", which -overwrite would replace; write to another file.");
+    return true;
+}
+
 /// Refuses to replace what an option reads: its layer, or its file if -overwrite replaces it whole.
 /// @throws OptionError
-void keep_input(const WriteOptions& options, const std::string& option,
-                const reading::PolygonSource& source) {
-    if (!options.overwrite || source.path.empty() || !is_same_dataset(source.path, options.destination))
+void keep_input(const WriteOptions& options, const InputPolygons& input) {
+    if (!keep_file(options, input))
         return;
     const VectorFormat format = format_for(options);
-    if (!format.transactions)
-        throw OptionError("\"" + options.destination + "\" is the file of " + option +
-                          ", which -overwrite would replace; write to another file.");
-    if (source.layer.empty() && source.layer_option == "corrections_layer")
-        return;  // corrections are in layers of any name
-    const std::string layer = reading::layer_name(source);
+    const std::string layer = reading::layer_name(input.path, input.layer);
     for (const std::string& name : names_of(options, format, resolve_layers(options, options.layers, format)))
         if (EQUAL(name.c_str(), layer.c_str()))
             throw OptionError("The layer \"" + layer + "\" of \"" + options.destination + "\" is that of " +
-                              option + ", which -overwrite would replace; give another name with -nln.");
+                              input.option +
+                              ", which -overwrite would replace; give another name with -nln.");
 }
 
 }  // namespace
@@ -246,15 +260,15 @@ namespace d2b {
 void keep_inputs(const Options& options) {
     const DetectOptions& detect = options.detect;
     reading::register_formats();
-    const std::vector<std::pair<std::string, reading::PolygonSource>> inputs{
-        {"-exclude", {"exclusion dataset", "exclude_layer", detect.exclude, detect.exclude_layer}},
-        {"-corrections",
-         {"correction dataset", "corrections_layer", detect.corrections, detect.corrections_layer}},
-        {"-split_by", {"parcel dataset", "split_layer", detect.split_by, detect.split_layer}},
-        {"-mask", {"mask", "mask_layer", detect.mask, detect.mask_layer}},
-        {"-cutline", {"cutline", "cutline_layer", options.read.cutline, options.read.cutline_layer}}};
-    for (const auto& [option, source] : inputs)
-        writing::keep_input(options.write, option, source);
+    const writing::InputPolygons corrections{"-corrections", detect.corrections, detect.corrections_layer};
+    if (corrections.layer.empty())
+        writing::keep_file(options.write, corrections);  // its layers may have any name
+    else
+        writing::keep_input(options.write, corrections);
+    writing::keep_input(options.write, {"-exclude", detect.exclude, detect.exclude_layer});
+    writing::keep_input(options.write, {"-split_by", detect.split_by, detect.split_layer});
+    writing::keep_input(options.write, {"-mask", detect.mask, detect.mask_layer});
+    writing::keep_input(options.write, {"-cutline", options.read.cutline, options.read.cutline_layer});
 }
 
 std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callbacks& callbacks) {
@@ -264,9 +278,7 @@ std::unique_ptr<FeatureSink> open_sink(const WriteOptions& options, const Callba
     writing::Destination destination = writing::locate(options, format);
     if (writing::is_drawing(format))
         return writing::open_dxf_sink(options, format, destination);
-    writing::keep_input(
-        options, "-footprints",
-        {"footprint dataset", "footprints_layer", options.footprints, options.footprints_layer});
+    writing::keep_input(options, {"-footprints", options.footprints, options.footprints_layer});
     std::optional<writing::ExistingDataset> existing =
         writing::find_existing(destination, format, options, layers);
     if (callbacks.on_warning && !options.layers && layers == Layers::buildings)
